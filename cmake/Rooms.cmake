@@ -1,0 +1,41 @@
+# One static library per room. Sources are found by pattern (checked again at every build), so that adding a
+# file touches one place.
+#
+#   aoscore_room(<name> ROOMS <rooms it may include>… LIBRARIES <external targets>…)
+add_library(aoscore_options INTERFACE)
+target_include_directories(aoscore_options INTERFACE ${CMAKE_SOURCE_DIR}/src)
+target_compile_options(aoscore_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+                       -Wold-style-cast -Wcast-qual -Woverloaded-virtual -Wnull-dereference -Wextra-semi
+                       $<$<BOOL:${AOSCORE_WERROR}>:-Werror>)
+# Contracting a*b+c into one rounding differs between machines; results must not.
+target_compile_options(aoscore_options INTERFACE -ffp-contract=off)
+if(AOSCORE_SANITIZE)
+    target_compile_options(aoscore_options INTERFACE -fsanitize=${AOSCORE_SANITIZE} -fno-omit-frame-pointer
+                           -fno-sanitize-recover=undefined)
+    target_link_options(aoscore_options INTERFACE -fsanitize=${AOSCORE_SANITIZE})
+endif()
+
+function(aoscore_room name)
+    cmake_parse_arguments(ROOM "" "" "ROOMS;LIBRARIES" ${ARGN})
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    if(NOT sources)
+        add_library(aoscore_${name} INTERFACE)
+        return()
+    endif()
+    add_library(aoscore_${name} STATIC ${sources})
+    list(TRANSFORM ROOM_ROOMS PREPEND aoscore_)
+    target_link_libraries(aoscore_${name} PUBLIC aoscore_options ${ROOM_ROOMS} ${ROOM_LIBRARIES})
+endfunction()
+
+#   aoscore_test(<name> ROOMS <rooms under test>… LIBRARIES <external targets>…): all of tests/<name>/*.cpp in
+#   one program; each of its cases is a test of its own, in a folder of its own.
+function(aoscore_test name)
+    cmake_parse_arguments(TEST "" "" "ROOMS;LIBRARIES" ${ARGN})
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    add_executable(test_${name} ${sources})
+    list(TRANSFORM TEST_ROOMS PREPEND aoscore_)
+    target_link_libraries(test_${name} PRIVATE aoscore_test_support ${TEST_ROOMS} ${TEST_LIBRARIES}
+                          GTest::gtest_main GTest::gmock)
+    gtest_discover_tests(test_${name} TEST_PREFIX "${name}: " DISCOVERY_MODE PRE_TEST
+                         DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600 LABELS ${name})
+endfunction()

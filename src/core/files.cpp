@@ -1,0 +1,70 @@
+#include "core/files.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <fstream>
+#include <system_error>
+
+#include "core/error.h"
+
+namespace aoscore {
+
+namespace fs = std::filesystem;
+
+std::string_view version() { return AOSCORE_VERSION; }
+
+fs::path home_dir() {
+    if (const char* home = std::getenv("AOSCORE_HOME"); home != nullptr && *home != '\0') return home;
+    return AOSCORE_SOURCE_DIR;
+}
+
+std::string read_file(const fs::path& path, std::size_t max_bytes) {
+    std::error_code ec;
+    const fs::file_status status = fs::status(path, ec);
+    if (!fs::exists(status)) throw file_error("no such file", path.string());
+    if (!fs::is_regular_file(status)) throw file_error("not a regular file", path.string());
+    const std::uintmax_t size = fs::file_size(path, ec);
+    if (ec) throw file_error(ec.message(), path.string());
+    if (size > max_bytes) {
+        throw file_error(fmt::format("file of {} bytes is too large", size), path.string(),
+                         fmt::format("at most {} bytes", max_bytes));
+    }
+    std::string content(static_cast<std::size_t>(size), '\0');
+    std::ifstream in(path, std::ios::binary);
+    if (!in.read(content.data(), static_cast<std::streamsize>(size))) throw file_error("cannot be read", path.string());
+    return content;
+}
+
+void write_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+    static std::atomic<int> counter{0};
+    std::error_code ec;
+    if (path.has_parent_path()) fs::create_directories(path.parent_path(), ec);
+    if (ec) throw file_error("folder cannot be made: " + ec.message(), path.parent_path().string());
+    // The extension stays last: image libraries choose the format by it.
+    fs::path temporary = path.parent_path() /
+                         fmt::format(".{}.{}-{}.tmp{}", path.stem().string(), getpid(), counter++,
+                                     path.extension().string());
+    try {
+        write(temporary);
+        fs::rename(temporary, path);
+    } catch (const fs::filesystem_error& e) {
+        fs::remove(temporary, ec);
+        throw file_error("cannot be written: " + e.code().message(), path.string());
+    } catch (...) {
+        fs::remove(temporary, ec);
+        throw;
+    }
+}
+
+void write_atomically(const fs::path& path, std::string_view content) {
+    write_atomically(path, [&](const fs::path& temporary) {
+        std::ofstream out(temporary, std::ios::binary);
+        out.write(content.data(), static_cast<std::streamsize>(content.size()));
+        if (!out.flush()) throw file_error("cannot be written", path.string());
+    });
+}
+
+}  // namespace aoscore

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace aoscore {
+
+/// The program's version, as in CMakeLists.txt and CHANGELOG.md.
+std::string_view version();
+
+/// The folder that holds shaders/, scenes/, reports/ and references/: the environment variable AOSCORE_HOME
+/// where it is set, else the source tree the program was built from.
+std::filesystem::path home_dir();
+
+/// The whole file. Throws file_error when it cannot be read or is larger than `max_bytes`.
+std::string read_file(const std::filesystem::path& path, std::size_t max_bytes = std::size_t{2} << 30);
+
+/// Lets `write` produce a file under a temporary name in the same folder (created when missing), then renames
+/// it to `path`: a reader sees the old file, the new one, or none, never half of one. The temporary file is
+/// removed when `write` throws.
+void write_atomically(const std::filesystem::path& path,
+                      const std::function<void(const std::filesystem::path& temporary)>& write);
+void write_atomically(const std::filesystem::path& path, std::string_view content);
+
+}  // namespace aoscore

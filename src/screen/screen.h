@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/image.h"
+#include "scene/scene.h"
+#include "screen/method.h"
+
+namespace aoscore {
+
+/// The rasterised inputs as the methods see them, read back. Row 0 at the top.
+struct GBufferImages {
+    Mask surface;                     ///< 1 where something was drawn
+    ImageF linear_depth;              ///< view depth -z, metres; far plane's where nothing was drawn
+    ImageF hardware_depth;            ///< OpenGL window depth in [0,1]
+    Image<glm::vec3> normal_geometric;///< view space, unit, turned to the camera
+    Image<glm::vec3> normal_smooth;   ///< view space, unit, on the geometric normal's side
+    Image<glm::vec3> albedo;          ///< linear
+};
+
+/// What to run on the current G-buffer.
+struct MethodRequest {
+    const MethodDescriptor* method = nullptr;
+    ParameterValues parameters;                    ///< complete: MethodDescriptor::values()
+    const MethodDescriptor* filter = nullptr;      ///< null: none
+    ParameterValues filter_parameters;
+    std::uint64_t seed = 1;                        ///< of kernels and noise
+};
+
+struct MethodOutput {
+    ImageF raw;         ///< the AO pass, visibility; 1 on background
+    ImageF visibility;  ///< after the filter (equals raw without one)
+};
+
+/// The inputs a pass may ask for: "linear_depth", "hardware_depth", "normal_geometric", "normal_smooth", "albedo".
+const std::set<std::string>& gbuffer_inputs();
+
+/// OpenGL 3.3 on OSMesa: draws one G-buffer and runs screen-space methods on it. One instance at a time a thread.
+class ScreenRenderer {
+  public:
+    ScreenRenderer();
+    ~ScreenRenderer();
+
+    std::string renderer() const;  ///< GL_RENDERER
+    std::string version() const;   ///< GL_VERSION
+
+    /// Uploads geometry and cut-out textures.
+    void set_scene(const Scene& scene);
+    /// Draws the G-buffer: linear and hardware depth always, of the rest only what `inputs` names
+    /// (gbuffer_inputs()). All requests after it use it. Returns milliseconds to glFinish.
+    double draw_gbuffer(const CameraFrame& frame, const std::set<std::string>& inputs);
+    /// What was drawn; images that were not asked for are empty.
+    GBufferImages read_gbuffer();
+    /// Digest of all G-buffer textures' bytes: equal before and after a method ran.
+    std::string gbuffer_digest();
+
+    /// Compiles what is needed (cached), runs once. Throws internal_error with the numbered source for a shader that
+    /// does not compile, file_error where descriptor and shader disagree on inputs or parameters.
+    MethodOutput run(const MethodRequest& request);
+
+    struct PassTimes {
+        double ao_ms = 0;
+        std::optional<double> filter_ms;
+    };
+    /// Runs once for the clock (nothing is read back; glFinish before it stops).
+    PassTimes time(const MethodRequest& request);
+
+    /// Texture fetches a pixel of the AO passes, counted by an instrumented build of the same shader; 0 on
+    /// background. Row 0 at the top.
+    ImageF count_fetches(const MethodRequest& request);
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace aoscore

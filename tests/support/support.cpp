@@ -1,0 +1,42 @@
+#include "support/support.h"
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/files.h"
+
+namespace aoscore::testing {
+
+namespace fs = std::filesystem;
+
+fs::path output_dir() {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    std::string name = std::string(info->test_suite_name()) + "." + info->name();
+    std::replace(name.begin(), name.end(), '/', '_');
+    const fs::path folder = fs::path(AOSCORE_TEST_OUTPUT) / name;
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    return folder;
+}
+
+fs::path shared_dir() {
+    if (const char* dir = std::getenv("AOSCORE_SHARED"); dir != nullptr) return dir;
+    const fs::path beside = fs::path(AOSCORE_SOURCE_DIR).parent_path() / "shared";
+    return fs::exists(beside) ? beside : fs::path();
+}
+
+ProgramRun run_aoscore(const std::string& arguments, const fs::path& folder) {
+    const fs::path out = folder / "stdout.txt", err = folder / "stderr.txt";
+    const std::string command = "cd '" + folder.string() + "' && '" AOSCORE_PROGRAM "' " + arguments + " >'" +
+                                out.string() + "' 2>'" + err.string() + "'";
+    const int status = std::system(command.c_str());
+    ProgramRun run;
+    run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    run.out = read_file(out);
+    run.err = read_file(err);
+    return run;
+}
+
+}  // namespace aoscore::testing
