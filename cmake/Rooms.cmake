@@ -5,7 +5,7 @@
 add_library(aoscore_options INTERFACE)
 target_include_directories(aoscore_options INTERFACE ${CMAKE_SOURCE_DIR}/src)
 target_compile_options(aoscore_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
-                       -Wold-style-cast -Wcast-qual -Woverloaded-virtual -Wnull-dereference -Wextra-semi
+                       -Wold-style-cast -Wcast-qual -Woverloaded-virtual -Wextra-semi
                        $<$<BOOL:${AOSCORE_WERROR}>:-Werror>)
 # Contracting a*b+c into one rounding differs between machines; results must not.
 target_compile_options(aoscore_options INTERFACE -ffp-contract=off)

@@ -1,1 +1,93 @@
-int main() { return 0; }
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <vector>
+
+#include "cli/command.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "core/interrupt.h"
+#include "core/log.h"
+#include "core/threads.h"
+
+namespace aoscore {
+namespace {
+
+constexpr std::array<AddCommand, 7> kCommands{add_run_command,     add_score_command,   add_reference_command,
+                                              add_gbuffer_command, add_compare_command, add_list_command,
+                                              add_bench_command};
+
+constexpr const char* kFooter =
+    "Exit codes: 0 ok, 1 a --warn limit was tripped, 2 a --fail limit was tripped or nothing could be compared,\n"
+    "3 sizes differ, 4 a file cannot be read, understood or written, 5 some cells failed, 64 wrong usage,\n"
+    "70 internal or OpenGL failure, 130 interrupted.";
+
+std::string quoted(const std::string& argument) {
+    const bool plain = !argument.empty() && argument.find_first_not_of(
+                                                "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                                "-_./,=:@%+") == std::string::npos;
+    if (plain) return argument;
+    std::string result = "'";
+    for (const char c : argument) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return result + "'";
+}
+
+std::string command_line(int argc, char** argv) {
+    std::string line = "aoscore";
+    for (int i = 1; i < argc; ++i) line += " " + quoted(argv[i]);
+    return line;
+}
+
+ExitCode run_program(int argc, char** argv) {
+    CLI::App program{
+        "aoscore: how far screen-space ambient occlusion is from the ray-traced truth, where, and at what cost"};
+    program.set_version_flag("--version", std::string(version()));
+    program.require_subcommand(1);
+    program.fallthrough();
+    program.footer(kFooter);
+
+    GlobalOptions global;
+    global.command_line = command_line(argc, argv);
+    program.add_option("--seed", global.seed, "Of every random choice; the same seed gives the same images")
+        ->capture_default_str();
+    program.add_option("--threads", global.threads, "Threads to use; 0 for all cores. Images do not depend on it")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    program.add_flag("--quiet", global.quiet, "Say nothing but errors and results");
+
+    std::vector<CommandEntry> commands;
+    for (const AddCommand add : kCommands) commands.push_back(add(program, global));
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        return program.exit(e) == 0 ? ExitCode::ok : ExitCode::usage;
+    }
+    set_quiet(global.quiet);
+    set_thread_count(global.threads);
+    catch_interrupts();
+    for (const CommandEntry& command : commands) {
+        if (command.app->parsed()) return command.run();
+    }
+    throw internal_error("a subcommand was parsed that nobody runs");
+}
+
+}  // namespace
+}  // namespace aoscore
+
+int main(int argc, char** argv) {
+    using aoscore::ExitCode;
+    ExitCode code = ExitCode::internal;
+    try {
+        code = aoscore::run_program(argc, argv);
+    } catch (const aoscore::Error& e) {
+        fmt::print(stderr, "aoscore: {}\n", e.what());
+        code = e.exit_code();
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "aoscore: not enough memory\n");
+    } catch (const std::exception& e) {
+        fmt::print(stderr, "aoscore: internal error: {}\n", e.what());
+    }
+    return static_cast<int>(code);
+}

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+
+namespace aoscore {
+
+/// Options that every subcommand takes.
+struct GlobalOptions {
+    std::uint64_t seed = 1;
+    int threads = 0;  ///< 0: all cores
+    bool quiet = false;
+    std::string command_line;  ///< as the user gave it, quoted for a shell
+};
+
+/// Adds one subcommand to the program; what it returns runs when the subcommand was given.
+using Command = std::function<ExitCode()>;
+struct CommandEntry {
+    CLI::App* app;
+    Command run;
+};
+using AddCommand = CommandEntry (*)(CLI::App& program, const GlobalOptions& global);
+
+CommandEntry add_run_command(CLI::App& program, const GlobalOptions& global);
+CommandEntry add_score_command(CLI::App& program, const GlobalOptions& global);
+CommandEntry add_reference_command(CLI::App& program, const GlobalOptions& global);
+CommandEntry add_gbuffer_command(CLI::App& program, const GlobalOptions& global);
+CommandEntry add_compare_command(CLI::App& program, const GlobalOptions& global);
+CommandEntry add_list_command(CLI::App& program, const GlobalOptions& global);
+CommandEntry add_bench_command(CLI::App& program, const GlobalOptions& global);
+
+}  // namespace aoscore

@@ -1,0 +1,52 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/command.h"
+#include "cli/shared_options.h"
+#include "core/files.h"
+#include "experiment/image_output.h"
+#include "screen/screen.h"
+
+namespace aoscore {
+namespace {
+
+struct Options {
+    SceneChoice choice;
+    ImageSize size;
+    std::filesystem::path out;
+};
+
+ExitCode run(const Options& options, const GlobalOptions& global) {
+    const Scene scene = load_with_warnings(options.choice.scene, {.albedo_textures = true});
+    const View& view = one_view(scene, options.choice.view);
+    const CameraFrame frame(view.camera, options.size.width, options.size.height);
+    ScreenRenderer renderer;
+    renderer.set_scene(scene);
+    const double ms = renderer.draw_gbuffer(frame, gbuffer_inputs());
+    write_gbuffer(options.out, renderer.read_gbuffer(),
+                  {{"aoscore:scene", scene.id},
+                   {"aoscore:scene_digest", scene.digest},
+                   {"aoscore:view", view.id},
+                   {"aoscore:gl_renderer", renderer.renderer()},
+                   {"aoscore:version", std::string(version())},
+                   {"comments", global.command_line}});
+    log_info(fmt::format("{} triangles drawn in {:.1f} ms by {}", scene.triangle_count, ms, renderer.renderer()));
+    fmt::print("{}\n", options.out.string());
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+CommandEntry add_gbuffer_command(CLI::App& program, const GlobalOptions& global) {
+    CLI::App* app = program.add_subcommand(
+        "gbuffer", "Draw the G-buffer of one view into an EXR: Z view depth in metres, depth.Z window depth, N.* "
+                   "geometric and Ns.* smooth view-space normals, albedo.*, mask.Y");
+    const auto options = std::make_shared<Options>();
+    add_scene_options(*app, options->choice);
+    add_size_option(*app, options->size);
+    app->add_option("--out", options->out, "EXR file to write")->required();
+    return {app, [options, &global] { return run(*options, global); }};
+}
+
+}  // namespace aoscore

@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "cli/command.h"
+#include "cli/shared_options.h"
+#include "core/files.h"
+#include "experiment/experiment.h"
+#include "report/report.h"
+
+namespace aoscore {
+namespace {
+
+struct Options {
+    SceneChoice choice;
+    std::vector<std::string> methods;
+    std::string preset = "default";
+    ImageSize size;
+    std::vector<double> radii;
+    int samples = 64;
+    std::string filter;
+    std::filesystem::path methods_dir;
+    std::filesystem::path out;
+};
+
+std::vector<std::string> chosen_methods(const Options& options) {
+    if (!options.methods.empty() && options.methods != std::vector<std::string>{"all"}) return options.methods;
+    std::vector<std::string> ids;
+    for (const MethodDescriptor& method : load_methods(options.methods_dir)) ids.push_back(method.id);
+    return ids;
+}
+
+// The scene is loaded here only to know its views; it is small work beside the rest, and a bad file ends the run
+// before anything is written.
+std::vector<std::string> chosen_views(const SceneChoice& choice) {
+    if (!choice.view.empty()) return {choice.view};
+    std::vector<std::string> ids;
+    for (const View& view : load_scene(choice.scene).views) ids.push_back(view.id);
+    return ids;
+}
+
+ExitCode run(const Options& options, const GlobalOptions& global) {
+    if (options.radii.size() > 1 || (!options.radii.empty() && !std::isfinite(options.radii[0]))) {
+        throw usage_error("a score is ranked at one finite radius", "--radius", "one length in metres");
+    }
+    ExperimentPlan plan;
+    plan.seed = global.seed;
+    plan.methods_dir = options.methods_dir;
+    plan.command = global.command_line;
+    for (const std::string& view_id : chosen_views(options.choice)) {
+        ViewPlan view;
+        view.scene = options.choice.scene;
+        view.view = view_id;
+        view.width = options.size.width;
+        view.height = options.size.height;
+        view.samples = options.samples;
+        if (!options.radii.empty()) view.radius_m = options.radii[0];
+        for (const std::string& method : chosen_methods(options)) {
+            CellPlan cell{method, options.preset, {}, {}};
+            if (!options.filter.empty()) cell.filter = options.filter;
+            view.cells.push_back(std::move(cell));
+        }
+        plan.views.push_back(std::move(view));
+    }
+    const std::string stem = std::filesystem::path(options.choice.scene).stem().string();
+    const std::filesystem::path folder =
+        options.out.empty() ? home_dir() / "reports" / "out" / ("score-" + stem) : options.out;
+    const Results results = run_experiment(plan, folder);
+    fmt::print("{}\n", write_report(folder).string());
+    return failed_cells(results) > 0 ? ExitCode::cells_failed : ExitCode::ok;
+}
+
+}  // namespace
+
+CommandEntry add_score_command(CLI::App& program, const GlobalOptions& global) {
+    CLI::App* app = program.add_subcommand("score", "Score methods on the views of a scene; prints the page's path");
+    const auto options = std::make_shared<Options>();
+    add_scene_options(*app, options->choice);
+    app->add_option("--methods", options->methods, "Methods to score (see list methods) [all]")->delimiter(',');
+    app->add_option("--preset", options->preset, "Which preset of each method")->capture_default_str();
+    add_size_option(*app, options->size);
+    add_radii_option(*app, options->radii);
+    add_samples_option(*app, options->samples);
+    app->add_option("--filter", options->filter, "A filter (see list methods), or none [the preset's own]");
+    app->add_option("--methods-dir", options->methods_dir, "A folder of methods of your own");
+    app->add_option("--out", options->out, "Folder of page, results and images [reports/out/score-SCENE]");
+    return {app, [options, &global] { return run(*options, global); }};
+}
+
+}  // namespace aoscore

@@ -1,0 +1,88 @@
+#include "cli/shared_options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace aoscore {
+namespace {
+
+constexpr int kLargestSide_px = 16384;
+
+std::optional<int> parse_int(const std::string& text) {
+    int value = 0;
+    const auto [end, ec] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (ec != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+double parse_radius(const std::string& text) {
+    if (text == "inf") return std::numeric_limits<double>::infinity();
+    double value = 0;
+    const auto [end, ec] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (ec != std::errc() || end != text.data() + text.size() || !(value > 0) || !std::isfinite(value)) {
+        throw CLI::ValidationError("--radius", "\"" + text + "\" is no length in metres above 0, and not \"inf\"");
+    }
+    return value;
+}
+
+}  // namespace
+
+void add_size_option(CLI::App& app, ImageSize& size) {
+    app.add_option_function<std::string>(
+           "--size",
+           [&size](const std::string& text) {
+               const auto x = text.find('x');
+               const auto width = parse_int(text.substr(0, x));
+               const auto height = x == std::string::npos ? std::nullopt : parse_int(text.substr(x + 1));
+               if (!width || !height || *width < 1 || *height < 1 || *width > kLargestSide_px ||
+                   *height > kLargestSide_px) {
+                   throw CLI::ValidationError("--size", "\"" + text + "\" is no size such as 1920x1080 (at most " +
+                                                            std::to_string(kLargestSide_px) + " each way)");
+               }
+               size = {*width, *height};
+           },
+           fmt::format("Image size in pixels [{}x{}]", size.width, size.height))
+        ->type_name("WxH");
+}
+
+void add_radii_option(CLI::App& app, std::vector<double>& radii) {
+    app.add_option_function<std::vector<std::string>>(
+           "--radius",
+           [&radii](const std::vector<std::string>& texts) {
+               for (const std::string& text : texts) radii.push_back(parse_radius(text));
+           },
+           "Radii of the truth in metres, \"inf\" for none [the view's own]")
+        ->delimiter(',')
+        ->type_name("R[,R...]");
+}
+
+void add_samples_option(CLI::App& app, int& samples) {
+    app.add_option("--samples", samples, "Truth rays a pixel")
+        ->check(CLI::Range(1, 1 << 20))
+        ->capture_default_str();
+}
+
+void add_scene_options(CLI::App& app, SceneChoice& choice) {
+    app.add_option("scene", choice.scene, "A built-in scene (see list scenes), or a .gltf or .glb file")->required();
+    app.add_option("--view", choice.view, "One of the scene's views (see list views SCENE)");
+}
+
+Scene load_with_warnings(const std::string& name_or_path, const LoadOptions& options) {
+    Scene scene = load_scene(name_or_path, options);
+    for (const std::string& warning : scene.warnings) log_warning(scene.id + ": " + warning);
+    return scene;
+}
+
+const View& one_view(const Scene& scene, const std::string& view_id) {
+    if (!view_id.empty()) return find_view(scene, view_id);
+    const View& first = scene.views.front();
+    if (scene.views.size() > 1) {
+        log_info(fmt::format("{} has {} views; taking {} (choose with --view)", scene.id, scene.views.size(), first.id));
+    }
+    return first;
+}
+
+}  // namespace aoscore

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/log.h"
+#include "scene/scene.h"
+
+namespace aoscore {
+
+struct ImageSize {
+    int width = 1920, height = 1080;
+};
+
+/// --size WxH. The option's value lands in `size` while parsing.
+void add_size_option(CLI::App& app, ImageSize& size);
+
+/// --radius R[,R…]: metres, "inf" allowed.
+void add_radii_option(CLI::App& app, std::vector<double>& radii);
+
+/// --samples N: truth rays a pixel.
+void add_samples_option(CLI::App& app, int& samples);
+
+/// SCENE as a positional and --view.
+struct SceneChoice {
+    std::string scene;
+    std::string view;  ///< empty: all of the scene's views, or the first where only one makes sense
+};
+void add_scene_options(CLI::App& app, SceneChoice& choice);
+
+/// Loads the scene and prints its warnings.
+Scene load_with_warnings(const std::string& name_or_path, const LoadOptions& options = {});
+
+/// The chosen view, or the scene's first (said on standard error where there are several).
+const View& one_view(const Scene& scene, const std::string& view_id);
+
+}  // namespace aoscore

@@ -1,0 +1,74 @@
+#include "experiment/bench_main.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+
+#include "core/files.h"
+#include "experiment/experiment.h"
+#include "experiment/machine.h"
+#include "scene/scene.h"
+#include "screen/screen.h"
+
+namespace aoscore {
+namespace {
+
+class Stopwatch {
+  public:
+    double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void print_row(const char* what, double seconds, double total_seconds) {
+    fmt::print("{:<44} {:>8.2f} s {:>7.1f} %\n", what, seconds, 100 * seconds / total_seconds);
+}
+
+double reading_and_gbuffer_seconds() {
+    const Stopwatch watch;
+    const Scene scene = load_scene("atrium");
+    ScreenRenderer renderer;
+    renderer.set_scene(scene);
+    renderer.draw_gbuffer(CameraFrame(find_view(scene, "wide").camera, 1920, 1080), {"normal_geometric"});
+    return watch.seconds();
+}
+
+}  // namespace
+
+void bench_main(std::uint64_t seed) {
+    const double gbuffer_s = reading_and_gbuffer_seconds();
+    std::vector<std::string> ids;
+    for (const ReportDefinition& report : list_reports()) ids.push_back(report.id);
+    ExperimentPlan plan = plan_reports(ids);
+    plan.seed = seed;
+    plan.command = "aoscore bench main";
+    const std::filesystem::path folder = home_dir() / "reports" / "out" / "bench-main";
+    std::filesystem::remove_all(folder);
+    const Stopwatch watch;
+    const Results results = run_experiment(plan, folder);
+    const double total_s = watch.seconds();
+
+    double truth_s = 0, timed_s = 0;
+    for (const ViewRecord& view : results.views) truth_s += view.truth_seconds;
+    for (const CellRecord& cell : results.cells) {
+        for (const double ms : cell.ao.runs_ms) timed_s += ms / 1000;
+        for (const double ms : cell.blur.runs_ms) timed_s += ms / 1000;
+    }
+    fmt::print("{}, {} threads, {}\n", results.cpu, results.threads, results.gl_renderer);
+    print_row("main job without its page, cold", total_s, total_s);
+    print_row("  tracing the truths", truth_s, total_s);
+    print_row("  timed runs of the methods", timed_s, total_s);
+    print_row("  everything else", total_s - truth_s - timed_s, total_s);
+    print_row("reading and first G-buffer of the atrium", gbuffer_s, total_s);
+    fmt::print("{:<44} {:>8.0f} MiB\n", "peak memory", peak_memory_mib());
+    for (const ViewRecord& view : results.views) {
+        fmt::print("{:<44} {:>8.1f} million rays a second\n", "truth " + view.key,
+                   static_cast<double>(view.truth_rays) / view.truth_seconds / 1e6);
+    }
+}
+
+}  // namespace aoscore

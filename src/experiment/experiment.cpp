@@ -1,0 +1,127 @@
+#include "experiment/experiment.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <map>
+#include <memory>
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/log.h"
+#include "core/threads.h"
+#include "experiment/machine.h"
+#include "experiment/view_run.h"
+
+namespace aoscore {
+namespace {
+
+constexpr double kAutomaticRadiusShare = 0.02;
+
+/// A view of the plan with everything it names looked up.
+struct PreparedView {
+    const ViewPlan* plan;
+    std::shared_ptr<const Scene> scene;
+    const View* view;
+    std::vector<ResolvedCell> cells;
+};
+
+// Looks up and loads everything before any work is done or file is written, so that a wrong name costs nothing.
+std::vector<PreparedView> prepare(const ExperimentPlan& plan, const Registry& registry) {
+    std::map<std::string, std::shared_ptr<const Scene>> scenes;
+    std::vector<PreparedView> prepared;
+    for (const ViewPlan& view : plan.views) {
+        PreparedView p{&view, nullptr, nullptr, {}};
+        for (const CellPlan& cell : view.cells) p.cells.push_back(resolve(cell, registry, plan.seed));
+        prepared.push_back(std::move(p));
+    }
+    for (PreparedView& p : prepared) {
+        std::shared_ptr<const Scene>& scene = scenes[p.plan->scene];
+        if (!scene) {
+            scene = std::make_shared<Scene>(load_scene(p.plan->scene));
+            for (const std::string& warning : scene->warnings) log_warning(scene->id + ": " + warning);
+        }
+        p.scene = scene;
+        p.view = &find_view(*scene, p.plan->view);
+        CameraFrame(p.view->camera, p.plan->width, p.plan->height);
+    }
+    return prepared;
+}
+
+void check_writable(const std::filesystem::path& folder) {
+    write_atomically(folder / "results.json.incomplete", "A run is going on here, or was stopped.\n");
+}
+
+std::string view_key(const PreparedView& p) { return p.scene->id + "/" + p.view->id; }
+
+}  // namespace
+
+double ranking_radius(const std::optional<double>& asked, const View& view, const Scene& scene,
+                      std::vector<std::string>& warnings) {
+    if (asked) return *asked;
+    if (view.radius_m) return *view.radius_m;
+    const double radius = kAutomaticRadiusShare * scene.bounds.diagonal();
+    warnings.push_back(fmt::format("{}/{}: no radius is named; ranked at {:.4g} m, {:g} % of the scene's diagonal",
+                                   scene.id, view.id, radius, 100 * kAutomaticRadiusShare));
+    return radius;
+}
+
+Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& folder) {
+    const auto start = std::chrono::steady_clock::now();
+    const Registry registry = load_registry(plan.methods_dir);
+    const std::vector<PreparedView> prepared = prepare(plan, registry);
+    check_writable(folder);
+
+    Results results;
+    results.program_version = version();
+    results.created_utc = utc_now();
+    results.command = plan.command;
+    results.cpu = cpu_name();
+    results.threads = thread_count();
+    results.seed = plan.seed;
+
+    ScreenRenderer renderer;
+    results.gl_renderer = renderer.renderer();
+    results.gl_version = renderer.version();
+    const Scene* current = nullptr;
+    std::unique_ptr<ReferenceScene> reference;
+    std::vector<std::vector<std::string>> cell_ids;
+    for (const PreparedView& p : prepared) {
+        if (p.scene.get() != current) {
+            current = p.scene.get();
+            reference = std::make_unique<ReferenceScene>(*current);
+            renderer.set_scene(*current);
+        }
+        log_info(fmt::format("{}: {} triangles, {}x{}", view_key(p), current->triangle_count, p.plan->width, p.plan->height));
+        ViewOutcome outcome =
+            run_view({*p.scene, *p.view, *reference, renderer, *p.plan, p.cells, view_key(p), plan.seed,
+                      results.mask_threshold, plan.keep_gbuffer, folder});
+        cell_ids.emplace_back();
+        for (CellRecord& cell : outcome.cells) {
+            cell_ids.back().push_back(cell.id);
+            if (!cell.error.empty()) log_warning("failed: " + cell.id + ": " + cell.error);
+            results.cells.push_back(std::move(cell));
+        }
+        for (const std::string& warning : outcome.view.warnings) results.warnings.push_back(warning);
+        results.views.push_back(std::move(outcome.view));
+    }
+    for (const TablePlan& table : plan.tables) {
+        TableRecord record{table.definition, {}};
+        for (const std::size_t index : table.cell_indices) record.cell_ids.push_back(cell_ids[table.view_index][index]);
+        results.tables.push_back(std::move(record));
+    }
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    results.total_seconds = elapsed.count();
+    results.peak_memory_mib = peak_memory_mib();
+    write_results(results, folder);
+    std::filesystem::remove(folder / "results.json.incomplete");
+    return results;
+}
+
+std::size_t failed_cells(const Results& results) {
+    std::size_t count = 0;
+    for (const CellRecord& cell : results.cells) count += !cell.error.empty();
+    return count;
+}
+
+}  // namespace aoscore

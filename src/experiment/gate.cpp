@@ -1,0 +1,81 @@
+#include "experiment/gate.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+#include "metrics/metric.h"
+
+namespace aoscore {
+namespace {
+
+// Longer signs first, so that ">=" is not read as ">".
+constexpr std::array<std::pair<const char*, Gate::Relation>, 4> kRelations{{
+    {">=", Gate::Relation::greater_equal},
+    {"<=", Gate::Relation::less_equal},
+    {">", Gate::Relation::greater},
+    {"<", Gate::Relation::less},
+}};
+
+constexpr const char* kForm = "a metric, one of > >= < <=, a number: rmse>0.02";
+
+const MeasuredMetric* find(const MetricMap& metrics, const std::string& id) {
+    const auto found = metrics.find(id);
+    return found != metrics.end() && found->second.value ? &found->second : nullptr;
+}
+
+}  // namespace
+
+Gate Gate::parse(const std::string& text) {
+    for (const auto& [sign, relation] : kRelations) {
+        const auto at = text.find(sign);
+        if (at == std::string::npos) continue;
+        Gate gate{text.substr(0, at), relation, 0, text};
+        const std::string number = text.substr(at + std::char_traits<char>::length(sign));
+        char* end = nullptr;
+        gate.threshold = std::strtod(number.c_str(), &end);
+        if (number.empty() || *end != '\0' || !std::isfinite(gate.threshold)) {
+            throw usage_error("\"" + number + "\" is no number", text, kForm);
+        }
+        std::vector<std::string_view> ids;
+        for (const Metric& metric : aoscore::metrics()) {
+            if (metric.id == gate.metric) return gate;
+            ids.push_back(metric.id);
+        }
+        throw usage_error("unknown metric \"" + gate.metric + "\"", text, fmt::format("{}", fmt::join(ids, ", ")));
+    }
+    throw usage_error("no limit", text, kForm);
+}
+
+bool Gate::tripped_by(const MetricMap& metrics) const {
+    const MeasuredMetric* measured = find(metrics, metric);
+    if (measured == nullptr) return true;
+    const double value = *measured->value;
+    switch (relation) {
+        case Relation::greater: return !(value <= threshold);
+        case Relation::greater_equal: return !(value < threshold);
+        case Relation::less: return !(value >= threshold);
+        case Relation::less_equal: return !(value > threshold);
+    }
+    return true;
+}
+
+std::string Gate::explain(const MetricMap& metrics) const {
+    const MeasuredMetric* measured = find(metrics, metric);
+    if (measured == nullptr) {
+        const auto found = metrics.find(metric);
+        return fmt::format("{}: {} has no value{}", text, metric,
+                           found != metrics.end() && !found->second.note.empty() ? " (" + found->second.note + ")" : "");
+    }
+    const bool upper = relation == Relation::greater || relation == Relation::greater_equal;
+    return fmt::format("{}: {} is {:.6g}; a threshold {} {:.6g} would have passed", text, metric, *measured->value,
+                       upper ? "above" : "below", *measured->value);
+}
+
+}  // namespace aoscore

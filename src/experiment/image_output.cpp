@@ -1,0 +1,67 @@
+#include "experiment/image_output.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <list>
+#include <vector>
+
+#include "experiment/own_truth.h"
+#include "results/image_file.h"
+
+namespace aoscore {
+namespace {
+
+ImageF as_float(const Mask& mask) {
+    ImageF image(mask.width, mask.height);
+    for (std::size_t i = 0; i < mask.size(); ++i) image.pixels[i] = mask.pixels[i] != 0 ? 1.0f : 0.0f;
+    return image;
+}
+
+ImageF component(const Image<glm::vec3>& image, int axis) {
+    ImageF result(image.width, image.height);
+    for (std::size_t i = 0; i < image.size(); ++i) result.pixels[i] = image.pixels[i][axis];
+    return result;
+}
+
+}  // namespace
+
+void write_truth(const std::filesystem::path& path, const Truth& truth, const Mask& valid,
+                 std::map<std::string, std::string> attributes) {
+    const ImageF mask = as_float(valid);
+    std::vector<ChannelView> channels{{"Y", &truth.visibility[0]}, {"SE.Y", &truth.standard_error[0]}, {"mask.Y", &mask}};
+    for (std::size_t q = 0; q < truth.queries.size(); ++q) {
+        const TruthQuery& query = truth.queries[q];
+        const std::string id = fmt::format("V{}", q);
+        channels.push_back({id + ".Y", &truth.visibility[q]});
+        channels.push_back({fmt::format("SE{}.Y", q), &truth.standard_error[q]});
+        attributes["aoscore:" + id + ".falloff"] = falloff_name(query.falloff);
+        attributes["aoscore:" + id + ".radius_m"] =
+            std::isfinite(query.radius_m) ? fmt::format("{}", query.radius_m) : "infinite";
+        if (query.falloff == Falloff::alchemy) attributes["aoscore:" + id + ".u_m"] = fmt::format("{}", query.u_m);
+    }
+    attributes["aoscore:samples"] = fmt::format("{}", truth.samples);
+    write_exr(path, channels, attributes);
+}
+
+void write_gbuffer(const std::filesystem::path& path, const GBufferImages& gbuffer,
+                   const std::map<std::string, std::string>& attributes) {
+    const ImageF mask = as_float(gbuffer.surface);
+    std::vector<ChannelView> channels{
+        {"Y", &gbuffer.linear_depth}, {"Z", &gbuffer.linear_depth}, {"depth.Z", &gbuffer.hardware_depth}, {"mask.Y", &mask}};
+    std::list<ImageF> planes;  // a list: its elements stay where they are
+    const auto add = [&](const Image<glm::vec3>& image, const std::array<const char*, 3>& names) {
+        if (image.empty()) return;
+        for (int axis = 0; axis < 3; ++axis) {
+            planes.push_back(component(image, axis));
+            channels.push_back({names[static_cast<std::size_t>(axis)], &planes.back()});
+        }
+    };
+    add(gbuffer.normal_geometric, {"N.X", "N.Y", "N.Z"});
+    add(gbuffer.normal_smooth, {"Ns.X", "Ns.Y", "Ns.Z"});
+    add(gbuffer.albedo, {"albedo.R", "albedo.G", "albedo.B"});
+    write_exr(path, channels, attributes);
+}
+
+}  // namespace aoscore

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiment/plan.h"
+#include "reference/truth.h"
+#include "screen/screen.h"
+
+namespace aoscore {
+
+/// The methods and filters that a run may name.
+struct Registry {
+    std::vector<MethodDescriptor> methods;
+    std::vector<MethodDescriptor> filters;
+};
+Registry load_registry(const std::filesystem::path& methods_dir);
+
+/// A cell with its names looked up and its parameters complete.
+struct ResolvedCell {
+    CellPlan plan;
+    MethodRequest request;
+    TruthQuery own;
+    std::string filter = "none";
+};
+
+/// Throws usage_error for an unknown method, preset, filter or parameter. `registry` must outlive the result.
+ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64_t seed);
+
+}  // namespace aoscore

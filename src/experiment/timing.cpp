@@ -1,0 +1,31 @@
+#include "experiment/timing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace aoscore {
+namespace {
+
+double quantile(const std::vector<double>& sorted, double q) {
+    const double position = q * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(std::floor(position));
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    return std::lerp(sorted[below], sorted[above], position - static_cast<double>(below));
+}
+
+}  // namespace
+
+Timing summarize(std::vector<double> runs_ms) {
+    Timing timing;
+    timing.runs_ms = runs_ms;
+    if (runs_ms.empty()) return timing;
+    std::sort(runs_ms.begin(), runs_ms.end());
+    timing.median_ms = quantile(runs_ms, 0.5);
+    timing.spread_ms = (quantile(runs_ms, 0.75) - quantile(runs_ms, 0.25)) / 2;
+    return timing;
+}
+
+int timed_runs(double warm_up_ms) { return warm_up_ms > 1000 ? 3 : 10; }
+
+}  // namespace aoscore

@@ -1,0 +1,293 @@
+#include "experiment/view_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/error.h"
+#include "core/interrupt.h"
+#include "core/progress.h"
+#include "experiment/camera_contract.h"
+#include "experiment/experiment.h"
+#include "experiment/image_output.h"
+#include "experiment/own_truth.h"
+#include "experiment/timing.h"
+#include "metrics/evaluate.h"
+#include "metrics/metric.h"
+#include "metrics/noise.h"
+#include "results/image_file.h"
+
+namespace aoscore {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+std::string file_name(std::string id) {
+    std::replace(id.begin(), id.end(), '/', '-');
+    return id;
+}
+
+std::vector<double> numbers(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+double mean_over(const ImageF& image, const Mask& valid) {
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        if (valid.pixels[i] == 0) continue;
+        sum += static_cast<double>(image.pixels[i]);
+        ++count;
+    }
+    return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
+class Runner {
+  public:
+    explicit Runner(const ViewRun& run) : run_(run), frame_(run.view.camera, run.plan.width, run.plan.height) {}
+
+    ViewOutcome measure() {
+        describe_view();
+        trace_truth();
+        draw_gbuffer();
+        check_contract();
+        write_images();
+        for (std::size_t i = 0; i < run_.cells.size(); ++i) {
+            throw_if_interrupted();
+            outcome_.cells.push_back(describe_cell(run_.cells[i]));
+            run_guarded(i, [&] { measure_cell(i); });
+        }
+        time_cells();
+        return std::move(outcome_);
+    }
+
+  private:
+    void describe_view() {
+        ViewRecord& v = outcome_.view;
+        const Camera& camera = run_.view.camera;
+        v.key = run_.key;
+        v.scene = run_.scene.id;
+        v.view = run_.view.id;
+        v.scene_digest = run_.scene.digest;
+        v.view_source = run_.view.source;
+        v.view_note = run_.view.note;
+        v.triangles = run_.scene.triangle_count;
+        v.width = frame_.width();
+        v.height = frame_.height();
+        v.position_m = numbers(camera.position + run_.scene.origin);
+        v.target_m = numbers(camera.target + run_.scene.origin);
+        v.up = numbers(camera.up);
+        const bool perspective = camera.projection == Camera::Projection::perspective;
+        v.projection = perspective ? "perspective" : "orthographic";
+        v.fovy_deg = perspective ? camera.fovy_rad * 180 / kPi : 0;
+        v.half_height_m = perspective ? 0 : camera.half_height;
+        v.near_m = camera.near;
+        v.far_m = camera.far;
+        v.warnings = run_.scene.warnings;
+        v.radius_m = ranking_radius(run_.plan.radius_m, run_.view, run_.scene, v.warnings);
+    }
+
+    // All truths of the view come from the same rays: the ranking's first, then every method's own.
+    void trace_truth() {
+        std::vector<TruthQuery> queries{{Falloff::binary, outcome_.view.radius_m, 0}};
+        for (const ResolvedCell& cell : run_.cells) {
+            if (std::find(queries.begin(), queries.end(), cell.own) == queries.end()) queries.push_back(cell.own);
+        }
+        TruthSettings settings;
+        settings.samples = run_.plan.samples;
+        settings.seed = run_.seed;
+        truth_ = run_.reference.trace(frame_, queries, settings, "truth " + run_.key);
+        outcome_.view.samples = truth_.samples;
+        outcome_.view.truth_seconds = truth_.seconds;
+        outcome_.view.truth_rays = truth_.rays;
+    }
+
+    void draw_gbuffer() {
+        std::set<std::string> inputs{"normal_geometric"};
+        const auto add = [&](const MethodDescriptor* descriptor) {
+            if (descriptor == nullptr) return;
+            for (const Pass& pass : descriptor->passes) {
+                for (const std::string& input : pass.inputs) {
+                    if (gbuffer_inputs().contains(input)) inputs.insert(input);
+                }
+            }
+        };
+        for (const ResolvedCell& cell : run_.cells) {
+            add(cell.request.method);
+            add(cell.request.filter);
+        }
+        const int runs = timed_runs(run_.renderer.draw_gbuffer(frame_, inputs));
+        std::vector<double> runs_ms;
+        for (int i = 0; i < runs; ++i) runs_ms.push_back(run_.renderer.draw_gbuffer(frame_, inputs));
+        outcome_.view.gbuffer = summarize(std::move(runs_ms));
+        gbuffer_ = run_.renderer.read_gbuffer();
+    }
+
+    void check_contract() {
+        const Bounds& bounds = run_.scene.bounds;
+        const double extent = glm::max(glm::length(bounds.low), glm::length(bounds.high));
+        contract_ = check_camera_contract(frame_, truth_.hits, gbuffer_, extent);
+        ViewRecord& v = outcome_.view;
+        v.surface_pixels = contract_.surface;
+        v.valid_pixels = contract_.valid_count;
+        v.disagreeing_pixels = contract_.disagreeing;
+        v.edge_pixels = contract_.edges;
+        std::vector<float> depths;
+        for (std::size_t i = 0; i < truth_.hits.depth.size(); ++i) {
+            if (contract_.valid.pixels[i] != 0) depths.push_back(truth_.hits.depth.pixels[i]);
+        }
+        if (!depths.empty()) {
+            const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+            std::nth_element(depths.begin(), middle, depths.end());
+            v.radius_px_median = v.radius_m * frame_.pixels_per_metre(static_cast<double>(*middle));
+        }
+        for (std::size_t q = 0; q < truth_.queries.size(); ++q) {
+            const TruthQuery& query = truth_.queries[q];
+            TruthRecord record;
+            record.id = q == 0 ? "ranked" : truth_id(query);
+            record.falloff = falloff_name(query.falloff);
+            if (std::isfinite(query.radius_m)) record.radius_m = query.radius_m;
+            if (query.falloff == Falloff::alchemy) record.u_m = query.u_m;
+            record.channel = fmt::format("V{}.Y", q);
+            record.se_channel = fmt::format("SE{}.Y", q);
+            const NoiseFloor floor = noise_floor(truth_.standard_error[q], contract_.valid).value_or(NoiseFloor{});
+            record.mean_standard_error = floor.mean_standard_error;
+            record.noise_floor_rmse = floor.rmse();
+            v.truths.push_back(std::move(record));
+        }
+    }
+
+    void write_images();
+
+    CellRecord describe_cell(const ResolvedCell& cell) const {
+        CellRecord record;
+        record.id = fmt::format("{}/{}/{}", run_.key, cell.plan.method, cell.plan.preset);
+        if (cell.plan.filter) record.id += "/" + cell.filter;
+        record.view_key = run_.key;
+        record.method = cell.plan.method;
+        record.method_label = cell.request.method->label;
+        record.preset = cell.plan.preset;
+        record.filter = cell.filter;
+        record.parameters = cell.request.parameters;
+        const auto& queries = truth_.queries;
+        const auto own = std::find(queries.begin(), queries.end(), cell.own);
+        record.own_truth = outcome_.view.truths[static_cast<std::size_t>(own - queries.begin())].id;
+        return record;
+    }
+
+    // A cell that fails becomes a failed row; only an interrupt ends the whole run.
+    template <class Action>
+    void run_guarded(std::size_t i, Action action) {
+        CellRecord& record = outcome_.cells[i];
+        if (!record.error.empty()) return;
+        try {
+            action();
+        } catch (const Error& e) {
+            if (e.exit_code() == ExitCode::interrupted) throw;
+            record.error = e.what();
+        }
+    }
+
+    MetricMap metrics_against(const TruthQuery& query, const ImageF& test, const Mask& valid) const {
+        const auto q = static_cast<std::size_t>(
+            std::find(truth_.queries.begin(), truth_.queries.end(), query) - truth_.queries.begin());
+        const MetricInput input{truth_.visibility[q], test, valid, &truth_.standard_error[q]};
+        MetricMap map;
+        for (auto& [id, measured] : evaluate(input)) map[id] = {measured.value, measured.note};
+        return map;
+    }
+
+    void measure_cell(std::size_t i) {
+        const ResolvedCell& cell = run_.cells[i];
+        CellRecord& record = outcome_.cells[i];
+        const bool filtered = cell.request.filter != nullptr;
+        const MethodOutput output = run_.renderer.run(cell.request);
+
+        std::vector<ChannelView> channels{{"Y", &output.visibility}};
+        if (filtered) channels.push_back({"raw.Y", &output.raw});
+        record.image_file = "cells/" + file_name(record.id) + ".exr";
+        write_exr(run_.folder / record.image_file, channels, {{"aoscore:cell", record.id}});
+
+        if (!contract_.kept()) {
+            throw internal_error(fmt::format("ray tracer and rasteriser disagree on {:.2f} % of the pixels away from "
+                                             "edges, more than {:.1f} %",
+                                             100 * contract_.disagreeing_share(), 100 * CameraContract::kTolerated));
+        }
+        const Mask valid = finite_pixels(truth_.visibility[0], output.visibility, contract_.valid, record.nonfinite);
+        if (record.nonfinite > 0) {
+            throw internal_error(fmt::format("{} pixels are NaN or infinite", record.nonfinite));
+        }
+        record.ranked = metrics_against(truth_.queries[0], output.visibility, valid);
+        record.own = metrics_against(cell.own, output.visibility, valid);
+        if (filtered) {
+            std::size_t nonfinite = 0;
+            const Mask raw_valid = finite_pixels(truth_.visibility[0], output.raw, contract_.valid, nonfinite);
+            record.raw = metrics_against(truth_.queries[0], output.raw, raw_valid);
+        }
+        record.fetches_per_pixel = mean_over(run_.renderer.count_fetches(cell.request), contract_.valid);
+    }
+
+    void time_cells() {
+        struct Clock {
+            int left = 0;
+            std::vector<double> ao_ms, filter_ms;
+        };
+        std::vector<Clock> clocks(run_.cells.size());
+        for (std::size_t i = 0; i < clocks.size(); ++i) {
+            run_guarded(i, [&] {
+                const ScreenRenderer::PassTimes warm_up = run_.renderer.time(run_.cells[i].request);
+                clocks[i].left = timed_runs(warm_up.ao_ms);
+            });
+        }
+        std::size_t total = 0;
+        for (const Clock& clock : clocks) total += static_cast<std::size_t>(clock.left);
+        Progress progress("timing " + run_.key, total);
+        for (bool more = true; more;) {
+            more = false;
+            for (std::size_t i = 0; i < clocks.size(); ++i) {
+                throw_if_interrupted();
+                if (clocks[i].left == 0 || !outcome_.cells[i].error.empty()) continue;
+                run_guarded(i, [&] {
+                    const ScreenRenderer::PassTimes times = run_.renderer.time(run_.cells[i].request);
+                    clocks[i].ao_ms.push_back(times.ao_ms);
+                    if (times.filter_ms) clocks[i].filter_ms.push_back(*times.filter_ms);
+                });
+                more = more || --clocks[i].left > 0;
+                progress.step();
+            }
+        }
+        for (std::size_t i = 0; i < clocks.size(); ++i) {
+            CellRecord& record = outcome_.cells[i];
+            record.ao = summarize(std::move(clocks[i].ao_ms));
+            record.blur = summarize(std::move(clocks[i].filter_ms));
+            const Timing& gbuffer = outcome_.view.gbuffer;
+            if (record.ao.median_ms && gbuffer.median_ms) {
+                record.frame_ms = *gbuffer.median_ms + *record.ao.median_ms + record.blur.median_ms.value_or(0);
+            }
+        }
+    }
+
+    const ViewRun& run_;
+    CameraFrame frame_;
+    ViewOutcome outcome_;
+    Truth truth_;
+    GBufferImages gbuffer_;
+    CameraContract contract_;
+};
+
+void Runner::write_images() {
+    ViewRecord& v = outcome_.view;
+    const std::string stem = "views/" + file_name(run_.key);
+    v.truth_file = stem + "-truth.exr";
+    write_truth(run_.folder / v.truth_file, truth_, contract_.valid, {{"aoscore:view", v.key}});
+    if (run_.keep_gbuffer) {
+        v.gbuffer_file = stem + "-gbuffer.exr";
+        write_gbuffer(run_.folder / v.gbuffer_file, gbuffer_, {{"aoscore:view", v.key}});
+    }
+}
+
+}  // namespace
+
+ViewOutcome run_view(const ViewRun& run) { return Runner(run).measure(); }
+
+}  // namespace aoscore
