@@ -1,45 +1,62 @@
 #pragma once
 
+#include "core/image.h"
+#include "scene/scene.h"
+
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "core/image.h"
-#include "scene/scene.h"
-
 namespace aoscore {
 
-/// How much a hit at distance t darkens, g(t) in [0,1]; visibility is the mean of 1 - g over cosine-weighted rays.
+/// How much a hit at distance t darkens, g(t) in [0,1]; visibility is the mean of 1 - g over cosine-weighted
+/// rays.
 enum class Falloff {
     binary,     ///< 1 within the radius (ambient occlusion proper)
     quadratic,  ///< 1 - (t/R)^2 within R (Bavoil, Sainz, Image-Space Horizon-Based Ambient Occlusion, 2008)
-    alchemy,    ///< u t / max(u, t)^2, never 0 (McGuire et al., The Alchemy Screen-Space Ambient Obscurance Algorithm, 2011)
+    alchemy,    ///< u t / max(u, t)^2, never 0 (McGuire et al., The Alchemy Screen-Space Ambient Obscurance
+                ///< Algorithm, 2011)
 };
 
 /// One truth to be read from a set of rays.
 struct TruthQuery {
     Falloff falloff = Falloff::binary;
-    double radius_m = 1.0;  ///< > 0, infinity allowed
+    double radius_m = 1.0;  ///< > 0, infinity allowed; hits beyond it count nothing, whatever the falloff
     double u_m = 0;         ///< alchemy only: its u, metres, > 0
     bool operator==(const TruthQuery&) const = default;
 };
 
 struct TruthSettings {
-    int samples = 64;             ///< rays a pixel, >= 1
+    int samples = 64;  ///< rays a pixel, >= 1
     std::uint64_t seed = 1;
-    bool shading_normals = false; ///< hemisphere about the smooth normal instead of the geometric one
+    bool shading_normals = false;  ///< hemisphere about the smooth normal instead of the geometric one
 };
+
+/// Independently scrambled point sets a pixel.
+inline constexpr int kReplicates = 4;
+
+/// The least standard error stated for `samples` rays: half of the step that one more blocked ray would make.
+constexpr double standard_error_floor(int samples) {
+    return 0.5 / samples;
+}
 
 /// What each pixel centre sees: the same quantities as the rasterised G-buffer, for the camera contract.
 struct PrimaryHits {
-    Mask surface;               ///< 1 where a surface lies between the near and far plane
-    ImageF depth;               ///< view depth -z, metres; 0 without surface
-    Image<glm::vec3> normal;    ///< geometric, view space, unit, turned to the camera; 0 without surface
+    Mask surface;             ///< 1 where a surface lies between the near and far plane
+    ImageF depth;             ///< view depth -z, metres; 0 without surface
+    Image<glm::vec3> normal;  ///< geometric, view space, unit, turned to the camera; 0 without surface
 };
 
 /// Ray-traced visibility of every pixel, and how sure of it we are.
+///
+/// The rays of a pixel are up to kReplicates independently scrambled point sets (sample k belongs to set k
+/// mod kReplicates). The standard error is that of their pooled mean, from the spread of the sets' means;
+/// with so few sets a single pixel's z-score is t-distributed with kReplicates - 1 degrees of freedom, while
+/// mean squares over many pixels are unbiased. Where all sets agree the spread says nothing, so it never goes
+/// below standard_error_floor(samples); a single sample has no spread at all and states 0.5, the largest
+/// there is.
 struct Truth {
     PrimaryHits hits;
     std::vector<TruthQuery> queries;
@@ -50,19 +67,30 @@ struct Truth {
     double seconds = 0;                  ///< tracing only
 };
 
-/// A scene built for Embree; builds once, serves any number of views.
+/// How a scene is laid out for tracing; the picture does not depend on it beyond rounding.
+struct TraceBuild {
+    /// Meshes used more than once are copied into scene space (faster to trace) while the scene has no more
+    /// triangles than this; beyond it they stay instances (smaller).
+    std::size_t baked_triangles_at_most = 2'000'000;
+};
+
+/// A scene built for Embree; builds once, serves any number of views. Keeps what it needs of `scene`.
 class ReferenceScene {
   public:
-    explicit ReferenceScene(const Scene& scene);
+    explicit ReferenceScene(const Scene& scene, const TraceBuild& build = {});
     ~ReferenceScene();
     ReferenceScene(ReferenceScene&&) noexcept;
+    ReferenceScene& operator=(ReferenceScene&&) noexcept;
+
+    /// The most memory Embree has held for this scene so far, bytes.
+    std::size_t peak_bytes() const;
 
     PrimaryHits primary_hits(const CameraFrame& frame) const;
 
-    /// Integrates all queries from the same rays. The same image for any thread count. `what` names the work for
-    /// its progress bar. Throws interrupted_error on Ctrl-C, usage_error for settings out of range.
-    Truth trace(const CameraFrame& frame, const std::vector<TruthQuery>& queries, const TruthSettings& settings,
-                const std::string& what) const;
+    /// Integrates all queries from the same rays. The same image for any thread count. `what` names the work
+    /// for its progress bar. Throws interrupted_error on Ctrl-C, usage_error for settings out of range.
+    Truth trace(const CameraFrame& frame, const std::vector<TruthQuery>& queries,
+                const TruthSettings& settings, const std::string& what) const;
 
   private:
     struct Impl;

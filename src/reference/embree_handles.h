@@ -1,0 +1,22 @@
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <memory>
+
+namespace aoscore {
+
+struct EmbreeReleaser {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+    void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+};
+
+using DeviceHandle = std::unique_ptr<RTCDeviceTy, EmbreeReleaser>;
+using SceneHandle = std::unique_ptr<RTCSceneTy, EmbreeReleaser>;
+using GeometryHandle = std::unique_ptr<RTCGeometryTy, EmbreeReleaser>;
+
+/// Throws internal_error if the device has an error pending; `doing` says at what.
+void check_embree(RTCDevice device, const char* doing);
+
+}  // namespace aoscore

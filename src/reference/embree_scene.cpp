@@ -1,0 +1,260 @@
+#include "reference/embree_scene.h"
+
+#include "core/error.h"
+#include "reference/cutout_filter.h"
+
+#include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace aoscore {
+namespace {
+
+/// Rounding units (2^-24 of the largest coordinate) by which a ray's start is lifted off its surface, and how
+/// much more where an instance's transform is applied to the ray in float32. Eight times what tilted planes
+/// of any orientation needed in experiments.
+constexpr double kOffsetUnits = 32;
+constexpr double kInstanceOffsetFactor = 4;
+
+double largest(const glm::dvec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+glm::dvec3 transformed(const glm::dmat4& m, const glm::dvec3& p) {
+    return glm::dvec3(m * glm::dvec4(p, 1));
+}
+
+struct Box {
+    glm::dvec3 low{std::numeric_limits<double>::infinity()};
+    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+    void include(const glm::dvec3& p) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    glm::dvec3 centre() const { return low.x <= high.x ? (low + high) / 2.0 : glm::dvec3(0); }
+};
+
+glm::dvec3 centre_of(const Scene& scene) {
+    Box box;
+    for (const Instance& instance : scene.instances) {
+        for (const glm::vec3& p : scene.meshes[static_cast<std::size_t>(instance.mesh)].positions) {
+            box.include(transformed(instance.scene_from_mesh, p));
+        }
+    }
+    return box.centre();
+}
+
+glm::dvec3 centre_of(const Mesh& mesh) {
+    Box box;
+    for (const glm::vec3& p : mesh.positions) box.include(p);
+    return box.centre();
+}
+
+/// Takes normals along with `m`, up to length and sign; unlike the inverse it exists for every matrix.
+glm::dmat3 cofactors(const glm::dmat3& m) {
+    return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
+}
+
+/// The matrix that Embree gets: rounded to float32, then read back.
+glm::dmat4 rounded(const glm::dmat4& m) {
+    return glm::dmat4(glm::mat4(m));
+}
+
+}  // namespace
+
+void check_embree(RTCDevice device, const char* doing) {
+    const RTCError error = rtcGetDeviceError(device);
+    if (error == RTC_ERROR_NONE) return;
+    if (error == RTC_ERROR_OUT_OF_MEMORY) throw internal_error("Embree ran out of memory", doing);
+    throw internal_error(fmt::format("Embree reports error {}", static_cast<int>(error)), doing);
+}
+
+bool EmbreeScene::count_memory(void* memory, ssize_t bytes, bool) {
+    Memory& m = *static_cast<Memory*>(memory);
+    const std::ptrdiff_t now = m.current += bytes;
+    std::size_t peak = m.peak;
+    while (now > 0 && static_cast<std::size_t>(now) > peak &&
+           !m.peak.compare_exchange_weak(peak, static_cast<std::size_t>(now))) {
+    }
+    return true;
+}
+
+EmbreeScene::EmbreeScene(const Scene& scene, const TraceBuild& build) : device_(rtcNewDevice(nullptr)) {
+    check_embree(device_.get(), "starting Embree");
+    rtcSetDeviceMemoryMonitorFunction(device_.get(), count_memory, &memory_);
+    copy_cutouts(scene);
+    centre_ = centre_of(scene);
+
+    std::vector<int> uses(scene.meshes.size());
+    std::size_t triangles = 0;
+    for (const Instance& instance : scene.instances) {
+        const auto mesh = static_cast<std::size_t>(instance.mesh);
+        ++uses[mesh];
+        triangles += scene.meshes[mesh].triangles.size();
+    }
+    const bool bake_all = triangles <= build.baked_triangles_at_most;
+
+    const auto new_scene = [&] {
+        SceneHandle handle(rtcNewScene(device_.get()));
+        rtcSetSceneFlags(handle.get(), RTC_SCENE_FLAG_ROBUST);
+        rtcSetSceneBuildQuality(handle.get(), quality_);
+        check_embree(device_.get(), "making a scene");
+        return handle;
+    };
+    scene_ = new_scene();
+    const glm::dmat4 to_trace_space = glm::translate(glm::dmat4(1), -centre_);
+
+    struct Shared {
+        const TraceGeometry* geometry = nullptr;
+        RTCScene scene = nullptr;
+        glm::dvec3 centre{0};
+    };
+    std::vector<Shared> shared(scene.meshes.size());
+    for (const Instance& instance : scene.instances) {
+        const auto index = static_cast<std::size_t>(instance.mesh);
+        const Mesh& mesh = scene.meshes[index];
+        if (mesh.triangles.empty()) continue;
+        const glm::dmat4 transform = to_trace_space * instance.scene_from_mesh;
+        if (bake_all || uses[index] == 1) {
+            const TraceGeometry& geometry = add_triangles(scene_.get(), mesh, transform);
+            placements_.push_back({&geometry, glm::dmat4(1), false});
+            continue;
+        }
+        Shared& s = shared[index];
+        if (s.scene == nullptr) {
+            s.centre = centre_of(mesh);
+            shared_.push_back(new_scene());
+            s.scene = shared_.back().get();
+            s.geometry = &add_triangles(s.scene, mesh, glm::translate(glm::dmat4(1), -s.centre));
+            rtcCommitScene(s.scene);
+            check_embree(device_.get(), "building a shared mesh");
+        }
+        add_instance(*s.geometry, s.scene, transform * glm::translate(glm::dmat4(1), s.centre));
+    }
+    rtcCommitScene(scene_.get());
+    check_embree(device_.get(), "building the scene");
+}
+
+void EmbreeScene::copy_cutouts(const Scene& scene) {
+    cutouts_.materials = scene.materials;
+    cutouts_.textures.resize(scene.textures.size());
+    for (const Material& material : scene.materials) {
+        if (!material.is_cutout() || material.texture < 0) continue;
+        const auto texture = static_cast<std::size_t>(material.texture);
+        cutouts_.textures[texture] = scene.textures[texture];
+    }
+}
+
+TraceGeometry& EmbreeScene::add_triangles(RTCScene target, const Mesh& mesh, const glm::dmat4& transform) {
+    GeometryHandle handle(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+    rtcSetGeometryBuildQuality(handle.get(), quality_);
+    auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(handle.get(), RTC_BUFFER_TYPE_VERTEX, 0,
+                                                                     RTC_FORMAT_FLOAT3, sizeof(glm::vec3),
+                                                                     mesh.positions.size()));
+    auto* triangles = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(
+        handle.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), mesh.triangles.size()));
+    check_embree(device_.get(), "storing a mesh");
+    std::transform(mesh.positions.begin(), mesh.positions.end(), vertices,
+                   [&](const glm::vec3& p) { return glm::vec3(transformed(transform, p)); });
+    std::copy(mesh.triangles.begin(), mesh.triangles.end(), triangles);
+
+    TraceGeometry& geometry = geometries_.emplace_back();
+    geometry.vertices = vertices;
+    geometry.triangles = triangles;
+    if (!mesh.normals.empty()) {
+        const glm::dmat3 turn = cofactors(glm::dmat3(transform));
+        geometry.normals.reserve(mesh.normals.size());
+        for (const glm::vec3& n : mesh.normals) {
+            const glm::dvec3 turned = turn * glm::dvec3(n);
+            const double length = glm::length(turned);
+            geometry.normals.push_back(length > 0 ? glm::vec3(turned / length) : glm::vec3(0));
+        }
+    }
+    const Material& material = cutouts_.materials[static_cast<std::size_t>(mesh.material)];
+    if (material.is_cutout()) {
+        geometry.texcoords = mesh.texcoords;
+        geometry.material = &material;
+        geometry.cutouts = &cutouts_;
+        rtcSetGeometryUserData(handle.get(), &geometry);
+        set_cutout_filter(handle.get());
+    }
+    rtcCommitGeometry(handle.get());
+    rtcAttachGeometry(target, handle.get());
+    check_embree(device_.get(), "adding a mesh");
+    return geometry;
+}
+
+void EmbreeScene::add_instance(const TraceGeometry& geometry, RTCScene shared, const glm::dmat4& transform) {
+    GeometryHandle handle(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+    rtcSetGeometryInstancedScene(handle.get(), shared);
+    const glm::mat4 matrix(transform);
+    rtcSetGeometryTransform(handle.get(), 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &matrix);
+    rtcCommitGeometry(handle.get());
+    rtcAttachGeometry(scene_.get(), handle.get());
+    check_embree(device_.get(), "adding an instance");
+    placements_.push_back({&geometry, rounded(transform), true});
+}
+
+bool EmbreeScene::first_hit(const CameraFrame::Ray& ray, double near, double far, SurfaceHit& hit) const {
+    const glm::dvec3 origin = ray.origin - centre_;
+    const glm::vec3 o(origin), d(ray.direction);
+    RTCRayHit query{};
+    query.ray = {o.x, o.y, o.z, static_cast<float>(near), d.x, d.y, d.z, 0, static_cast<float>(far),
+                 ~0u, 0,   0};
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene_.get(), &context, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+
+    const unsigned id =
+        query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID ? query.hit.instID[0] : query.hit.geomID;
+    const Placement& placement = placements_[id];
+    const TraceGeometry& geometry = *placement.geometry;
+    const glm::uvec3 corner = geometry.triangles[query.hit.primID];
+    const auto vertex = [&](unsigned i) {
+        return transformed(placement.trace_from_geometry, glm::dvec3(geometry.vertices[i]));
+    };
+    const glm::dvec3 a = vertex(corner.x), b = vertex(corner.y), c = vertex(corner.z);
+    const double u = query.hit.u, v = query.hit.v;
+
+    hit.normal = triangle_normal(a, b, c);
+    if (hit.normal == glm::dvec3(0)) hit.normal = -glm::normalize(ray.direction);
+    const double facing = glm::dot(hit.normal, ray.direction);
+    if (facing > 0) hit.normal = -hit.normal;
+
+    // The plane of the triangle in double precision puts the point exactly under the pixel; at grazing
+    // angles, where that is ill-conditioned, the barycentric point stays inside the triangle.
+    const double t = glm::dot(hit.normal, a - origin) / glm::dot(hit.normal, ray.direction);
+    if (std::abs(t - query.ray.tfar) <= 1e-4 * query.ray.tfar) {
+        hit.position = origin + t * ray.direction;
+        hit.depth = t;
+    } else {
+        hit.position = (1 - u - v) * a + u * b + v * c;
+        hit.depth = query.ray.tfar;
+    }
+    const double extent =
+        std::max({largest(a - hit.position), largest(b - hit.position), largest(c - hit.position)});
+    hit.offset_m = kOffsetUnits * 0x1p-24 * (largest(hit.position) + extent);
+    if (placement.is_instance) hit.offset_m *= kInstanceOffsetFactor;
+
+    hit.shading_normal = hit.normal;
+    if (!geometry.normals.empty()) {
+        const glm::dvec3 smooth = (1 - u - v) * glm::dvec3(geometry.normals[corner.x]) +
+                                  u * glm::dvec3(geometry.normals[corner.y]) +
+                                  v * glm::dvec3(geometry.normals[corner.z]);
+        glm::dvec3 turned = cofactors(glm::dmat3(placement.trace_from_geometry)) * smooth;
+        const double length = glm::length(turned);
+        if (length > 0) {
+            turned /= length;
+            hit.shading_normal = glm::dot(turned, hit.normal) < 0 ? -turned : turned;
+        }
+    }
+    return true;
+}
+
+}  // namespace aoscore

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "reference/embree_handles.h"
+#include "reference/truth.h"
+#include "scene/scene.h"
+
+#include <glm/glm.hpp>
+
+#include <atomic>
+#include <cstddef>
+#include <deque>
+#include <vector>
+
+namespace aoscore {
+
+/// The triangles of one Embree geometry, as Embree sees them, in its own space.
+struct TraceGeometry {
+    const glm::vec3* vertices = nullptr;    ///< owned by Embree
+    const glm::uvec3* triangles = nullptr;  ///< owned by Embree
+    std::vector<glm::vec3> normals;         ///< smooth, unit, one a vertex; empty: flat
+    std::vector<glm::vec2> texcoords;       ///< one a vertex; cut-outs only
+    const Material* material = nullptr;     ///< cut-outs only
+    const Scene* cutouts = nullptr;         ///< textures of the cut-outs
+};
+
+/// The point of a triangle that a pixel sees, in trace space and double precision.
+struct SurfaceHit {
+    glm::dvec3 position;
+    glm::dvec3 normal;          ///< geometric, unit, turned to the camera
+    glm::dvec3 shading_normal;  ///< smooth, unit, on the same side
+    double depth = 0;           ///< view depth -z, metres
+    /// How far along the normal a ray must start so that rounding cannot make it meet the surface it leaves.
+    double offset_m = 0;
+};
+
+/// A scene in Embree's hands. Trace space is scene space moved so that the scene's centre is its zero:
+/// float32 keeps its digits for the scene's own extent, wherever the scene lies. Meshes are baked into trace
+/// space until `baked_triangles_at_most` is spent; shared meshes beyond it stay instances.
+class EmbreeScene {
+  public:
+    EmbreeScene(const Scene& scene, const TraceBuild& build);
+    EmbreeScene(const EmbreeScene&) = delete;
+    EmbreeScene& operator=(const EmbreeScene&) = delete;
+
+    RTCScene handle() const { return scene_.get(); }
+    const glm::dvec3& centre() const { return centre_; }
+    std::size_t peak_bytes() const { return memory_.peak; }
+
+    /// What the ray (scene space, unnormalised: t is view depth) meets first with t in [near, far].
+    bool first_hit(const CameraFrame::Ray& ray, double near, double far, SurfaceHit& hit) const;
+
+  private:
+    struct Placement {
+        const TraceGeometry* geometry = nullptr;
+        glm::dmat4 trace_from_geometry{1.0};
+        bool is_instance = false;
+    };
+    struct Memory {
+        std::atomic<std::ptrdiff_t> current{0};
+        std::atomic<std::size_t> peak{0};
+    };
+
+    void copy_cutouts(const Scene& scene);
+    TraceGeometry& add_triangles(RTCScene target, const Mesh& mesh, const glm::dmat4& transform);
+    void add_instance(const TraceGeometry& geometry, RTCScene shared, const glm::dmat4& transform);
+    static bool count_memory(void* memory, ssize_t bytes, bool post);
+
+    Memory memory_;
+    DeviceHandle device_;
+    std::vector<SceneHandle> shared_;
+    SceneHandle scene_;
+    Scene cutouts_;  // materials, and the textures of cut-outs alone
+    std::deque<TraceGeometry> geometries_;
+    std::vector<Placement> placements_;  // by geometry id in scene_
+    glm::dvec3 centre_{0};
+    RTCBuildQuality quality_ = RTC_BUILD_QUALITY_HIGH;
+};
+
+}  // namespace aoscore
