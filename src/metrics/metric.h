@@ -1,11 +1,11 @@
 #pragma once
 
+#include "core/image.h"
+
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "core/image.h"
 
 namespace aoscore {
 
@@ -13,8 +13,8 @@ namespace aoscore {
 struct MetricInput {
     const ImageF& truth;
     const ImageF& test;
-    const Mask& valid;                         ///< pixels that count; finite in both images
-    const ImageF* standard_error = nullptr;    ///< of the truth, where it is known
+    const Mask& valid;                       ///< pixels that count; finite in both images
+    const ImageF* standard_error = nullptr;  ///< of the truth, where it is known
 };
 
 struct MetricValue {
@@ -25,12 +25,12 @@ struct MetricValue {
 /// One metric: a row of the table in metrics.cpp and a file of its own.
 struct Metric {
     enum class Better { lower, higher, nearer_zero };
-    std::string_view id;      ///< command line, JSON key
+    std::string_view id;  ///< command line, JSON key
     std::string_view label;
-    std::string_view unit;    ///< "" for visibility itself
+    std::string_view unit;  ///< "" for visibility itself
     Better better;
-    std::string_view meaning; ///< one sentence for the page
-    std::string_view paper;   ///< author, title, year; "" for elementary ones
+    std::string_view meaning;  ///< one sentence for the page
+    std::string_view paper;    ///< author, title, year; "" for elementary ones
     MetricValue (*measure)(const MetricInput&);
 };
 
@@ -40,7 +40,8 @@ const std::vector<Metric>& metrics();
 /// Pixels of `candidate` where both images are finite. `nonfinite` receives how many were dropped for that.
 Mask finite_pixels(const ImageF& truth, const ImageF& test, const Mask& candidate, std::size_t& nonfinite);
 
-/// Where occlusion is missing (test brighter than the truth by more than `threshold`) and where it is false (darker).
+/// Where occlusion is missing (test brighter than the truth by more than `threshold`) and where it is false
+/// (darker).
 struct OcclusionMasks {
     Mask missing;
     Mask false_occlusion;
