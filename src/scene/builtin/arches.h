@@ -1,0 +1,28 @@
+#pragma once
+
+#include "scene/builtin/shapes.h"
+
+namespace aoscore::builtin {
+
+/// The line of an arch's opening: from the right springing (half_width, 0) over the apex to the left one,
+/// exactly symmetric, y up. `segments` a half.
+Profile semicircular_arch(double half_width_m, double rise_m, int segments);
+
+/// A Gothic arch: two circle arcs that meet in a point at (0, rise); rise > half_width.
+Profile pointed_arch(double half_width_m, double rise_m, int segments);
+
+/// A wall with an arched opening: |x| <= half_width, 0 <= y <= height, |z| <= half_thickness, without top and
+/// without its two ends, so that walls of equal section join seamlessly into a row.
+void add_arched_wall(MeshBuilder& mesh, const Profile& arch, double half_width_m, double height_m,
+                     double half_thickness_m);
+
+/// A moulding along an arch. The closed section of (outward offset from the line, z) points is walked
+/// counter-clockwise with the offset to the right and z up. Ends are open: they belong inside an impost.
+void add_arch_moulding(MeshBuilder& mesh, const Profile& arch, const Profile& offset_and_z);
+
+/// The vault of two crossing barrels, seen from below: their sections are `along_x` and `along_z`, arches of
+/// equal rise and point count, whose widths are the bay's. y is 0 at the springing; `rows` divides a web from
+/// groin to edge.
+void add_groin_vault(MeshBuilder& mesh, const Profile& along_x, const Profile& along_z, int rows);
+
+}  // namespace aoscore::builtin

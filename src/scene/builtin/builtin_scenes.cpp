@@ -1,0 +1,24 @@
+#include "scene/builtin/generators.h"
+#include "scene/scene.h"
+
+namespace aoscore {
+
+const std::vector<BuiltinScene>& builtin_scenes() {
+    static const std::vector<BuiltinScene> scenes{
+        {"atrium", "two-storey court: columns, arches, vaults, curtains, planters, a carved relief",
+         builtin::generate_atrium},
+        {"cathedral", "nave and aisles: clustered piers, pointed arches, ribbed vaults",
+         builtin::generate_cathedral},
+        {"pillar", "an occluder that hides behind a pillar (Vermeer 2020, section 4.5)",
+         builtin::generate_pillar},
+        {"plane", "closed form: a tilted plane, V = 1", builtin::generate_plane},
+        {"wall", "closed form: floor and endless wall, 1 m high", builtin::generate_wall},
+        {"wall_tall", "closed form: floor and endless wall, 8 m high, for cut-off radii",
+         builtin::generate_wall_tall},
+        {"sphere", "closed form: a sphere over a floor", builtin::generate_sphere},
+        {"pit", "closed form: a circular pit, rim at zenith angle 40 degrees", builtin::generate_pit},
+    };
+    return scenes;
+}
+
+}  // namespace aoscore

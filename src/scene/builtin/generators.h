@@ -1,0 +1,18 @@
+#pragma once
+
+#include "scene/scene.h"
+
+/// One function a built-in scene; all are deterministic. Views, bounds, counts and digest are load_scene()'s
+/// work.
+namespace aoscore::builtin {
+
+Scene generate_atrium();
+Scene generate_cathedral();
+Scene generate_pillar();
+Scene generate_plane();
+Scene generate_wall();
+Scene generate_wall_tall();
+Scene generate_sphere();
+Scene generate_pit();
+
+}  // namespace aoscore::builtin
