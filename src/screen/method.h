@@ -1,8 +1,9 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,13 +16,29 @@ struct Parameter {
     std::string id;
     Type type = Type::real;
     nlohmann::json default_value;
-    double lowest = 0, highest = 0;      ///< integer, real
-    std::vector<std::string> choices;    ///< choice: the shader sees the index
-    std::string unit;                    ///< "m", "rad", "px", "uv", ""
+    double lowest = 0, highest = 0;    ///< integer, real
+    std::vector<std::string> choices;  ///< choice: the shader sees the index
+    std::string unit;                  ///< "m", "rad", "px", "uv", ""
     std::string meaning;
-    int length_power = 0;                ///< how it scales with the scene: 1 for lengths, 2 for areas, …, 0 for none
+    int length_power = 0;  ///< how it scales with the scene: 1 for lengths, 2 for areas, …, 0 for none
+
+    /// Whether a value has this parameter's type and lies in its range.
+    bool accepts(const nlohmann::json& value) const;
+    /// What it accepts, in words.
+    std::string valid() const;
 };
 using ParameterValues = std::map<std::string, nlohmann::json>;
+
+/// A table of points that the program generates for a method (seeded, by MethodRequest::seed) and compiles
+/// into its shader as `k_<id>[]`. Members that begin with '@' name the parameter that holds the value.
+struct Kernel {
+    std::string id;
+    std::string size;                   ///< number of points: "@samples", or digits
+    std::string directions = "sphere";  ///< kernel.h lists the choices
+    std::string radii = "shell";
+    std::string scale = "none";
+    std::string sequence = "random";
+};
 
 /// Which truth a method claims to approximate: its falloff, and which of its parameters holds the radius.
 struct OwnTruth {
@@ -31,32 +48,36 @@ struct OwnTruth {
 };
 
 struct Pass {
-    std::string fragment;              ///< file in the method's folder
-    std::vector<std::string> inputs;   ///< contract inputs it samples: "linear_depth", "normal_geometric", …
+    std::string fragment;             ///< file in the method's folder
+    std::vector<std::string> inputs;  ///< contract inputs it samples: "linear_depth", "normal_geometric", …
 };
 
 /// A method (or filter): a folder of shaders/methods/ (or shaders/filters/) with method.json and GLSL passes.
 /// Adding one needs no C++.
 struct MethodDescriptor {
-    std::string id;       ///< the folder's name
+    std::string id;  ///< the folder's name
     std::string label;
-    std::string paper;    ///< author, title, year
-    std::string summary;  ///< one line
+    std::string paper;                    ///< author, title, year
+    std::string summary;                  ///< one line
     std::vector<std::string> deviations;  ///< from the paper, each a sentence
     std::vector<Parameter> parameters;
-    std::map<std::string, ParameterValues> presets;        ///< by id; "default" always exists
-    std::map<std::string, std::string> preset_filters;     ///< preset -> filter id, "none" where unsaid
+    std::map<std::string, ParameterValues> presets;     ///< by id; "default" always exists
+    std::map<std::string, std::string> preset_filters;  ///< preset -> filter id, "none" where unsaid
+    std::vector<Kernel> kernels;
     std::vector<Pass> passes;
     OwnTruth truth;
     std::filesystem::path folder;
 
-    /// Every parameter's value: the preset's over the defaults, `overrides` over both. Throws usage_error for an
-    /// unknown preset or parameter, or a value out of type or range.
+    /// The parameter of that id, null when there is none.
+    const Parameter* find_parameter(std::string_view parameter) const;
+
+    /// Every parameter's value: the preset's over the defaults, `overrides` over both. Throws usage_error for
+    /// an unknown preset or parameter, or a value out of type or range.
     ParameterValues values(std::string_view preset, const ParameterValues& overrides = {}) const;
 };
 
-/// All methods: those of shaders/methods/ and of `extra_dir` (empty: none), by id. Throws file_error for a bad
-/// descriptor and for an id that exists twice.
+/// All methods: those of shaders/methods/ and of `extra_dir` (empty: none), by id. Throws file_error for a
+/// bad descriptor and for an id that exists twice.
 std::vector<MethodDescriptor> load_methods(const std::filesystem::path& extra_dir = {});
 /// All filters of shaders/filters/. "none" is not among them.
 std::vector<MethodDescriptor> load_filters();

@@ -1,5 +1,9 @@
 #pragma once
 
+#include "core/image.h"
+#include "scene/scene.h"
+#include "screen/method.h"
+
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -7,29 +11,27 @@
 #include <string>
 #include <vector>
 
-#include "core/image.h"
-#include "scene/scene.h"
-#include "screen/method.h"
-
 namespace aoscore {
 
 /// The rasterised inputs as the methods see them, read back. Row 0 at the top.
 struct GBufferImages {
-    Mask surface;                     ///< 1 where something was drawn
-    ImageF linear_depth;              ///< view depth -z, metres; far plane's where nothing was drawn
-    ImageF hardware_depth;            ///< OpenGL window depth in [0,1]
-    Image<glm::vec3> normal_geometric;///< view space, unit, turned to the camera
-    Image<glm::vec3> normal_smooth;   ///< view space, unit, on the geometric normal's side
-    Image<glm::vec3> albedo;          ///< linear
+    Mask surface;                       ///< 1 where something was drawn
+    ImageF linear_depth;                ///< view depth -z, metres; far plane's where nothing was drawn
+    ImageF hardware_depth;              ///< OpenGL window depth in [0,1]
+    Image<glm::vec3> normal_geometric;  ///< view space, unit, turned to the camera
+    Image<glm::vec3> normal_smooth;     ///< view space, unit, on the geometric normal's side
+    Image<glm::vec3> albedo;            ///< linear
 };
 
 /// What to run on the current G-buffer.
 struct MethodRequest {
     const MethodDescriptor* method = nullptr;
-    ParameterValues parameters;                    ///< complete: MethodDescriptor::values()
-    const MethodDescriptor* filter = nullptr;      ///< null: none
+    ParameterValues parameters;                ///< complete: MethodDescriptor::values()
+    const MethodDescriptor* filter = nullptr;  ///< null: none
     ParameterValues filter_parameters;
-    std::uint64_t seed = 1;                        ///< of kernels and noise
+    std::uint64_t seed = 1;  ///< of kernels and noise
+    /// Parameters and kernels as uniforms instead of constants: the same picture, slower; for comparison.
+    bool uniform_form = false;
 };
 
 struct MethodOutput {
@@ -37,10 +39,16 @@ struct MethodOutput {
     ImageF visibility;  ///< after the filter (equals raw without one)
 };
 
-/// The inputs a pass may ask for: "linear_depth", "hardware_depth", "normal_geometric", "normal_smooth", "albedo".
+/// The inputs a pass may ask for: "linear_depth", "hardware_depth", "normal_geometric", "normal_smooth",
+/// "albedo".
 const std::set<std::string>& gbuffer_inputs();
+/// What a method's pass may ask for: the G-buffer's and what the program generates ("noise_4x4").
+const std::set<std::string>& method_inputs();
+/// What a filter's pass may ask for: a method's inputs and "visibility", the picture to be filtered.
+const std::set<std::string>& filter_inputs();
 
-/// OpenGL 3.3 on OSMesa: draws one G-buffer and runs screen-space methods on it. One instance at a time a thread.
+/// OpenGL 3.3 on OSMesa: draws one G-buffer and runs screen-space methods on it. One instance at a time a
+/// thread.
 class ScreenRenderer {
   public:
     ScreenRenderer();
@@ -59,8 +67,8 @@ class ScreenRenderer {
     /// Digest of all G-buffer textures' bytes: equal before and after a method ran.
     std::string gbuffer_digest();
 
-    /// Compiles what is needed (cached), runs once. Throws internal_error with the numbered source for a shader that
-    /// does not compile, file_error where descriptor and shader disagree on inputs or parameters.
+    /// Compiles what is needed (cached), runs once. Throws internal_error with the numbered source for a
+    /// shader that does not compile, file_error where descriptor and shader disagree on inputs or parameters.
     MethodOutput run(const MethodRequest& request);
 
     struct PassTimes {

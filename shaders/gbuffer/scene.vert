@@ -1,0 +1,18 @@
+// Every triangle of the scene into the G-buffer. The picture is drawn with row 0 at the top (u_clip_from_view turns
+// y over), so that gl_FragCoord is the image position of scene/camera.h.
+uniform mat4 u_view_from_mesh;  // multiplied in double before it comes here
+uniform mat4 u_clip_from_view;
+uniform mat3 u_normal_from_mesh;
+
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_normal;
+layout(location = 2) in vec2 a_texcoord;
+
+out vec3 v_normal;
+out vec2 v_texcoord;
+
+void main() {
+    v_normal = u_normal_from_mesh * a_normal;
+    v_texcoord = a_texcoord;
+    gl_Position = u_clip_from_view * (u_view_from_mesh * vec4(a_position, 1.0));
+}

@@ -1,0 +1,32 @@
+// Screen-space ambient occlusion by point tests in a sphere (Mittring 2007, Kajalin 2009; Hussain 2022, eq. 4 and 5).
+// V = 1/N sum v(S), v = 0 where the depth surface lies in front of the sample S by `bias` and within the range check.
+// Half of the sphere is below a plane: it reads about one half.
+#include "contract/ao_pass.glsl"
+#include "lib/frame.glsl"
+
+// The sphere is symmetric, the kernel is not: reflecting it by a plane of its own gives each pixel other points.
+vec3 reflecting_plane(vec3 random_vector) {
+    vec3 plane = random_vector - 1.0;
+    return p_plane == plane_unit ? normalize(plane) : plane;
+}
+
+bool in_range(float sample_z, float position_z) {
+    if (p_range_check == range_check_none) return true;
+    float difference = position_z - sample_z;
+    return (p_range_check == range_check_absolute ? abs(difference) : difference) < p_radius;
+}
+
+float visibility(vec2 image_px, vec3 position) {
+    vec3 random_vector = vec3(tiled_noise().xy * 2.0 - 1.0, 0.0);
+    mat3 view_from_tangent = basis_toward(centre_normal_geometric(), random_vector);
+    vec3 plane = reflecting_plane(random_vector);
+
+    float occlusion = 0.0;
+    for (int i = 0; i < p_samples; ++i) {
+        vec3 point = position + view_from_tangent * reflect(k_points[i], plane) * p_radius;
+        if (-point.z < u_near) continue;
+        float surface_z = -tap_linear_depth(texel_at(image_of(point)));
+        if (surface_z >= point.z + p_bias && in_range(surface_z, position.z)) occlusion += 1.0;
+    }
+    return 1.0 - occlusion / float(p_samples);
+}

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <GL/glcorearb.h>
+
+// The OpenGL 3.3 functions that this room calls, and no later one: what is not listed does not compile. Each
+// is loaded from the context by its name; AOSCORE_GL_FUNCTIONS(X) calls X(upper-case name, name).
+#define AOSCORE_GL_FUNCTIONS(X)                         \
+    X(ACTIVETEXTURE, ActiveTexture)                     \
+    X(ATTACHSHADER, AttachShader)                       \
+    X(BINDBUFFER, BindBuffer)                           \
+    X(BINDFRAMEBUFFER, BindFramebuffer)                 \
+    X(BINDTEXTURE, BindTexture)                         \
+    X(BINDVERTEXARRAY, BindVertexArray)                 \
+    X(BUFFERDATA, BufferData)                           \
+    X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus)   \
+    X(CLEARBUFFERFV, ClearBufferfv)                     \
+    X(COMPILESHADER, CompileShader)                     \
+    X(CREATEPROGRAM, CreateProgram)                     \
+    X(CREATESHADER, CreateShader)                       \
+    X(DELETEBUFFERS, DeleteBuffers)                     \
+    X(DELETEFRAMEBUFFERS, DeleteFramebuffers)           \
+    X(DELETEPROGRAM, DeleteProgram)                     \
+    X(DELETESHADER, DeleteShader)                       \
+    X(DELETETEXTURES, DeleteTextures)                   \
+    X(DELETEVERTEXARRAYS, DeleteVertexArrays)           \
+    X(DEPTHFUNC, DepthFunc)                             \
+    X(DISABLE, Disable)                                 \
+    X(DRAWARRAYS, DrawArrays)                           \
+    X(DRAWBUFFERS, DrawBuffers)                         \
+    X(DRAWELEMENTSBASEVERTEX, DrawElementsBaseVertex)   \
+    X(ENABLE, Enable)                                   \
+    X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) \
+    X(FINISH, Finish)                                   \
+    X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D)       \
+    X(GENBUFFERS, GenBuffers)                           \
+    X(GENFRAMEBUFFERS, GenFramebuffers)                 \
+    X(GENTEXTURES, GenTextures)                         \
+    X(GENVERTEXARRAYS, GenVertexArrays)                 \
+    X(GETACTIVEUNIFORM, GetActiveUniform)               \
+    X(GETERROR, GetError)                               \
+    X(GETINTEGERV, GetIntegerv)                         \
+    X(GETPROGRAMINFOLOG, GetProgramInfoLog)             \
+    X(GETPROGRAMIV, GetProgramiv)                       \
+    X(GETSHADERINFOLOG, GetShaderInfoLog)               \
+    X(GETSHADERIV, GetShaderiv)                         \
+    X(GETSTRING, GetString)                             \
+    X(GETTEXIMAGE, GetTexImage)                         \
+    X(GETUNIFORMLOCATION, GetUniformLocation)           \
+    X(LINKPROGRAM, LinkProgram)                         \
+    X(PIXELSTOREI, PixelStorei)                         \
+    X(SHADERSOURCE, ShaderSource)                       \
+    X(TEXBUFFER, TexBuffer)                             \
+    X(TEXIMAGE2D, TexImage2D)                           \
+    X(TEXPARAMETERI, TexParameteri)                     \
+    X(UNIFORM1F, Uniform1f)                             \
+    X(UNIFORM1I, Uniform1i)                             \
+    X(UNIFORM1UI, Uniform1ui)                           \
+    X(UNIFORM2F, Uniform2f)                             \
+    X(UNIFORM2FV, Uniform2fv)                           \
+    X(UNIFORM2I, Uniform2i)                             \
+    X(UNIFORM3FV, Uniform3fv)                           \
+    X(UNIFORM4FV, Uniform4fv)                           \
+    X(UNIFORMMATRIX3FV, UniformMatrix3fv)               \
+    X(UNIFORMMATRIX4FV, UniformMatrix4fv)               \
+    X(USEPROGRAM, UseProgram)                           \
+    X(VERTEXATTRIBPOINTER, VertexAttribPointer)         \
+    X(VIEWPORT, Viewport)
+
+namespace aoscore::gl {
+
+#define AOSCORE_GL_DECLARE(UPPER, Name) extern PFNGL##UPPER##PROC Name;
+AOSCORE_GL_FUNCTIONS(AOSCORE_GL_DECLARE)
+#undef AOSCORE_GL_DECLARE
+
+/// Fills the pointers above. A context must be current. Throws internal_error naming a missing function.
+void load_functions();
+
+/// Throws internal_error when an OpenGL call since the last check failed; `doing` says what was done.
+void check(const char* doing);
+
+}  // namespace aoscore::gl

@@ -1,0 +1,99 @@
+#include "screen/method.h"
+
+#include "core/error.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace aoscore {
+namespace {
+
+std::string valid_values(const Parameter& p) {
+    switch (p.type) {
+        case Parameter::Type::integer:
+            return fmt::format("a whole number from {} to {}", p.lowest, p.highest);
+        case Parameter::Type::real:
+            return fmt::format("a number from {} to {}", p.lowest, p.highest);
+        case Parameter::Type::boolean:
+            return "true or false";
+        case Parameter::Type::choice:
+            return fmt::format("{}", fmt::join(p.choices, ", "));
+    }
+    return {};
+}
+
+bool in_range(const Parameter& p, const nlohmann::json& value) {
+    if (!value.is_number()) return false;
+    const double v = value.get<double>();
+    if (p.type == Parameter::Type::integer && v != std::floor(v)) return false;
+    return v >= p.lowest && v <= p.highest;
+}
+
+}  // namespace
+
+bool Parameter::accepts(const nlohmann::json& value) const {
+    switch (type) {
+        case Type::integer:
+        case Type::real:
+            return in_range(*this, value);
+        case Type::boolean:
+            return value.is_boolean();
+        case Type::choice:
+            return value.is_string() &&
+                   std::find(choices.begin(), choices.end(), value.get<std::string>()) != choices.end();
+    }
+    return false;
+}
+
+std::string Parameter::valid() const {
+    return valid_values(*this);
+}
+
+const Parameter* MethodDescriptor::find_parameter(std::string_view parameter) const {
+    const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                    [&](const Parameter& p) { return p.id == parameter; });
+    return found == parameters.end() ? nullptr : &*found;
+}
+
+ParameterValues MethodDescriptor::values(std::string_view preset, const ParameterValues& overrides) const {
+    const auto chosen = presets.find(std::string(preset));
+    if (chosen == presets.end()) {
+        std::vector<std::string> known;
+        for (const auto& [name, unused] : presets) known.push_back(name);
+        throw usage_error(fmt::format("no preset \"{}\"", preset), id,
+                          fmt::format("{}", fmt::join(known, ", ")));
+    }
+    ParameterValues result;
+    for (const Parameter& p : parameters) result[p.id] = p.default_value;
+    for (const ParameterValues& layer : {chosen->second, overrides}) {
+        for (const auto& [name, value] : layer) {
+            const Parameter* parameter = find_parameter(name);
+            if (parameter == nullptr) {
+                std::vector<std::string> known;
+                for (const Parameter& p : parameters) known.push_back(p.id);
+                throw usage_error(fmt::format("no parameter \"{}\"", name), id,
+                                  fmt::format("{}", fmt::join(known, ", ")));
+            }
+            if (!parameter->accepts(value)) {
+                throw usage_error(fmt::format("is {}", value.dump()), id + "." + name, parameter->valid());
+            }
+            result[name] = value;
+        }
+    }
+    return result;
+}
+
+const MethodDescriptor& find_method(const std::vector<MethodDescriptor>& methods, std::string_view id) {
+    const auto found =
+        std::find_if(methods.begin(), methods.end(), [&](const MethodDescriptor& m) { return m.id == id; });
+    if (found != methods.end()) return *found;
+    std::vector<std::string> known;
+    for (const MethodDescriptor& m : methods) known.push_back(m.id);
+    throw usage_error(fmt::format("no method or filter \"{}\"", id), {},
+                      fmt::format("{}", fmt::join(known, ", ")));
+}
+
+}  // namespace aoscore

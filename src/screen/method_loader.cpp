@@ -1,0 +1,267 @@
+#include "core/error.h"
+#include "core/files.h"
+#include "core/strict_json.h"
+#include "screen/kernel.h"
+#include "screen/method.h"
+#include "screen/screen.h"
+#include "screen/shader_source.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+namespace aoscore {
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+void check_id(const std::string& id, const std::string& where, char separator) {
+    const bool good = !id.empty() && std::islower(static_cast<unsigned char>(id[0])) != 0 &&
+                      std::all_of(id.begin(), id.end(), [&](unsigned char c) {
+                          return std::islower(c) != 0 || std::isdigit(c) != 0 || c == separator;
+                      });
+    if (!good) {
+        throw file_error(fmt::format("\"{}\" is no id", id), where,
+                         fmt::format("lower-case letters, digits and '{}', a letter first", separator));
+    }
+}
+
+Parameter::Type parse_type(const std::string& name, const std::string& where) {
+    if (name == "integer") return Parameter::Type::integer;
+    if (name == "real") return Parameter::Type::real;
+    if (name == "boolean") return Parameter::Type::boolean;
+    if (name == "choice") return Parameter::Type::choice;
+    throw file_error(fmt::format("is \"{}\"", name), where, "integer, real, boolean, choice");
+}
+
+Parameter parse_parameter(const std::string& id, StrictObject object) {
+    Parameter p;
+    p.id = id;
+    check_id(id, object.where(), '_');
+    p.type = parse_type(object.text("type"), object.where("type"));
+    p.meaning = object.text("meaning");
+    p.unit = object.text_or("unit", "");
+    p.length_power = object.integer_or("length_power", 0, -6, 6);
+    if (p.type == Parameter::Type::integer || p.type == Parameter::Type::real) {
+        const auto range = object.numbers("range", 2);
+        p.lowest = range[0];
+        p.highest = range[1];
+    } else if (p.type == Parameter::Type::choice) {
+        p.choices = object.texts_or_empty("choices");
+        for (const std::string& choice : p.choices) check_id(choice, object.where("choices"), '_');
+    }
+    p.default_value = object.raw("default");
+    if (!p.accepts(p.default_value)) {
+        throw file_error(fmt::format("is {}", p.default_value.dump()), object.where("default"), p.valid());
+    }
+    object.finish();
+    return p;
+}
+
+std::map<std::string, ParameterValues> parse_presets(const MethodDescriptor& method, StrictObject presets) {
+    std::map<std::string, ParameterValues> result;
+    for (const auto& [name, value] : presets.members()) {
+        check_id(name, presets.where(name), '-');
+        for (const auto& [id, setting] : StrictObject(value, presets.where(name)).members()) {
+            const std::string where = presets.where(name) + "." + id;
+            const Parameter* parameter = method.find_parameter(id);
+            if (parameter == nullptr) throw file_error("is no parameter", where, "a declared parameter");
+            if (!parameter->accepts(setting)) {
+                throw file_error(fmt::format("is {}", setting.dump()), where, parameter->valid());
+            }
+            result[name][id] = setting;
+        }
+        result.try_emplace(name);
+    }
+    return result;
+}
+
+// A member of a kernel: one of the known words, or '@' and a choice parameter all of whose choices are known
+// words.
+std::string kernel_member(StrictObject& object, const char* key, const std::string& fallback,
+                          const std::set<std::string>& known, const MethodDescriptor& method) {
+    std::string value = object.text_or(key, fallback);
+    if (value.starts_with('@')) {
+        const Parameter* p = method.find_parameter(value.substr(1));
+        const bool good = p != nullptr && p->type == Parameter::Type::choice &&
+                          std::all_of(p->choices.begin(), p->choices.end(),
+                                      [&](const auto& c) { return known.contains(c); });
+        if (good) return value;
+    } else if (known.contains(value)) {
+        return value;
+    }
+    throw file_error(fmt::format("is \"{}\"", value), object.where(key),
+                     fmt::format("{}; or @ and a choice parameter of these", fmt::join(known, ", ")));
+}
+
+Kernel parse_kernel(const std::string& id, StrictObject object, const MethodDescriptor& method) {
+    Kernel kernel;
+    kernel.id = id;
+    check_id(id, object.where(), '_');
+    const json& size = object.raw("size");
+    if (size.is_number_unsigned() && size.get<int>() > 0) {
+        kernel.size = std::to_string(size.get<int>());
+    } else if (size.is_string() && size.get<std::string>().starts_with('@')) {
+        kernel.size = size.get<std::string>();
+        const Parameter* p = method.find_parameter(kernel.size.substr(1));
+        if (p == nullptr || p->type != Parameter::Type::integer || p->lowest < 1) {
+            throw file_error(fmt::format("is \"{}\"", kernel.size), object.where("size"),
+                             "@ and an integer parameter of at least 1");
+        }
+    } else {
+        throw file_error(fmt::format("is {}", size.dump()), object.where("size"),
+                         "a count, or @ and an integer parameter");
+    }
+    kernel.directions =
+        kernel_member(object, "directions", kernel.directions, KernelChoices::directions(), method);
+    kernel.radii = kernel_member(object, "radii", kernel.radii, KernelChoices::radii(), method);
+    kernel.scale = kernel_member(object, "scale", kernel.scale, KernelChoices::scales(), method);
+    kernel.sequence = kernel_member(object, "sequence", kernel.sequence, KernelChoices::sequences(), method);
+    object.finish();
+    return kernel;
+}
+
+OwnTruth parse_truth(const MethodDescriptor& method, StrictObject object) {
+    OwnTruth truth;
+    truth.falloff = object.text_or("falloff", truth.falloff);
+    truth.radius_parameter = object.text_or("radius", "");
+    truth.u_parameter = object.text_or("u", "");
+    for (const auto& [key, id] :
+         {std::pair("radius", truth.radius_parameter), std::pair("u", truth.u_parameter)}) {
+        if (!id.empty() && method.find_parameter(id) == nullptr) {
+            throw file_error(fmt::format("is \"{}\"", id), object.where(key), "a declared parameter");
+        }
+    }
+    object.finish();
+    return truth;
+}
+
+Pass parse_pass(StrictObject object, const fs::path& folder, const std::set<std::string>& inputs) {
+    Pass pass;
+    pass.fragment = object.text("fragment");
+    if (!fs::is_regular_file(folder / pass.fragment)) {
+        throw file_error(fmt::format("\"{}\" is not there", pass.fragment), object.where("fragment"),
+                         "a file of the folder");
+    }
+    pass.inputs = object.texts_or_empty("inputs");
+    for (const std::string& input : pass.inputs) {
+        if (!inputs.contains(input)) {
+            throw file_error(fmt::format("asks for \"{}\"", input), object.where("inputs"),
+                             fmt::format("{}", fmt::join(inputs, ", ")));
+        }
+    }
+    object.finish();
+    return pass;
+}
+
+// Every parameter must have an effect: some pass or kernel names it.
+void check_parameters_used(const MethodDescriptor& method, const std::string& where) {
+    std::string text;
+    for (const Pass& pass : method.passes)
+        text += expanded_text(method.folder / pass.fragment, method.folder);
+    for (const Parameter& p : method.parameters) {
+        const std::string reference = "@" + p.id;
+        const bool in_kernel =
+            std::any_of(method.kernels.begin(), method.kernels.end(), [&](const Kernel& k) {
+                return k.size == reference || k.directions == reference || k.radii == reference ||
+                       k.scale == reference || k.sequence == reference;
+            });
+        if (!in_kernel && !mentions(text, "p_" + p.id)) {
+            throw file_error(fmt::format("no pass uses the parameter (as p_{})", p.id),
+                             where + ": parameters." + p.id);
+        }
+    }
+    for (const Kernel& k : method.kernels) {
+        if (!mentions(text, "k_" + k.id)) {
+            throw file_error(fmt::format("no pass uses the kernel (as k_{})", k.id),
+                             where + ": kernels." + k.id);
+        }
+    }
+}
+
+MethodDescriptor load_descriptor(const fs::path& folder, const std::set<std::string>& inputs,
+                                 bool is_filter) {
+    const fs::path file = folder / "method.json";
+    const std::string where = file.string();
+    const json parsed = parse_json_file(file);
+    StrictObject top(parsed, where + ": ");
+    MethodDescriptor method;
+    method.folder = folder;
+    method.id = folder.filename().string();
+    check_id(method.id, where, '-');
+    method.label = top.text("label");
+    method.paper = top.text("paper");
+    method.summary = top.text("summary");
+    method.deviations = top.texts_or_empty("deviations");
+    if (top.has("parameters")) {
+        StrictObject parameters = top.object("parameters");
+        for (const auto& [id, value] : parameters.members()) {
+            method.parameters.push_back(parse_parameter(id, StrictObject(value, parameters.where(id))));
+        }
+    }
+    if (top.has("presets")) method.presets = parse_presets(method, top.object("presets"));
+    method.presets.try_emplace("default");
+    if (!is_filter && top.has("preset_filters")) {
+        StrictObject filters = top.object("preset_filters");
+        for (const auto& [preset, filter] : filters.members()) {
+            if (!method.presets.contains(preset)) throw file_error("is no preset", filters.where(preset));
+            if (!filter.is_string())
+                throw file_error("has another form", filters.where(preset), "a filter's id");
+            method.preset_filters[preset] = filter.get<std::string>();
+        }
+    }
+    if (top.has("kernels")) {
+        StrictObject kernels = top.object("kernels");
+        for (const auto& [id, value] : kernels.members()) {
+            method.kernels.push_back(parse_kernel(id, StrictObject(value, kernels.where(id)), method));
+        }
+    }
+    for (const StrictObject& pass : top.objects("passes"))
+        method.passes.push_back(parse_pass(pass, folder, inputs));
+    if (method.passes.empty()) throw file_error("is empty", top.where("passes"), "at least one pass");
+    if (!is_filter && top.has("truth")) method.truth = parse_truth(method, top.object("truth"));
+    top.finish();
+    check_parameters_used(method, where);
+    return method;
+}
+
+void load_folder(const fs::path& folder, bool is_filter, std::vector<MethodDescriptor>& result) {
+    if (!fs::is_directory(folder)) throw file_error("is no folder", folder.string());
+    const std::set<std::string>& inputs = is_filter ? filter_inputs() : method_inputs();
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        if (!entry.is_directory() || entry.path().filename().string().starts_with('.')) continue;
+        result.push_back(load_descriptor(entry.path(), inputs, is_filter));
+    }
+}
+
+std::vector<MethodDescriptor> sorted_unique(std::vector<MethodDescriptor> all) {
+    std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+    const auto twice =
+        std::adjacent_find(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.id == b.id; });
+    if (twice != all.end()) {
+        throw file_error(fmt::format("\"{}\" exists twice", twice->id), (twice + 1)->folder.string(),
+                         "a name that differs from " + twice->folder.string());
+    }
+    return all;
+}
+
+}  // namespace
+
+std::vector<MethodDescriptor> load_methods(const fs::path& extra_dir) {
+    std::vector<MethodDescriptor> all;
+    load_folder(home_dir() / "shaders" / "methods", false, all);
+    if (!extra_dir.empty()) load_folder(extra_dir, false, all);
+    return sorted_unique(std::move(all));
+}
+
+std::vector<MethodDescriptor> load_filters() {
+    std::vector<MethodDescriptor> all;
+    load_folder(home_dir() / "shaders" / "filters", true, all);
+    return sorted_unique(std::move(all));
+}
+
+}  // namespace aoscore

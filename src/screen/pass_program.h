@@ -1,0 +1,44 @@
+#pragma once
+
+#include "screen/method.h"
+#include "screen/shader_program.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace aoscore {
+
+/// Everything that decides which shader is built for a pass.
+struct PassBuild {
+    const MethodDescriptor* method = nullptr;
+    const ParameterValues* parameters = nullptr;  ///< complete
+    std::uint64_t seed = 1;
+    bool orthographic = false;
+    bool uniform_form = false;   ///< parameters and kernels as uniforms, not constants
+    bool count_fetches = false;  ///< with the second output o_fetches
+};
+
+/// The fragment shader of a pass: macros, parameters, kernels, then the method's own file.
+ShaderSource pass_source(const PassBuild& build, const Pass& pass);
+
+/// A pass's program, checked against its descriptor.
+class PassProgram {
+  public:
+    /// Throws file_error for an active uniform that is neither the contract's nor a parameter, and for an
+    /// input that is sampled without being listed; internal_error for a shader that does not compile.
+    PassProgram(const PassBuild& build, const Pass& pass, const ShaderSource& fragment);
+
+    const ShaderProgram& program() const { return program_; }
+    /// The inputs that are really sampled; sampler `u_<input>` reads texture unit [index].
+    const std::vector<std::string>& samplers() const { return samplers_; }
+
+    /// Uniform form: sets parameters and kernels. The program must be in use.
+    void set_parameters(const PassBuild& build) const;
+
+  private:
+    ShaderProgram program_;
+    std::vector<std::string> samplers_;
+};
+
+}  // namespace aoscore

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace aoscore {
+
+/// The text of one shader, put together from files and generated blocks. Every part keeps its name and its
+/// own line numbers, so that a compiler's message can be shown beside the line that it means.
+class ShaderSource {
+  public:
+    /// Begins with `#version 330 core`.
+    ShaderSource();
+
+    /// Appends generated text under a name for messages, such as "(parameters)".
+    void add_block(std::string name, std::string_view text);
+
+    /// Appends a file with its includes. `#include "lib/noise.glsl"` is looked for in `folder` first, then in
+    /// the program's shaders/; each file enters once. Throws file_error for one that is missing.
+    void add_file(const std::filesystem::path& file, const std::filesystem::path& folder);
+
+    const std::string& text() const { return text_; }
+
+    /// A compiler's log with each "part:line" replaced by the part's name, and the numbered lines around it.
+    std::string explain(std::string_view log) const;
+
+  private:
+    struct Part {
+        std::string name;
+        std::vector<std::string> lines;
+    };
+    void begin_part(std::size_t part, std::size_t line);
+    std::size_t add_part(std::string name, std::string_view text);
+
+    std::string text_;
+    std::vector<Part> parts_;
+    std::set<std::filesystem::path> entered_;
+};
+
+/// The file's text with all its includes, for checks that only look at words.
+std::string expanded_text(const std::filesystem::path& file, const std::filesystem::path& folder);
+
+/// True when `word` stands in `text` as a whole GLSL identifier, outside of comments.
+bool mentions(std::string_view text, std::string_view word);
+
+}  // namespace aoscore
