@@ -1,10 +1,10 @@
+#include "cli/command.h"
+#include "experiment/bench_main.h"
+
 #include <fmt/format.h>
 
 #include <map>
 #include <memory>
-
-#include "cli/command.h"
-#include "experiment/bench_main.h"
 
 namespace aoscore {
 namespace {
@@ -21,13 +21,14 @@ const std::map<std::string, Bench>& benches() {
 }  // namespace
 
 CommandEntry add_bench_command(CLI::App& program, const GlobalOptions& global) {
-    CLI::App* app = program.add_subcommand("bench", "Measure speed and memory; prints ratios against named baselines");
+    CLI::App* app =
+        program.add_subcommand("bench", "Measure speed and memory; prints ratios against named baselines");
     const auto name = std::make_shared<std::string>();
     std::vector<std::string> names;
     for (const auto& [id, bench] : benches()) names.push_back(id);
     app->add_option("name", *name, "Which benchmark")->required()->check(CLI::IsMember(names));
     return {app, [name, &global] {
-                benches().at(*name)(global);
+                benches().at (*name)(global);
                 return ExitCode::ok;
             }};
 }

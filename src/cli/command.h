@@ -1,12 +1,13 @@
 #pragma once
 
+#include "core/error.h"
+
 #include <CLI/CLI.hpp>
+
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
-
-#include "core/error.h"
 
 namespace aoscore {
 

@@ -1,13 +1,13 @@
-#include <fmt/format.h>
-
-#include <memory>
-
 #include "cli/command.h"
 #include "core/files.h"
 #include "experiment/gate.h"
 #include "metrics/evaluate.h"
 #include "metrics/metric.h"
 #include "results/image_file.h"
+
+#include <fmt/format.h>
+
+#include <memory>
 
 namespace aoscore {
 namespace {
@@ -32,8 +32,8 @@ Comparison compare(const Options& options) {
     const VisibilityFile test = read_visibility(options.test, options.srgb);
     if (!truth.visibility.same_size(test.visibility)) {
         throw Error(ExitCode::sizes_differ,
-                    fmt::format("truth is {}x{}, test is {}x{}", truth.visibility.width, truth.visibility.height,
-                                test.visibility.width, test.visibility.height),
+                    fmt::format("truth is {}x{}, test is {}x{}", truth.visibility.width,
+                                truth.visibility.height, test.visibility.width, test.visibility.height),
                     options.test.string(), "images of one size");
     }
     Mask candidate = truth.mask;
@@ -73,12 +73,12 @@ void print_table(const Comparison& comparison) {
         const auto found = comparison.metrics.find(std::string(metric.id));
         if (found == comparison.metrics.end()) continue;
         const MeasuredMetric& measured = found->second;
-        fmt::print("{:<16} {:>12}  {}\n", metric.id, measured.value ? fmt::format("{:.6f}", *measured.value) : "-",
-                   measured.note);
+        fmt::print("{:<16} {:>12}  {}\n", metric.id,
+                   measured.value ? fmt::format("{:.6f}", *measured.value) : "-", measured.note);
     }
     if (comparison.valid_pixels > 0) {
-        fmt::print("{:<16} {:>12.6f}\n{:<16} {:>12.6f}\n", "missing_area", comparison.masks.missing_area, "false_area",
-                   comparison.masks.false_area);
+        fmt::print("{:<16} {:>12.6f}\n{:<16} {:>12.6f}\n", "missing_area", comparison.masks.missing_area,
+                   "false_area", comparison.masks.false_area);
     }
     fmt::print("{:<16} {:>12}\n{:<16} {:>12}\n", "valid_pixels", comparison.valid_pixels, "nonfinite",
                comparison.nonfinite);
@@ -106,7 +106,8 @@ ExitCode run(const Options& options) {
     if (options.json == "-") {
         fmt::print("{}\n", to_json(comparison, options).dump(2));
     } else {
-        if (!options.json.empty()) write_atomically(options.json, to_json(comparison, options).dump(2) + "\n");
+        if (!options.json.empty())
+            write_atomically(options.json, to_json(comparison, options).dump(2) + "\n");
         print_table(comparison);
     }
     if (comparison.valid_pixels == 0 || comparison.nonfinite > 0) {
@@ -123,14 +124,18 @@ ExitCode run(const Options& options) {
 
 CommandEntry add_compare_command(CLI::App& program, const GlobalOptions&) {
     CLI::App* app = program.add_subcommand(
-        "compare", "Measure how far the visibility in TEST is from TRUTH (EXR, PNG, ...; any engine's image)");
+        "compare",
+        "Measure how far the visibility in TEST is from TRUTH (EXR, PNG, ...; any engine's image)");
     const auto options = std::make_shared<Options>();
-    app->add_option("truth", options->truth, "The truth: Y, the only channel, or equal R, G, B; mask.Y is honoured")
+    app->add_option("truth", options->truth,
+                    "The truth: Y, the only channel, or equal R, G, B; mask.Y is honoured")
         ->required();
     app->add_option("test", options->test, "The image under test")->required();
-    app->add_option("--json", options->json, "Write one JSON object to this file, or to standard output for -");
+    app->add_option("--json", options->json,
+                    "Write one JSON object to this file, or to standard output for -");
     app->add_flag("--srgb", options->srgb, "8-bit files are sRGB-coded [they are value/255]");
-    app->add_option("--mask-threshold", options->mask_threshold, "Of missing and false occlusion, in visibility")
+    app->add_option("--mask-threshold", options->mask_threshold,
+                    "Of missing and false occlusion, in visibility")
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();
     app->add_option("--fail", options->fail, "Exit with 2 when this holds: rmse>0.02 (also without a value)");

@@ -1,12 +1,12 @@
-#include <fmt/format.h>
-
-#include <memory>
-
 #include "cli/command.h"
 #include "cli/shared_options.h"
 #include "core/files.h"
 #include "experiment/image_output.h"
 #include "screen/screen.h"
+
+#include <fmt/format.h>
+
+#include <memory>
 
 namespace aoscore {
 namespace {
@@ -31,7 +31,8 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
                    {"aoscore:gl_renderer", renderer.renderer()},
                    {"aoscore:version", std::string(version())},
                    {"comments", global.command_line}});
-    log_info(fmt::format("{} triangles drawn in {:.1f} ms by {}", scene.triangle_count, ms, renderer.renderer()));
+    log_info(
+        fmt::format("{} triangles drawn in {:.1f} ms by {}", scene.triangle_count, ms, renderer.renderer()));
     fmt::print("{}\n", options.out.string());
     return ExitCode::ok;
 }
@@ -40,8 +41,9 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
 
 CommandEntry add_gbuffer_command(CLI::App& program, const GlobalOptions& global) {
     CLI::App* app = program.add_subcommand(
-        "gbuffer", "Draw the G-buffer of one view into an EXR: Z view depth in metres, depth.Z window depth, N.* "
-                   "geometric and Ns.* smooth view-space normals, albedo.*, mask.Y");
+        "gbuffer",
+        "Draw the G-buffer of one view into an EXR: Z view depth in metres, depth.Z window depth, N.* "
+        "geometric and Ns.* smooth view-space normals, albedo.*, mask.Y");
     const auto options = std::make_shared<Options>();
     add_scene_options(*app, options->choice);
     add_size_option(*app, options->size);

@@ -1,10 +1,3 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <map>
-#include <memory>
-#include <set>
-
 #include "cli/command.h"
 #include "cli/shared_options.h"
 #include "core/files.h"
@@ -12,6 +5,13 @@
 #include "metrics/metric.h"
 #include "scene/scene.h"
 #include "screen/method.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+#include <memory>
+#include <set>
 
 namespace aoscore {
 namespace {
@@ -60,7 +60,8 @@ void list_methods(const std::filesystem::path& methods_dir) {
         std::set<std::string> inputs;
         for (const Pass& pass : m.passes) inputs.insert(pass.inputs.begin(), pass.inputs.end());
         std::vector<std::string> parameters;
-        for (const Parameter& p : m.parameters) parameters.push_back(fmt::format("{}={}", p.id, p.default_value.dump()));
+        for (const Parameter& p : m.parameters)
+            parameters.push_back(fmt::format("{}={}", p.id, p.default_value.dump()));
         std::vector<std::string> presets;
         for (const auto& [id, values] : m.presets) presets.push_back(id);
         fmt::print("{:<20} {}{}. {}; inputs {}; parameters {}; presets {}\n", m.id, kind, m.paper, m.summary,

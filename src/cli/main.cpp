@@ -1,16 +1,16 @@
-#include <fmt/format.h>
-
-#include <array>
-#include <cstdio>
-#include <exception>
-#include <vector>
-
 #include "cli/command.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/interrupt.h"
 #include "core/log.h"
 #include "core/threads.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <vector>
 
 namespace aoscore {
 namespace {
@@ -20,14 +20,16 @@ constexpr std::array<AddCommand, 7> kCommands{add_run_command,     add_score_com
                                               add_bench_command};
 
 constexpr const char* kFooter =
-    "Exit codes: 0 ok, 1 a --warn limit was tripped, 2 a --fail limit was tripped or nothing could be compared,\n"
+    "Exit codes: 0 ok, 1 a --warn limit was tripped, 2 a --fail limit was tripped or nothing could be "
+    "compared,\n"
     "3 sizes differ, 4 a file cannot be read, understood or written, 5 some cells failed, 64 wrong usage,\n"
     "70 internal or OpenGL failure, 130 interrupted.";
 
 std::string quoted(const std::string& argument) {
-    const bool plain = !argument.empty() && argument.find_first_not_of(
-                                                "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                                                "-_./,=:@%+") == std::string::npos;
+    const bool plain =
+        !argument.empty() && argument.find_first_not_of(
+                                 "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                 "-_./,=:@%+") == std::string::npos;
     if (plain) return argument;
     std::string result = "'";
     for (const char c : argument) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -42,7 +44,8 @@ std::string command_line(int argc, char** argv) {
 
 ExitCode run_program(int argc, char** argv) {
     CLI::App program{
-        "aoscore: how far screen-space ambient occlusion is from the ray-traced truth, where, and at what cost"};
+        "aoscore: how far screen-space ambient occlusion is from the ray-traced truth, where, and at what "
+        "cost"};
     program.set_version_flag("--version", std::string(version()));
     program.require_subcommand(1);
     program.fallthrough();
@@ -52,7 +55,9 @@ ExitCode run_program(int argc, char** argv) {
     global.command_line = command_line(argc, argv);
     program.add_option("--seed", global.seed, "Of every random choice; the same seed gives the same images")
         ->capture_default_str();
-    program.add_option("--threads", global.threads, "Threads to use; 0 for all cores. Images do not depend on it")
+    program
+        .add_option("--threads", global.threads,
+                    "Threads to use; 0 for all cores. Images do not depend on it")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
     program.add_flag("--quiet", global.quiet, "Say nothing but errors and results");

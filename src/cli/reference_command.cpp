@@ -1,13 +1,13 @@
-#include <fmt/format.h>
-
-#include <memory>
-
 #include "cli/command.h"
 #include "cli/shared_options.h"
 #include "core/files.h"
 #include "experiment/experiment.h"
 #include "experiment/image_output.h"
 #include "reference/truth.h"
+
+#include <fmt/format.h>
+
+#include <memory>
 
 namespace aoscore {
 namespace {
@@ -53,8 +53,9 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
 
 CommandEntry add_reference_command(CLI::App& program, const GlobalOptions& global) {
     CLI::App* app = program.add_subcommand(
-        "reference", "Ray-trace the truth of one view into an EXR: Y is the visibility at the first radius, V0.Y, "
-                     "V1.Y, ... at each of them, SE.Y the standard error, mask.Y 0 where there is no surface");
+        "reference",
+        "Ray-trace the truth of one view into an EXR: Y is the visibility at the first radius, V0.Y, "
+        "V1.Y, ... at each of them, SE.Y the standard error, mask.Y 0 where there is no surface");
     const auto options = std::make_shared<Options>();
     add_scene_options(*app, options->choice);
     add_size_option(*app, options->size);

@@ -1,13 +1,13 @@
-#include <fmt/format.h>
-
-#include <memory>
-#include <set>
-
 #include "cli/command.h"
 #include "core/files.h"
 #include "core/log.h"
 #include "experiment/experiment.h"
 #include "report/report.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <set>
 
 namespace aoscore {
 namespace {
@@ -25,7 +25,8 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     ExperimentPlan plan = plan_reports(ids);
     plan.seed = global.seed;
     plan.command = global.command_line;
-    const std::filesystem::path folder = options.out.empty() ? home_dir() / "reports" / "out" / "main" : options.out;
+    const std::filesystem::path folder =
+        options.out.empty() ? home_dir() / "reports" / "out" / "main" : options.out;
     const Results results = run_experiment(plan, folder);
     fmt::print("{}\n", write_report(folder).string());
     return failed_cells(results) > 0 ? ExitCode::cells_failed : ExitCode::ok;
@@ -34,7 +35,8 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
 }  // namespace
 
 CommandEntry add_run_command(CLI::App& program, const GlobalOptions& global) {
-    CLI::App* app = program.add_subcommand("run", "Rebuild published tables: truth, methods, page (the main job)");
+    CLI::App* app =
+        program.add_subcommand("run", "Rebuild published tables: truth, methods, page (the main job)");
     const auto options = std::make_shared<Options>();
     app->add_option("report", options->reports, "Reports to rebuild (see list reports) [all]");
     app->add_option("--out", options->out, "Folder of page, results and images [reports/out/main]");

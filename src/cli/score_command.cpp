@@ -1,13 +1,13 @@
-#include <fmt/format.h>
-
-#include <cmath>
-#include <memory>
-
 #include "cli/command.h"
 #include "cli/shared_options.h"
 #include "core/files.h"
 #include "experiment/experiment.h"
 #include "report/report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
 
 namespace aoscore {
 namespace {
@@ -25,14 +25,15 @@ struct Options {
 };
 
 std::vector<std::string> chosen_methods(const Options& options) {
-    if (!options.methods.empty() && options.methods != std::vector<std::string>{"all"}) return options.methods;
+    if (!options.methods.empty() && options.methods != std::vector<std::string>{"all"})
+        return options.methods;
     std::vector<std::string> ids;
     for (const MethodDescriptor& method : load_methods(options.methods_dir)) ids.push_back(method.id);
     return ids;
 }
 
-// The scene is loaded here only to know its views; it is small work beside the rest, and a bad file ends the run
-// before anything is written.
+// The scene is loaded here only to know its views; it is small work beside the rest, and a bad file ends the
+// run before anything is written.
 std::vector<std::string> chosen_views(const SceneChoice& choice) {
     if (!choice.view.empty()) return {choice.view};
     std::vector<std::string> ids;
@@ -74,10 +75,12 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
 }  // namespace
 
 CommandEntry add_score_command(CLI::App& program, const GlobalOptions& global) {
-    CLI::App* app = program.add_subcommand("score", "Score methods on the views of a scene; prints the page's path");
+    CLI::App* app =
+        program.add_subcommand("score", "Score methods on the views of a scene; prints the page's path");
     const auto options = std::make_shared<Options>();
     add_scene_options(*app, options->choice);
-    app->add_option("--methods", options->methods, "Methods to score (see list methods) [all]")->delimiter(',');
+    app->add_option("--methods", options->methods, "Methods to score (see list methods) [all]")
+        ->delimiter(',');
     app->add_option("--preset", options->preset, "Which preset of each method")->capture_default_str();
     add_size_option(*app, options->size);
     add_radii_option(*app, options->radii);

@@ -23,7 +23,8 @@ double parse_radius(const std::string& text) {
     double value = 0;
     const auto [end, ec] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (ec != std::errc() || end != text.data() + text.size() || !(value > 0) || !std::isfinite(value)) {
-        throw CLI::ValidationError("--radius", "\"" + text + "\" is no length in metres above 0, and not \"inf\"");
+        throw CLI::ValidationError("--radius",
+                                   "\"" + text + "\" is no length in metres above 0, and not \"inf\"");
     }
     return value;
 }
@@ -39,7 +40,8 @@ void add_size_option(CLI::App& app, ImageSize& size) {
                const auto height = x == std::string::npos ? std::nullopt : parse_int(text.substr(x + 1));
                if (!width || !height || *width < 1 || *height < 1 || *width > kLargestSide_px ||
                    *height > kLargestSide_px) {
-                   throw CLI::ValidationError("--size", "\"" + text + "\" is no size such as 1920x1080 (at most " +
+                   throw CLI::ValidationError("--size", "\"" + text +
+                                                            "\" is no size such as 1920x1080 (at most " +
                                                             std::to_string(kLargestSide_px) + " each way)");
                }
                size = {*width, *height};
@@ -66,7 +68,8 @@ void add_samples_option(CLI::App& app, int& samples) {
 }
 
 void add_scene_options(CLI::App& app, SceneChoice& choice) {
-    app.add_option("scene", choice.scene, "A built-in scene (see list scenes), or a .gltf or .glb file")->required();
+    app.add_option("scene", choice.scene, "A built-in scene (see list scenes), or a .gltf or .glb file")
+        ->required();
     app.add_option("--view", choice.view, "One of the scene's views (see list views SCENE)");
 }
 
@@ -80,7 +83,8 @@ const View& one_view(const Scene& scene, const std::string& view_id) {
     if (!view_id.empty()) return find_view(scene, view_id);
     const View& first = scene.views.front();
     if (scene.views.size() > 1) {
-        log_info(fmt::format("{} has {} views; taking {} (choose with --view)", scene.id, scene.views.size(), first.id));
+        log_info(fmt::format("{} has {} views; taking {} (choose with --view)", scene.id, scene.views.size(),
+                             first.id));
     }
     return first;
 }

@@ -1,13 +1,14 @@
 #pragma once
 
+#include "core/log.h"
+#include "scene/scene.h"
+
 #include <CLI/CLI.hpp>
+
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "core/log.h"
-#include "scene/scene.h"
 
 namespace aoscore {
 

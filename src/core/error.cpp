@@ -33,6 +33,8 @@ Error internal_error(std::string what, std::string where) {
     return Error(ExitCode::internal, std::move(what), std::move(where));
 }
 
-Error interrupted_error() { return Error(ExitCode::interrupted, "interrupted"); }
+Error interrupted_error() {
+    return Error(ExitCode::interrupted, "interrupted");
+}
 
 }  // namespace aoscore

@@ -8,14 +8,14 @@ namespace aoscore {
 /// What a run ends with; documented in README.md and in `aoscore --help`.
 enum class ExitCode : int {
     ok = 0,
-    warned = 1,        ///< a --warn limit was tripped
-    gate_failed = 2,   ///< a --fail limit was tripped
-    sizes_differ = 3,  ///< images that should match differ in size or channels
-    file_error = 4,    ///< an input cannot be read or understood, an output cannot be written
-    cells_failed = 5,  ///< some scene x view x method cells of an experiment failed
-    usage = 64,        ///< the command line is wrong, or names something unknown
-    internal = 70,     ///< a defect of the program, or the graphics library failed
-    interrupted = 130, ///< Ctrl-C
+    warned = 1,         ///< a --warn limit was tripped
+    gate_failed = 2,    ///< a --fail limit was tripped
+    sizes_differ = 3,   ///< images that should match differ in size or channels
+    file_error = 4,     ///< an input cannot be read or understood, an output cannot be written
+    cells_failed = 5,   ///< some scene x view x method cells of an experiment failed
+    usage = 64,         ///< the command line is wrong, or names something unknown
+    internal = 70,      ///< a defect of the program, or the graphics library failed
+    interrupted = 130,  ///< Ctrl-C
 };
 
 /// The one exception type: what went wrong, where (file and place in it), and what would be valid.

@@ -1,5 +1,7 @@
 #include "core/files.h"
 
+#include "core/error.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -8,13 +10,13 @@
 #include <fstream>
 #include <system_error>
 
-#include "core/error.h"
-
 namespace aoscore {
 
 namespace fs = std::filesystem;
 
-std::string_view version() { return AOSCORE_VERSION; }
+std::string_view version() {
+    return AOSCORE_VERSION;
+}
 
 fs::path home_dir() {
     if (const char* home = std::getenv("AOSCORE_HOME"); home != nullptr && *home != '\0') return home;
@@ -34,7 +36,8 @@ std::string read_file(const fs::path& path, std::size_t max_bytes) {
     }
     std::string content(static_cast<std::size_t>(size), '\0');
     std::ifstream in(path, std::ios::binary);
-    if (!in.read(content.data(), static_cast<std::streamsize>(size))) throw file_error("cannot be read", path.string());
+    if (!in.read(content.data(), static_cast<std::streamsize>(size)))
+        throw file_error("cannot be read", path.string());
     return content;
 }
 
@@ -44,9 +47,8 @@ void write_atomically(const fs::path& path, const std::function<void(const fs::p
     if (path.has_parent_path()) fs::create_directories(path.parent_path(), ec);
     if (ec) throw file_error("folder cannot be made: " + ec.message(), path.parent_path().string());
     // The extension stays last: image libraries choose the format by it.
-    fs::path temporary = path.parent_path() /
-                         fmt::format(".{}.{}-{}.tmp{}", path.stem().string(), getpid(), counter++,
-                                     path.extension().string());
+    fs::path temporary = path.parent_path() / fmt::format(".{}.{}-{}.tmp{}", path.stem().string(), getpid(),
+                                                          counter++, path.extension().string());
     try {
         write(temporary);
         fs::rename(temporary, path);

@@ -25,14 +25,10 @@ class Digest {
 
     /// A number, or a struct without padding.
     template <class T>
-        requires std::is_trivially_copyable_v<T>
-    Digest& value(const T& v) {
-        return bytes(&v, sizeof v);
-    }
+    requires std::is_trivially_copyable_v<T> Digest& value(const T& v) { return bytes(&v, sizeof v); }
     /// An array, with its length.
     template <class T>
-        requires std::is_trivially_copyable_v<T>
-    Digest& array(std::span<const T> values) {
+    requires std::is_trivially_copyable_v<T> Digest& array(std::span<const T> values) {
         value(values.size());
         return bytes(values.data(), values.size_bytes());
     }

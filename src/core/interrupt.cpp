@@ -1,8 +1,8 @@
 #include "core/interrupt.h"
 
-#include <csignal>
-
 #include "core/error.h"
+
+#include <csignal>
 
 namespace aoscore {
 namespace {
@@ -21,7 +21,9 @@ void catch_interrupts() {
     std::signal(SIGTERM, on_signal);
 }
 
-bool interrupt_requested() { return g_requested != 0; }
+bool interrupt_requested() {
+    return g_requested != 0;
+}
 
 void throw_if_interrupted() {
     if (interrupt_requested()) throw interrupted_error();

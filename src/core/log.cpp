@@ -19,9 +19,17 @@ void write_line(std::string_view prefix, std::string_view line) {
 
 }  // namespace
 
-void set_quiet(bool quiet) { g_quiet = quiet; }
-bool quiet() { return g_quiet; }
-void log_info(std::string_view line) { write_line("", line); }
-void log_warning(std::string_view line) { write_line("warning: ", line); }
+void set_quiet(bool quiet) {
+    g_quiet = quiet;
+}
+bool quiet() {
+    return g_quiet;
+}
+void log_info(std::string_view line) {
+    write_line("", line);
+}
+void log_warning(std::string_view line) {
+    write_line("warning: ", line);
+}
 
 }  // namespace aoscore

@@ -1,13 +1,13 @@
 #include "core/progress.h"
 
+#include "core/log.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <utility>
-
-#include "core/log.h"
 
 namespace aoscore {
 namespace {
@@ -52,8 +52,8 @@ void Progress::draw(std::size_t done, double seconds, bool last) {
         return;
     }
     const int filled = static_cast<int>(fraction * kBarWidth);
-    fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {:.0f} %, {}{}", what_, "", filled, "", kBarWidth - filled,
-               100 * fraction, times, last ? "\n" : "");
+    fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {:.0f} %, {}{}", what_, "", filled, "",
+               kBarWidth - filled, 100 * fraction, times, last ? "\n" : "");
     std::fflush(stderr);
 }
 

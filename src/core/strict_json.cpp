@@ -1,23 +1,26 @@
 #include "core/strict_json.h"
 
+#include "core/error.h"
+#include "core/files.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cmath>
 #include <utility>
 
-#include "core/error.h"
-#include "core/files.h"
-
 namespace aoscore {
 
 using nlohmann::json;
 
-StrictObject::StrictObject(const json& object, std::string where) : object_(&object), where_(std::move(where)) {
+StrictObject::StrictObject(const json& object, std::string where)
+    : object_(&object), where_(std::move(where)) {
     if (!object.is_object()) throw file_error(fmt::format("is {}", object.type_name()), where_, "an object");
 }
 
-bool StrictObject::has(std::string_view key) const { return object_->contains(key); }
+bool StrictObject::has(std::string_view key) const {
+    return object_->contains(key);
+}
 
 const json& StrictObject::take(std::string_view key, std::string_view type) {
     const auto found = object_->find(key);
@@ -26,7 +29,9 @@ const json& StrictObject::take(std::string_view key, std::string_view type) {
     return *found;
 }
 
-const json& StrictObject::raw(std::string_view key) { return take(key, "a value"); }
+const json& StrictObject::raw(std::string_view key) {
+    return take(key, "a value");
+}
 
 std::string StrictObject::text(std::string_view key) {
     const json& value = take(key, "a text");
@@ -41,7 +46,8 @@ std::string StrictObject::text_or(std::string_view key, std::string fallback) {
 bool StrictObject::boolean_or(std::string_view key, bool fallback) {
     if (!has(key)) return fallback;
     const json& value = take(key, "true or false");
-    if (!value.is_boolean()) throw file_error(fmt::format("is {}", value.dump()), where(key), "true or false");
+    if (!value.is_boolean())
+        throw file_error(fmt::format("is {}", value.dump()), where(key), "true or false");
     return value.get<bool>();
 }
 
@@ -93,13 +99,16 @@ std::vector<std::string> StrictObject::texts_or_empty(std::string_view key) {
     std::vector<std::string> result;
     if (!value.is_array()) throw file_error("has another form", where(key), "an array of texts");
     for (const json& v : value) {
-        if (!v.is_string()) throw file_error(fmt::format("holds {}", v.dump()), where(key), "an array of texts");
+        if (!v.is_string())
+            throw file_error(fmt::format("holds {}", v.dump()), where(key), "an array of texts");
         result.push_back(v.get<std::string>());
     }
     return result;
 }
 
-StrictObject StrictObject::object(std::string_view key) { return StrictObject(take(key, "an object"), where(key)); }
+StrictObject StrictObject::object(std::string_view key) {
+    return StrictObject(take(key, "an object"), where(key));
+}
 
 std::vector<StrictObject> StrictObject::objects(std::string_view key) {
     const json& value = take(key, "an array of objects");

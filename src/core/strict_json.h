@@ -1,7 +1,8 @@
 #pragma once
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
+
+#include <filesystem>
 #include <set>
 #include <string>
 #include <string_view>
@@ -10,8 +11,8 @@
 namespace aoscore {
 
 /// One of our own JSON files, read strictly: every key must be consumed, every value has the type and range
-/// that its reader asks for, and each error names the file and the place. Get an object with parse_json_file(),
-/// take members out of it, then call finish(), which rejects what was not taken.
+/// that its reader asks for, and each error names the file and the place. Get an object with
+/// parse_json_file(), take members out of it, then call finish(), which rejects what was not taken.
 class StrictObject {
   public:
     /// `where` as it appears in errors: "views.json: views[2]".

@@ -1,15 +1,15 @@
 #include "experiment/bench_main.h"
 
-#include <fmt/format.h>
-
-#include <chrono>
-#include <filesystem>
-
 #include "core/files.h"
 #include "experiment/experiment.h"
 #include "experiment/machine.h"
 #include "scene/scene.h"
 #include "screen/screen.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
 
 namespace aoscore {
 namespace {

@@ -4,8 +4,8 @@
 
 namespace aoscore {
 
-/// The main job, cold: every published table into a temporary folder. Prints wall-clock seconds by stage, peak memory,
-/// and how loading and G-buffer of the atrium compare with the whole, on standard output.
+/// The main job, cold: every published table into a temporary folder. Prints wall-clock seconds by stage,
+/// peak memory, and how loading and G-buffer of the atrium compare with the whole, on standard output.
 void bench_main(std::uint64_t seed);
 
 }  // namespace aoscore

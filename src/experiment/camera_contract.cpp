@@ -51,8 +51,8 @@ class EdgeFinder {
     const PrimaryHits& hits_;
 };
 
-bool same_surface(const CameraFrame& frame, const PrimaryHits& hits, const GBufferImages& gbuffer, int x, int y,
-                  double float_tolerance_m) {
+bool same_surface(const CameraFrame& frame, const PrimaryHits& hits, const GBufferImages& gbuffer, int x,
+                  int y, double float_tolerance_m) {
     const auto traced = static_cast<double>(hits.depth.at(x, y));
     const auto drawn = static_cast<double>(gbuffer.linear_depth.at(x, y));
     const glm::dvec3 offset =
@@ -68,8 +68,8 @@ double CameraContract::disagreeing_share() const {
     return compared > 0 ? static_cast<double>(disagreeing) / static_cast<double>(compared) : 0.0;
 }
 
-CameraContract check_camera_contract(const CameraFrame& frame, const PrimaryHits& hits, const GBufferImages& gbuffer,
-                                     double scene_extent_m) {
+CameraContract check_camera_contract(const CameraFrame& frame, const PrimaryHits& hits,
+                                     const GBufferImages& gbuffer, double scene_extent_m) {
     CameraContract contract;
     contract.valid = Mask(frame.width(), frame.height());
     const EdgeFinder edges(frame, hits);
@@ -80,7 +80,8 @@ CameraContract check_camera_contract(const CameraFrame& frame, const PrimaryHits
             ++contract.surface;
             const bool edge = edges.is_edge(x, y);
             contract.edges += edge;
-            if (traced && drawn && same_surface(frame, hits, gbuffer, x, y, kFloatTolerance * scene_extent_m)) {
+            if (traced && drawn &&
+                same_surface(frame, hits, gbuffer, x, y, kFloatTolerance * scene_extent_m)) {
                 contract.valid.at(x, y) = 1;
                 ++contract.valid_count;
             } else {

@@ -1,17 +1,17 @@
 #include "experiment/experiment.h"
 
-#include <fmt/format.h>
-
-#include <chrono>
-#include <map>
-#include <memory>
-
 #include "core/error.h"
 #include "core/files.h"
 #include "core/log.h"
 #include "core/threads.h"
 #include "experiment/machine.h"
 #include "experiment/view_run.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <map>
+#include <memory>
 
 namespace aoscore {
 namespace {
@@ -26,7 +26,8 @@ struct PreparedView {
     std::vector<ResolvedCell> cells;
 };
 
-// Looks up and loads everything before any work is done or file is written, so that a wrong name costs nothing.
+// Looks up and loads everything before any work is done or file is written, so that a wrong name costs
+// nothing.
 std::vector<PreparedView> prepare(const ExperimentPlan& plan, const Registry& registry) {
     std::map<std::string, std::shared_ptr<const Scene>> scenes;
     std::vector<PreparedView> prepared;
@@ -52,7 +53,9 @@ void check_writable(const std::filesystem::path& folder) {
     write_atomically(folder / "results.json.incomplete", "A run is going on here, or was stopped.\n");
 }
 
-std::string view_key(const PreparedView& p) { return p.scene->id + "/" + p.view->id; }
+std::string view_key(const PreparedView& p) {
+    return p.scene->id + "/" + p.view->id;
+}
 
 }  // namespace
 
@@ -61,8 +64,9 @@ double ranking_radius(const std::optional<double>& asked, const View& view, cons
     if (asked) return *asked;
     if (view.radius_m) return *view.radius_m;
     const double radius = kAutomaticRadiusShare * scene.bounds.diagonal();
-    warnings.push_back(fmt::format("{}/{}: no radius is named; ranked at {:.4g} m, {:g} % of the scene's diagonal",
-                                   scene.id, view.id, radius, 100 * kAutomaticRadiusShare));
+    warnings.push_back(
+        fmt::format("{}/{}: no radius is named; ranked at {:.4g} m, {:g} % of the scene's diagonal", scene.id,
+                    view.id, radius, 100 * kAutomaticRadiusShare));
     return radius;
 }
 
@@ -92,7 +96,8 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
             reference = std::make_unique<ReferenceScene>(*current);
             renderer.set_scene(*current);
         }
-        log_info(fmt::format("{}: {} triangles, {}x{}", view_key(p), current->triangle_count, p.plan->width, p.plan->height));
+        log_info(fmt::format("{}: {} triangles, {}x{}", view_key(p), current->triangle_count, p.plan->width,
+                             p.plan->height));
         ViewOutcome outcome =
             run_view({*p.scene, *p.view, *reference, renderer, *p.plan, p.cells, view_key(p), plan.seed,
                       results.mask_threshold, plan.keep_gbuffer, folder});
@@ -107,7 +112,8 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
     }
     for (const TablePlan& table : plan.tables) {
         TableRecord record{table.definition, {}};
-        for (const std::size_t index : table.cell_indices) record.cell_ids.push_back(cell_ids[table.view_index][index]);
+        for (const std::size_t index : table.cell_indices)
+            record.cell_ids.push_back(cell_ids[table.view_index][index]);
         results.tables.push_back(std::move(record));
     }
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

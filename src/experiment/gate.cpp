@@ -1,5 +1,8 @@
 #include "experiment/gate.h"
 
+#include "core/error.h"
+#include "metrics/metric.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,9 +11,6 @@
 #include <cstdlib>
 #include <utility>
 #include <vector>
-
-#include "core/error.h"
-#include "metrics/metric.h"
 
 namespace aoscore {
 namespace {
@@ -48,7 +48,8 @@ Gate Gate::parse(const std::string& text) {
             if (metric.id == gate.metric) return gate;
             ids.push_back(metric.id);
         }
-        throw usage_error("unknown metric \"" + gate.metric + "\"", text, fmt::format("{}", fmt::join(ids, ", ")));
+        throw usage_error("unknown metric \"" + gate.metric + "\"", text,
+                          fmt::format("{}", fmt::join(ids, ", ")));
     }
     throw usage_error("no limit", text, kForm);
 }
@@ -58,10 +59,14 @@ bool Gate::tripped_by(const MetricMap& metrics) const {
     if (measured == nullptr) return true;
     const double value = *measured->value;
     switch (relation) {
-        case Relation::greater: return !(value <= threshold);
-        case Relation::greater_equal: return !(value < threshold);
-        case Relation::less: return !(value >= threshold);
-        case Relation::less_equal: return !(value > threshold);
+        case Relation::greater:
+            return !(value <= threshold);
+        case Relation::greater_equal:
+            return !(value < threshold);
+        case Relation::less:
+            return !(value >= threshold);
+        case Relation::less_equal:
+            return !(value > threshold);
     }
     return true;
 }
@@ -70,12 +75,13 @@ std::string Gate::explain(const MetricMap& metrics) const {
     const MeasuredMetric* measured = find(metrics, metric);
     if (measured == nullptr) {
         const auto found = metrics.find(metric);
-        return fmt::format("{}: {} has no value{}", text, metric,
-                           found != metrics.end() && !found->second.note.empty() ? " (" + found->second.note + ")" : "");
+        return fmt::format(
+            "{}: {} has no value{}", text, metric,
+            found != metrics.end() && !found->second.note.empty() ? " (" + found->second.note + ")" : "");
     }
     const bool upper = relation == Relation::greater || relation == Relation::greater_equal;
-    return fmt::format("{}: {} is {:.6g}; a threshold {} {:.6g} would have passed", text, metric, *measured->value,
-                       upper ? "above" : "below", *measured->value);
+    return fmt::format("{}: {} is {:.6g}; a threshold {} {:.6g} would have passed", text, metric,
+                       *measured->value, upper ? "above" : "below", *measured->value);
 }
 
 }  // namespace aoscore

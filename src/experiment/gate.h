@@ -1,8 +1,8 @@
 #pragma once
 
-#include <string>
-
 #include "results/results.h"
+
+#include <string>
 
 namespace aoscore {
 

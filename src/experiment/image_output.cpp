@@ -1,14 +1,14 @@
 #include "experiment/image_output.h"
 
+#include "experiment/own_truth.h"
+#include "results/image_file.h"
+
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 #include <list>
 #include <vector>
-
-#include "experiment/own_truth.h"
-#include "results/image_file.h"
 
 namespace aoscore {
 namespace {
@@ -30,7 +30,8 @@ ImageF component(const Image<glm::vec3>& image, int axis) {
 void write_truth(const std::filesystem::path& path, const Truth& truth, const Mask& valid,
                  std::map<std::string, std::string> attributes) {
     const ImageF mask = as_float(valid);
-    std::vector<ChannelView> channels{{"Y", &truth.visibility[0]}, {"SE.Y", &truth.standard_error[0]}, {"mask.Y", &mask}};
+    std::vector<ChannelView> channels{
+        {"Y", &truth.visibility[0]}, {"SE.Y", &truth.standard_error[0]}, {"mask.Y", &mask}};
     for (std::size_t q = 0; q < truth.queries.size(); ++q) {
         const TruthQuery& query = truth.queries[q];
         const std::string id = fmt::format("V{}", q);
@@ -39,7 +40,8 @@ void write_truth(const std::filesystem::path& path, const Truth& truth, const Ma
         attributes["aoscore:" + id + ".falloff"] = falloff_name(query.falloff);
         attributes["aoscore:" + id + ".radius_m"] =
             std::isfinite(query.radius_m) ? fmt::format("{}", query.radius_m) : "infinite";
-        if (query.falloff == Falloff::alchemy) attributes["aoscore:" + id + ".u_m"] = fmt::format("{}", query.u_m);
+        if (query.falloff == Falloff::alchemy)
+            attributes["aoscore:" + id + ".u_m"] = fmt::format("{}", query.u_m);
     }
     attributes["aoscore:samples"] = fmt::format("{}", truth.samples);
     write_exr(path, channels, attributes);
@@ -48,8 +50,10 @@ void write_truth(const std::filesystem::path& path, const Truth& truth, const Ma
 void write_gbuffer(const std::filesystem::path& path, const GBufferImages& gbuffer,
                    const std::map<std::string, std::string>& attributes) {
     const ImageF mask = as_float(gbuffer.surface);
-    std::vector<ChannelView> channels{
-        {"Y", &gbuffer.linear_depth}, {"Z", &gbuffer.linear_depth}, {"depth.Z", &gbuffer.hardware_depth}, {"mask.Y", &mask}};
+    std::vector<ChannelView> channels{{"Y", &gbuffer.linear_depth},
+                                      {"Z", &gbuffer.linear_depth},
+                                      {"depth.Z", &gbuffer.hardware_depth},
+                                      {"mask.Y", &mask}};
     std::list<ImageF> planes;  // a list: its elements stay where they are
     const auto add = [&](const Image<glm::vec3>& image, const std::array<const char*, 3>& names) {
         if (image.empty()) return;

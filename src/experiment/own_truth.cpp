@@ -1,13 +1,13 @@
 #include "experiment/own_truth.h"
 
+#include "core/error.h"
+
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
-
-#include "core/error.h"
 
 namespace aoscore {
 namespace {
@@ -18,10 +18,12 @@ constexpr std::array<std::pair<Falloff, const char*>, 3> kFalloffs{{
     {Falloff::alchemy, "alchemy"},
 }};
 
-double length_parameter(const MethodDescriptor& method, const ParameterValues& parameters, const std::string& id) {
+double length_parameter(const MethodDescriptor& method, const ParameterValues& parameters,
+                        const std::string& id) {
     const auto found = parameters.find(id);
     if (found == parameters.end() || !found->second.is_number()) {
-        throw file_error("\"" + id + "\" is no number parameter of the method", method.id + "/method.json: truth");
+        throw file_error("\"" + id + "\" is no number parameter of the method",
+                         method.id + "/method.json: truth");
     }
     return found->second.get<double>();
 }

@@ -1,13 +1,13 @@
 #include "experiment/plan.h"
 
+#include "core/error.h"
+#include "core/files.h"
+#include "core/strict_json.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-
-#include "core/error.h"
-#include "core/files.h"
-#include "core/strict_json.h"
 
 namespace aoscore {
 namespace {
@@ -22,11 +22,13 @@ std::string source_line(StrictObject source) {
     return line;
 }
 
-// The published figures are shown, not computed with: they may be any numbers, null where nothing was printed.
+// The published figures are shown, not computed with: they may be any numbers, null where nothing was
+// printed.
 void check_published(StrictObject published, const std::string& where) {
     for (const auto& [key, value] : published.members()) {
         if (!value.is_number() && !value.is_null()) {
-            throw file_error("is no number", where + ".published." + key, "a number, or null where none is printed");
+            throw file_error("is no number", where + ".published." + key,
+                             "a number, or null where none is printed");
         }
     }
 }
@@ -34,7 +36,8 @@ void check_published(StrictObject published, const std::string& where) {
 void check_alternatives(StrictObject alternatives) {
     for (const auto& [key, value] : alternatives.members()) {
         if (!value.is_array() || value.size() != 2 || !value[0].is_number() || !value[1].is_string()) {
-            throw file_error("has another form", alternatives.where(key), "[number, \"where it is printed\"]");
+            throw file_error("has another form", alternatives.where(key),
+                             "[number, \"where it is printed\"]");
         }
     }
 }
@@ -61,7 +64,8 @@ bool same_cell(const CellPlan& a, const CellPlan& b) {
 
 template <class T, class Same>
 std::size_t find_or_add(std::vector<T>& items, T item, Same same) {
-    const auto found = std::find_if(items.begin(), items.end(), [&](const T& other) { return same(other, item); });
+    const auto found =
+        std::find_if(items.begin(), items.end(), [&](const T& other) { return same(other, item); });
     if (found != items.end()) return static_cast<std::size_t>(found - items.begin());
     items.push_back(std::move(item));
     return items.size() - 1;
@@ -124,7 +128,8 @@ ExperimentPlan plan_reports(const std::vector<std::string>& report_ids) {
     const std::vector<ReportDefinition> known = list_reports();
     ExperimentPlan plan;
     for (const std::string& id : report_ids) {
-        const auto found = std::find_if(known.begin(), known.end(), [&](const auto& r) { return r.id == id; });
+        const auto found =
+            std::find_if(known.begin(), known.end(), [&](const auto& r) { return r.id == id; });
         if (found == known.end()) {
             std::vector<std::string> ids;
             for (const ReportDefinition& report : known) ids.push_back(report.id);

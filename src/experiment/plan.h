@@ -1,13 +1,14 @@
 #pragma once
 
+#include "screen/method.h"
+
+#include <nlohmann/json.hpp>
+
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "screen/method.h"
 
 namespace aoscore {
 
@@ -21,11 +22,11 @@ struct CellPlan {
 
 /// One view of a scene and everything that is run on it.
 struct ViewPlan {
-    std::string scene;                ///< built-in id or path of a glTF file
+    std::string scene;  ///< built-in id or path of a glTF file
     std::string view;
     int width = 1920, height = 1080;
-    int samples = 64;                 ///< truth rays a pixel
-    std::optional<double> radius_m;   ///< of the ranking; empty: the view's own, else one automatic
+    int samples = 64;                ///< truth rays a pixel
+    std::optional<double> radius_m;  ///< of the ranking; empty: the view's own, else one automatic
     std::vector<CellPlan> cells;
 };
 

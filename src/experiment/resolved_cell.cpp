@@ -4,7 +4,9 @@
 
 namespace aoscore {
 
-Registry load_registry(const std::filesystem::path& methods_dir) { return {load_methods(methods_dir), load_filters()}; }
+Registry load_registry(const std::filesystem::path& methods_dir) {
+    return {load_methods(methods_dir), load_filters()};
+}
 
 ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64_t seed) {
     ResolvedCell cell;

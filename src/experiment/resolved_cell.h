@@ -1,11 +1,11 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "experiment/plan.h"
 #include "reference/truth.h"
 #include "screen/screen.h"
+
+#include <string>
+#include <vector>
 
 namespace aoscore {
 

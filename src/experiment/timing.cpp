@@ -26,6 +26,8 @@ Timing summarize(std::vector<double> runs_ms) {
     return timing;
 }
 
-int timed_runs(double warm_up_ms) { return warm_up_ms > 1000 ? 3 : 10; }
+int timed_runs(double warm_up_ms) {
+    return warm_up_ms > 1000 ? 3 : 10;
+}
 
 }  // namespace aoscore

@@ -1,11 +1,5 @@
 #include "experiment/view_run.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <set>
-
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "core/progress.h"
@@ -19,6 +13,12 @@
 #include "metrics/noise.h"
 #include "results/image_file.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
 namespace aoscore {
 namespace {
 
@@ -29,7 +29,9 @@ std::string file_name(std::string id) {
     return id;
 }
 
-std::vector<double> numbers(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+std::vector<double> numbers(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
 
 double mean_over(const ImageF& image, const Mask& valid) {
     double sum = 0;
@@ -44,7 +46,8 @@ double mean_over(const ImageF& image, const Mask& valid) {
 
 class Runner {
   public:
-    explicit Runner(const ViewRun& run) : run_(run), frame_(run.view.camera, run.plan.width, run.plan.height) {}
+    explicit Runner(const ViewRun& run)
+        : run_(run), frame_(run.view.camera, run.plan.width, run.plan.height) {}
 
     ViewOutcome measure() {
         describe_view();
@@ -91,7 +94,8 @@ class Runner {
     void trace_truth() {
         std::vector<TruthQuery> queries{{Falloff::binary, outcome_.view.radius_m, 0}};
         for (const ResolvedCell& cell : run_.cells) {
-            if (std::find(queries.begin(), queries.end(), cell.own) == queries.end()) queries.push_back(cell.own);
+            if (std::find(queries.begin(), queries.end(), cell.own) == queries.end())
+                queries.push_back(cell.own);
         }
         TruthSettings settings;
         settings.samples = run_.plan.samples;
@@ -150,7 +154,8 @@ class Runner {
             if (query.falloff == Falloff::alchemy) record.u_m = query.u_m;
             record.channel = fmt::format("V{}.Y", q);
             record.se_channel = fmt::format("SE{}.Y", q);
-            const NoiseFloor floor = noise_floor(truth_.standard_error[q], contract_.valid).value_or(NoiseFloor{});
+            const NoiseFloor floor =
+                noise_floor(truth_.standard_error[q], contract_.valid).value_or(NoiseFloor{});
             record.mean_standard_error = floor.mean_standard_error;
             record.noise_floor_rmse = floor.rmse();
             v.truths.push_back(std::move(record));
@@ -209,11 +214,13 @@ class Runner {
         write_exr(run_.folder / record.image_file, channels, {{"aoscore:cell", record.id}});
 
         if (!contract_.kept()) {
-            throw internal_error(fmt::format("ray tracer and rasteriser disagree on {:.2f} % of the pixels away from "
-                                             "edges, more than {:.1f} %",
-                                             100 * contract_.disagreeing_share(), 100 * CameraContract::kTolerated));
+            throw internal_error(
+                fmt::format("ray tracer and rasteriser disagree on {:.2f} % of the pixels away from "
+                            "edges, more than {:.1f} %",
+                            100 * contract_.disagreeing_share(), 100 * CameraContract::kTolerated));
         }
-        const Mask valid = finite_pixels(truth_.visibility[0], output.visibility, contract_.valid, record.nonfinite);
+        const Mask valid =
+            finite_pixels(truth_.visibility[0], output.visibility, contract_.valid, record.nonfinite);
         if (record.nonfinite > 0) {
             throw internal_error(fmt::format("{} pixels are NaN or infinite", record.nonfinite));
         }
@@ -221,7 +228,8 @@ class Runner {
         record.own = metrics_against(cell.own, output.visibility, valid);
         if (filtered) {
             std::size_t nonfinite = 0;
-            const Mask raw_valid = finite_pixels(truth_.visibility[0], output.raw, contract_.valid, nonfinite);
+            const Mask raw_valid =
+                finite_pixels(truth_.visibility[0], output.raw, contract_.valid, nonfinite);
             record.raw = metrics_against(truth_.queries[0], output.raw, raw_valid);
         }
         record.fetches_per_pixel = mean_over(run_.renderer.count_fetches(cell.request), contract_.valid);
@@ -262,7 +270,8 @@ class Runner {
             record.blur = summarize(std::move(clocks[i].filter_ms));
             const Timing& gbuffer = outcome_.view.gbuffer;
             if (record.ao.median_ms && gbuffer.median_ms) {
-                record.frame_ms = *gbuffer.median_ms + *record.ao.median_ms + record.blur.median_ms.value_or(0);
+                record.frame_ms =
+                    *gbuffer.median_ms + *record.ao.median_ms + record.blur.median_ms.value_or(0);
             }
         }
     }
@@ -288,6 +297,8 @@ void Runner::write_images() {
 
 }  // namespace
 
-ViewOutcome run_view(const ViewRun& run) { return Runner(run).measure(); }
+ViewOutcome run_view(const ViewRun& run) {
+    return Runner(run).measure();
+}
 
 }  // namespace aoscore

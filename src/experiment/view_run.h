@@ -1,14 +1,14 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "experiment/resolved_cell.h"
 #include "reference/truth.h"
 #include "results/results.h"
 #include "scene/scene.h"
 #include "screen/screen.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
 
 namespace aoscore {
 
@@ -20,7 +20,7 @@ struct ViewRun {
     ScreenRenderer& renderer;  ///< the scene is set already
     const ViewPlan& plan;
     std::vector<ResolvedCell> cells;
-    std::string key;           ///< "atrium/wide"
+    std::string key;  ///< "atrium/wide"
     std::uint64_t seed = 1;
     double mask_threshold = 0.1;
     bool keep_gbuffer = true;
@@ -32,8 +32,8 @@ struct ViewOutcome {
     std::vector<CellRecord> cells;  ///< in the order of ViewRun::cells
 };
 
-/// Truth, G-buffer, camera contract, then every cell: output, fetches, metrics; at last the clock, round by round
-/// over all cells so that a disturbance of the machine meets all of them.
+/// Truth, G-buffer, camera contract, then every cell: output, fetches, metrics; at last the clock, round by
+/// round over all cells so that a disturbance of the machine meets all of them.
 ViewOutcome run_view(const ViewRun& run);
 
 }  // namespace aoscore

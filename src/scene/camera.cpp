@@ -1,16 +1,18 @@
 #include "scene/camera.h"
 
+#include "core/error.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "core/error.h"
-
 namespace aoscore {
 namespace {
 
-bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool finite(const glm::dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 void check(const Camera& c, int width, int height) {
     if (width < 1 || height < 1 || width > 16384 || height > 16384) {
@@ -27,7 +29,8 @@ void check(const Camera& c, int width, int height) {
         throw usage_error(fmt::format("half height is {} m", c.half_height), "camera", "more than 0");
     }
     if (!(c.near > 0 && c.far > c.near && std::isfinite(c.far))) {
-        throw usage_error(fmt::format("near {} m, far {} m", c.near, c.far), "camera", "0 < near < far, finite");
+        throw usage_error(fmt::format("near {} m, far {} m", c.near, c.far), "camera",
+                          "0 < near < far, finite");
     }
     if (glm::length(glm::cross(c.target - c.position, c.up)) == 0) {
         throw usage_error("the line of sight is zero or parallel to up", "camera");

@@ -1,15 +1,17 @@
 #pragma once
 
 #include <glm/glm.hpp>
+
 #include <string>
 
 namespace aoscore {
 
-/// The one place that owns rays and matrices: every path (ray tracer, rasteriser, masks by cause) asks here, so
-/// that a half pixel, a flip or a handedness cannot differ between them.
+/// The one place that owns rays and matrices: every path (ray tracer, rasteriser, masks by cause) asks here,
+/// so that a half pixel, a flip or a handedness cannot differ between them.
 ///
-/// View space is right-handed, the camera looks down -z, x to the right, y up. Pixel (0,0) is the top left one of
-/// the image, its centre at (0.5, 0.5). Depth is OpenGL's: window depth 0 at the near, 1 at the far plane.
+/// View space is right-handed, the camera looks down -z, x to the right, y up. Pixel (0,0) is the top left
+/// one of the image, its centre at (0.5, 0.5). Depth is OpenGL's: window depth 0 at the near, 1 at the far
+/// plane.
 struct Camera {
     enum class Projection { perspective, orthographic };
 
@@ -43,8 +45,8 @@ class CameraFrame {
         glm::dvec3 origin;     ///< world; on the camera (perspective) or its plane (orthographic)
         glm::dvec3 direction;  ///< world; scaled so that t is the view depth -z, not the distance
     };
-    /// The ray through image position (x, y) in pixels: a centre is at (column + 0.5, row + 0.5), y downwards.
-    /// Points of it with t in [near, far] are in the picture.
+    /// The ray through image position (x, y) in pixels: a centre is at (column + 0.5, row + 0.5), y
+    /// downwards. Points of it with t in [near, far] are in the picture.
     Ray ray(double x, double y) const;
 
     /// View-space position at image position (x, y) px and view depth `depth` = -z, metres.
@@ -66,7 +68,7 @@ class CameraFrame {
     Camera camera_;
     int width_;
     int height_;
-    double half_width_per_depth_;   // perspective: tan(half angle); orthographic: half extent
+    double half_width_per_depth_;  // perspective: tan(half angle); orthographic: half extent
     double half_height_per_depth_;
     glm::dmat4 view_from_world_;
     glm::dmat4 world_from_view_;

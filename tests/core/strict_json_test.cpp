@@ -1,15 +1,15 @@
 #include "core/strict_json.h"
 
+#include "core/error.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "core/error.h"
 
 namespace aoscore {
 namespace {
 
-using ::testing::HasSubstr;
 using nlohmann::json;
+using ::testing::HasSubstr;
 
 std::string message_of(const std::function<void()>& action) {
     try {

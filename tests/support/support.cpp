@@ -1,11 +1,11 @@
 #include "support/support.h"
 
+#include "core/files.h"
+
 #include <sys/wait.h>
 
 #include <algorithm>
 #include <cstdlib>
-
-#include "core/files.h"
 
 namespace aoscore::testing {
 

@@ -11,7 +11,8 @@ namespace aoscore::testing {
 /// A fresh, empty folder of the running test alone; left behind for inspection.
 std::filesystem::path output_dir();
 
-/// The folder of shared inputs (../shared from the project's root, or AOSCORE_SHARED); empty when it is not there.
+/// The folder of shared inputs (../shared from the project's root, or AOSCORE_SHARED); empty when it is not
+/// there.
 std::filesystem::path shared_dir();
 
 struct ProgramRun {
@@ -25,10 +26,10 @@ ProgramRun run_aoscore(const std::string& arguments, const std::filesystem::path
 }  // namespace aoscore::testing
 
 /// Skips the test where the shared inputs are absent; fails it there when CI=true.
-#define REQUIRE_SHARED_INPUTS()                                                                    \
-    if (aoscore::testing::shared_dir().empty()) {                                                  \
-        const char* ci = std::getenv("CI");                                                        \
-        if (ci != nullptr && std::string(ci) == "true") FAIL() << "shared inputs are not there";   \
-        GTEST_SKIP() << "shared inputs are not there (set AOSCORE_SHARED)";                        \
-    }                                                                                              \
+#define REQUIRE_SHARED_INPUTS()                                                                  \
+    if (aoscore::testing::shared_dir().empty()) {                                                \
+        const char* ci = std::getenv("CI");                                                      \
+        if (ci != nullptr && std::string(ci) == "true") FAIL() << "shared inputs are not there"; \
+        GTEST_SKIP() << "shared inputs are not there (set AOSCORE_SHARED)";                      \
+    }                                                                                            \
     static_assert(true)

@@ -1,0 +1,126 @@
+// `aoscore compare`: the JSON object, gates, and the traps that comparing tools fall into.
+#include "results/image_file.h"
+#include "support/support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace aoscore {
+namespace {
+
+using nlohmann::json;
+using testing::output_dir;
+using testing::run_aoscore;
+
+constexpr int kSide = 64;
+
+ImageF ramp() {
+    ImageF image(kSide, kSide);
+    for (int y = 0; y < kSide; ++y) {
+        for (int x = 0; x < kSide; ++x) image.at(x, y) = static_cast<float>(x) / kSide;
+    }
+    return image;
+}
+
+void write(const std::filesystem::path& path, const ImageF& image, const ImageF* mask = nullptr) {
+    std::vector<ChannelView> channels{{"Y", &image}};
+    if (mask != nullptr) channels.push_back({"mask.Y", mask});
+    write_exr(path, channels, {});
+}
+
+class Compare : public ::testing::Test {
+  protected:
+    std::filesystem::path folder_ = output_dir();
+
+    json compare(const std::string& arguments, int expected_exit) {
+        const auto run = run_aoscore("compare " + arguments + " --json -", folder_);
+        EXPECT_EQ(run.exit_code, expected_exit) << run.err;
+        return json::parse(run.out, nullptr, false);
+    }
+};
+
+TEST_F(Compare, IdenticalImagesHaveNoErrorAndAPsnrOfNullWithANote) {
+    write(folder_ / "a.exr", ramp());
+    const json result = compare("a.exr a.exr", 0);
+    EXPECT_EQ(result["metrics"]["rmse"]["value"], 0.0);
+    EXPECT_TRUE(result["metrics"]["psnr"]["value"].is_null());
+    EXPECT_FALSE(result["metrics"]["psnr"]["note"].get<std::string>().empty());
+    EXPECT_EQ(result["valid_pixels"], kSide * kSide);
+    EXPECT_EQ(result["nonfinite"], 0);
+    for (const char* id : {"mae", "rmse", "bias", "psnr", "ssim", "max_error"}) {
+        EXPECT_TRUE(result["metrics"].contains(id)) << id;
+    }
+}
+
+TEST_F(Compare, BiasIsTestMinusTruthSoSwappingTurnsItsSign) {
+    ImageF brighter = ramp();
+    for (float& value : brighter.pixels) value += 0.125f;
+    write(folder_ / "truth.exr", ramp());
+    write(folder_ / "test.exr", brighter);
+    EXPECT_NEAR(compare("truth.exr test.exr", 0)["metrics"]["bias"]["value"].get<double>(), 0.125, 1e-6);
+    EXPECT_NEAR(compare("test.exr truth.exr", 0)["metrics"]["bias"]["value"].get<double>(), -0.125, 1e-6);
+}
+
+TEST_F(Compare, SizesThatDifferExitWith3) {
+    write(folder_ / "a.exr", ramp());
+    write(folder_ / "b.exr", ImageF(kSide, kSide + 1));
+    EXPECT_EQ(run_aoscore("compare a.exr b.exr", folder_).exit_code, 3);
+}
+
+TEST_F(Compare, NotANumberAgainstAnythingNeverPasses) {
+    write(folder_ / "half.exr", ImageF(kSide, kSide, 0.5f));
+    write(folder_ / "nan.exr", ImageF(kSide, kSide, std::numeric_limits<float>::quiet_NaN()));
+    const json result = compare("half.exr nan.exr", 2);
+    EXPECT_EQ(result["nonfinite"], kSide * kSide);
+    EXPECT_TRUE(result["metrics"]["rmse"]["value"].is_null());
+    EXPECT_EQ(run_aoscore("compare nan.exr half.exr", folder_).exit_code, 2);
+}
+
+TEST_F(Compare, AMaskThatCoversEverythingNeverPasses) {
+    const ImageF nothing(kSide, kSide, 0.0f);
+    write(folder_ / "a.exr", ramp(), &nothing);
+    const json result = compare("a.exr a.exr", 2);
+    EXPECT_EQ(result["valid_pixels"], 0);
+    EXPECT_TRUE(result["metrics"]["ssim"]["value"].is_null());
+}
+
+TEST_F(Compare, AnAllBlackTruthIsNoExcuse) {
+    write(folder_ / "black.exr", ImageF(kSide, kSide, 0.0f));
+    write(folder_ / "a.exr", ramp());
+    EXPECT_GT(compare("black.exr a.exr", 0)["metrics"]["rmse"]["value"].get<double>(), 0.5);
+}
+
+TEST_F(Compare, MaskedPixelsDoNotCount) {
+    ImageF mask(kSide, kSide, 1.0f), spoilt = ramp();
+    for (int y = 0; y < kSide; ++y) {
+        for (int x = 0; x < kSide / 2; ++x) {
+            mask.at(x, y) = 0;
+            spoilt.at(x, y) = 1;
+        }
+    }
+    write(folder_ / "truth.exr", ramp(), &mask);
+    write(folder_ / "test.exr", spoilt);
+    const json result = compare("truth.exr test.exr", 0);
+    EXPECT_EQ(result["metrics"]["rmse"]["value"], 0.0);
+    EXPECT_EQ(result["metrics"]["max_error"]["value"], 0.0);
+    EXPECT_EQ(result["valid_pixels"], kSide * kSide / 2);
+}
+
+TEST_F(Compare, GatesDecideTheExitCode) {
+    ImageF brighter = ramp();
+    for (float& value : brighter.pixels) value += 0.05f;
+    write(folder_ / "truth.exr", ramp());
+    write(folder_ / "test.exr", brighter);
+    EXPECT_EQ(run_aoscore("compare truth.exr test.exr --fail 'rmse>0.06'", folder_).exit_code, 0);
+    const auto failed = run_aoscore("compare truth.exr test.exr --fail 'rmse>0.02' --warn 'ssim<1'", folder_);
+    EXPECT_EQ(failed.exit_code, 2);
+    EXPECT_THAT(failed.err, ::testing::HasSubstr("rmse is 0.05"));
+    EXPECT_EQ(run_aoscore("compare truth.exr test.exr --warn 'rmse>0.02'", folder_).exit_code, 1);
+}
+
+}  // namespace
+}  // namespace aoscore

@@ -1,0 +1,159 @@
+// Whole runs through the program: truth files, pages, methods of one's own, real scenes.
+#include "core/files.h"
+#include "results/image_file.h"
+#include "results/results.h"
+#include "support/support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace aoscore {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::output_dir;
+using testing::run_aoscore;
+
+TEST(Reference, FileHoldsOneVisibilityForEachRadiusWithTheRadiiInTheHeader) {
+    const auto folder = output_dir();
+    const auto run =
+        run_aoscore("reference wall --size 48x32 --radius 0.5,inf --samples 8 --out truth.exr", folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const ImageFile file = read_image(folder / "truth.exr");
+    for (const char* name : {"Y", "V0.Y", "V1.Y", "SE.Y", "mask.Y"})
+        EXPECT_NE(file.channel(name), nullptr) << name;
+    EXPECT_EQ(file.channel("Y")->pixels, file.channel("V0.Y")->pixels);
+    EXPECT_EQ(file.attributes.at("aoscore:V0.radius_m"), "0.5");
+    EXPECT_EQ(file.attributes.at("aoscore:V1.radius_m"), "infinite");
+    for (std::size_t i = 0; i < file.channel("Y")->size(); ++i) {
+        EXPECT_GE(file.channel("V0.Y")->pixels[i], file.channel("V1.Y")->pixels[i])
+            << "a longer ray cannot see less";
+    }
+}
+
+TEST(Reference, ImageDoesNotDependOnTheThreadCount) {
+    const auto folder = output_dir();
+    for (const char* threads : {"1", "2"}) {
+        const std::string n = threads;
+        const auto run = run_aoscore(
+            "reference sphere --size 64x48 --samples 16 --radius 1 --threads " + n + " --out t" + n + ".exr",
+            folder);
+        ASSERT_EQ(run.exit_code, 0) << run.err;
+    }
+    const ImageFile one = read_image(folder / "t1.exr"), two = read_image(folder / "t2.exr");
+    EXPECT_EQ(one.channel("Y")->pixels, two.channel("Y")->pixels);
+    EXPECT_EQ(one.channel("SE.Y")->pixels, two.channel("SE.Y")->pixels);
+}
+
+TEST(Gbuffer, FileHoldsDepthNormalsAndAlbedo) {
+    const auto folder = output_dir();
+    const auto run = run_aoscore("gbuffer sphere --size 64x48 --out g.exr", folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const ImageFile file = read_image(folder / "g.exr");
+    for (const char* name : {"Z", "N.X", "N.Y", "N.Z", "Ns.X", "Ns.Y", "Ns.Z", "albedo.R", "mask.Y"}) {
+        EXPECT_NE(file.channel(name), nullptr) << name;
+    }
+}
+
+TEST(Score, PrintsThePathOfAPageAndKeepsItsResults) {
+    const auto folder = output_dir();
+    const auto run = run_aoscore("score wall --size 96x64 --samples 8 --out page", folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.out, "page/index.html\n");
+    EXPECT_TRUE(std::filesystem::exists(folder / "page/index.html"));
+    const Results results = read_results(folder / "page");
+    ASSERT_FALSE(results.cells.empty());
+    for (const CellRecord& cell : results.cells) {
+        EXPECT_TRUE(cell.error.empty()) << cell.id << ": " << cell.error;
+        ASSERT_TRUE(cell.ranked.contains("rmse")) << cell.id;
+        EXPECT_TRUE(cell.ranked.at("rmse").value) << cell.id;
+        EXPECT_TRUE(cell.ao.median_ms) << cell.id;
+        EXPECT_GE(cell.ao.runs_ms.size(), 3u) << cell.id;
+        EXPECT_GT(cell.fetches_per_pixel.value_or(0), 0) << cell.id;
+        EXPECT_TRUE(std::filesystem::exists(folder / "page" / cell.image_file)) << cell.id;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "page/results.json.incomplete"));
+}
+
+constexpr const char* kOwnDescriptor = R"({
+  "label": "Constant half",
+  "paper": "Nobody, A method of one's own, 2026",
+  "summary": "Reads the depth and says 0.5",
+  "parameters": {"level": {"type": "real", "default": 0.5, "range": [0, 1], "unit": "", "meaning": "What it says"}},
+  "passes": [{"fragment": "ao.frag", "inputs": ["linear_depth"]}],
+  "truth": {"falloff": "binary"}
+})";
+
+// README.md walks a user through copying a folder; this is the same walk.
+TEST(OwnMethod, TwoTextFilesOutsideTheProjectAreListedAndScoredWithoutARebuild) {
+    const auto folder = output_dir();
+    const std::filesystem::path source =
+        std::filesystem::path(AOSCORE_SOURCE_DIR) / "shaders/methods/alchemy";
+    std::filesystem::create_directories(folder / "mine");
+    std::filesystem::copy(source, folder / "mine/my-alchemy", std::filesystem::copy_options::recursive);
+    std::string descriptor = read_file(folder / "mine/my-alchemy/method.json");
+    const std::string label = nlohmann::json::parse(descriptor).at("label");
+    descriptor.replace(descriptor.find("\"" + label + "\""), label.size() + 2, "\"My <b>Alchemy</b>\"");
+    std::ofstream(folder / "mine/my-alchemy/method.json") << descriptor;
+
+    const auto listed = run_aoscore("list methods --methods-dir mine", folder);
+    EXPECT_THAT(listed.out, HasSubstr("my-alchemy"));
+    const auto run = run_aoscore(
+        "score wall --size 64x48 --samples 4 --methods alchemy,my-alchemy --methods-dir mine --out page",
+        folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Results results = read_results(folder / "page");
+    std::map<std::string, double> rmse;
+    for (const CellRecord& cell : results.cells)
+        rmse[cell.view_key + cell.method] = *cell.ranked.at("rmse").value;
+    for (const ViewRecord& view : results.views) {
+        EXPECT_EQ(rmse.at(view.key + "alchemy"), rmse.at(view.key + "my-alchemy"))
+            << "the copy computes the same";
+    }
+    EXPECT_THAT(read_file(folder / "page/index.html"), ::testing::Not(HasSubstr("My <b>Alchemy</b>")))
+        << "a label is text, not markup";
+}
+
+TEST(OwnMethod, ABrokenShaderFailsItsCellAndTheOthersGoOn) {
+    const auto folder = output_dir();
+    std::filesystem::create_directories(folder / "mine/broken");
+    std::ofstream(folder / "mine/broken/method.json") << kOwnDescriptor;
+    std::ofstream(folder / "mine/broken/ao.frag") << "void main() { this is no GLSL; }\n";
+    const auto run = run_aoscore(
+        "score wall --size 64x48 --samples 4 --methods alchemy,broken --methods-dir mine --out page", folder);
+    EXPECT_EQ(run.exit_code, 5) << run.err;
+    const Results results = read_results(folder / "page");
+    for (const CellRecord& cell : results.cells)
+        EXPECT_EQ(cell.error.empty(), cell.method == "alchemy") << cell.error;
+    EXPECT_THAT(read_file(folder / "page/index.html"), HasSubstr("failed"));
+}
+
+class RealScene : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(RealScene, GivesAPageWithEveryMethodScored) {
+    REQUIRE_SHARED_INPUTS();
+    const auto folder = output_dir();
+    const auto scene = testing::shared_dir() / "scenes" / GetParam();
+    const auto run =
+        run_aoscore("score '" + scene.string() + "' --size 160x90 --samples 4 --out page", folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Results results = read_results(folder / "page");
+    for (const CellRecord& cell : results.cells)
+        EXPECT_TRUE(cell.error.empty()) << cell.id << ": " << cell.error;
+    for (const ViewRecord& view : results.views) EXPECT_GT(view.valid_pixels, 0u) << view.key;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RealScene,
+                         ::testing::Values("cornell_original.glb", "fireplace_room.glb", "flight_helmet.glb",
+                                           "hairball_synthetic.glb", "sibenik.glb", "sponza_crytek.glb",
+                                           "staircase.glb", "stanford_group.glb"),
+                         [](const auto& info) {
+                             const std::string name = info.param;
+                             return name.substr(0, name.find('.'));
+                         });
+
+}  // namespace
+}  // namespace aoscore

@@ -1,0 +1,81 @@
+// Wrong usage and bad input: clear errors, documented exit codes, nothing written.
+#include "support/support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace aoscore {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::output_dir;
+using testing::ProgramRun;
+using testing::run_aoscore;
+
+bool holds_only_captures(const std::filesystem::path& folder) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (name != "stdout.txt" && name != "stderr.txt" && !name.starts_with("input")) return false;
+    }
+    return true;
+}
+
+TEST(Usage, WrongUsageExitsWith64) {
+    const auto folder = output_dir();
+    for (const char* arguments :
+         {"", "nonsense", "score", "score plane --size 12", "score plane --samples 0", "reference plane",
+          "list nonsense", "compare one", "bench nonsense", "score plane --radius -1 --out o",
+          "score plane --radius 0.5,1 --out o", "compare a b --fail rmse",
+          "score plane --view nonsense --out o", "score nonsense --out o",
+          "score plane --methods nonsense --out o", "score plane --preset nonsense --out o",
+          "score plane --filter nonsense --out o", "run nonsense --out o"}) {
+        const ProgramRun run = run_aoscore(arguments, folder);
+        EXPECT_EQ(run.exit_code, 64) << arguments << "\n" << run.err;
+        EXPECT_FALSE(run.err.empty()) << arguments;
+    }
+    EXPECT_TRUE(holds_only_captures(folder)) << "wrong usage must write nothing";
+}
+
+TEST(Usage, UnknownNamesListTheKnownOnes) {
+    const auto folder = output_dir();
+    EXPECT_THAT(run_aoscore("score nonsense --out o", folder).err, HasSubstr("atrium"));
+    EXPECT_THAT(run_aoscore("score plane --methods nonsense --out o", folder).err, HasSubstr("alchemy"));
+    EXPECT_THAT(run_aoscore("run nonsense --out o", folder).err, HasSubstr("hussain-table-3"));
+}
+
+TEST(Usage, HelpNamesEveryExitCodeAndExitsWith0) {
+    const ProgramRun run = run_aoscore("--help", output_dir());
+    EXPECT_EQ(run.exit_code, 0);
+    for (const char* code : {"0 ok", "1 a --warn", "2 a --fail", "3 sizes", "4 a file", "5 some cells",
+                             "64 wrong", "70 ", "130 "}) {
+        EXPECT_THAT(run.out, HasSubstr(code));
+    }
+}
+
+TEST(Usage, BadFilesExitWith4AndWriteNothing) {
+    const auto folder = output_dir();
+    std::ofstream(folder / "input_garbage.glb") << "this is no glTF";
+    std::ofstream(folder / "input_garbage.exr") << "this is no image";
+    for (const char* arguments :
+         {"score missing.glb --out o", "score input_garbage.glb --out o",
+          "reference missing.gltf --out t.exr", "gbuffer input_garbage.glb --out g.exr",
+          "compare missing.exr missing.exr --json j.json",
+          "compare input_garbage.exr input_garbage.exr --json j.json"}) {
+        const ProgramRun run = run_aoscore(arguments, folder);
+        EXPECT_EQ(run.exit_code, 4) << arguments << "\n" << run.err;
+        EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << "one line: " << run.err;
+    }
+    EXPECT_TRUE(holds_only_captures(folder));
+}
+
+TEST(Usage, OutputThatCannotBeWrittenExitsWith4) {
+    const auto folder = output_dir();
+    std::ofstream(folder / "input_file") << "a file where a folder is asked for";
+    const ProgramRun run = run_aoscore("score plane --view facing --size 16x16 --out input_file/out", folder);
+    EXPECT_EQ(run.exit_code, 4) << run.err;
+}
+
+}  // namespace
+}  // namespace aoscore
