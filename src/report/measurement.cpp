@@ -1,0 +1,141 @@
+#include "metrics/metric.h"
+#include "report/number_text.h"
+#include "report/section.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace aoscore {
+namespace {
+
+using nlohmann::json;
+
+/// A line of a list of facts.
+json fact(const std::string& name, const std::string& value) {
+    return {{"name", name}, {"value", value}};
+}
+
+std::string point_text(const std::vector<double>& point) {
+    std::vector<std::string> numbers;
+    for (const double number : point) numbers.push_back(short_text(number));
+    return fmt::format("({})", fmt::join(numbers, ", "));
+}
+
+std::string camera_text(const ViewRecord& view) {
+    const std::string lens = view.projection == "orthographic"
+                                 ? fmt::format("half height {} m", short_text(view.half_height_m))
+                                 : fmt::format("vertical field of view {}°", short_text(view.fovy_deg));
+    return fmt::format("{} from {} to {}, up {}, {}, near {} m, far {} m", view.projection,
+                       point_text(view.position_m), point_text(view.target_m), point_text(view.up), lens,
+                       short_text(view.near_m), short_text(view.far_m));
+}
+
+std::string contract_text(const ViewRecord& view) {
+    const auto compared = static_cast<double>(view.surface_pixels) - static_cast<double>(view.edge_pixels);
+    const auto share = ratio(static_cast<double>(view.disagreeing_pixels), compared);
+    return fmt::format(
+        "{} of {} surface pixels are valid; away from the {} edge pixels {} disagree ({} %; more than 0.5 % "
+        "would fail the cells)",
+        count_text(view.valid_pixels), count_text(view.surface_pixels), count_text(view.edge_pixels),
+        count_text(view.disagreeing_pixels), percent_text(share, 3));
+}
+
+json view_model(const ViewRecord& view) {
+    json facts = json::array({
+        fact("Size",
+             fmt::format("{}×{} pixels, {} triangles", view.width, view.height, count_text(view.triangles))),
+        fact("Camera", camera_text(view)),
+        fact("Camera contract", contract_text(view)),
+        fact("Ranking radius", fmt::format("{} m, {} pixels in the median", short_text(view.radius_m),
+                                           fixed_text(view.radius_px_median, 1))),
+        fact("Truth", fmt::format("{} samples a pixel, {} rays in {} s", view.samples,
+                                  count_text(view.truth_rays), fixed_text(view.truth_seconds, 1))),
+        fact("G-buffer", fmt::format("{} ms, median of {} runs", fixed_text(view.gbuffer.median_ms, 1),
+                                     view.gbuffer.runs_ms.size())),
+    });
+    if (!view.scene_digest.empty()) facts.push_back(fact("Scene's digest", view.scene_digest));
+    if (!view.view_source.empty()) facts.push_back(fact("View from", view.view_source));
+    if (!view.view_note.empty()) facts.push_back(fact("Note", view.view_note));
+    json truths = json::array();
+    for (const TruthRecord& truth : view.truths) {
+        truths.push_back({{"id", truth.id},
+                          {"text", truth_text(truth)},
+                          {"mean_error", fixed_text(truth.mean_standard_error, 4)},
+                          {"floor", fixed_text(truth.noise_floor_rmse, 4)}});
+    }
+    return {{"key", view.key}, {"facts", std::move(facts)}, {"truths", std::move(truths)}};
+}
+
+json machine_facts(const Results& results) {
+    return json::array({
+        fact("Program", "aoscore " + results.program_version),
+        fact("Made", results.created_utc),
+        fact("Processor", fmt::format("{}, {} threads", results.cpu, results.threads)),
+        fact("GL renderer", results.gl_renderer),
+        fact("GL version", results.gl_version),
+        fact("Seed", std::to_string(results.seed)),
+        fact("Whole run", fmt::format("{} s, at most {} MiB of memory", fixed_text(results.total_seconds, 1),
+                                      fixed_text(results.peak_memory_mib, 0))),
+    });
+}
+
+json timing_rows(const Results& results) {
+    json rows = json::array();
+    for (const CellRecord& cell : results.cells) {
+        if (!cell.error.empty()) continue;
+        const int decimals = column_decimals({cell.ao.median_ms, cell.blur.median_ms});
+        const auto runs_text = [&](const Timing& timing) {
+            std::vector<std::string> runs;
+            for (const double run : timing.runs_ms) runs.push_back(fixed_text(run, decimals));
+            return runs.empty() ? std::string(kNoNumber) : fmt::format("{}", fmt::join(runs, "  "));
+        };
+        rows.push_back({{"cell", cell.id},
+                        {"ao", fixed_text(cell.ao.median_ms, decimals)},
+                        {"ao_spread", fixed_text(cell.ao.spread_ms, decimals)},
+                        {"ao_runs", runs_text(cell.ao)},
+                        {"filter", fixed_text(cell.blur.median_ms, decimals)},
+                        {"filter_spread", fixed_text(cell.blur.spread_ms, decimals)},
+                        {"filter_runs", runs_text(cell.blur)}});
+    }
+    return rows;
+}
+
+json metric_rows() {
+    json rows = json::array();
+    for (const Metric& metric : metrics()) {
+        const char* better = metric.better == Metric::Better::lower    ? "lower is better"
+                             : metric.better == Metric::Better::higher ? "higher is better"
+                                                                       : "nearer to 0 is better";
+        rows.push_back({{"label", std::string(metric.label)},
+                        {"unit", std::string(metric.unit)},
+                        {"has_unit", !metric.unit.empty()},
+                        {"better", better},
+                        {"meaning", std::string(metric.meaning)},
+                        {"has_paper", !metric.paper.empty()},
+                        {"paper", std::string(metric.paper)}});
+    }
+    return rows;
+}
+
+}  // namespace
+
+nlohmann::json section::measurement(const PageSource& source) {
+    const Results& results = source.results;
+    json views = json::array(), warnings = json::array();
+    for (const ViewRecord& view : results.views) {
+        views.push_back(view_model(view));
+        for (const std::string& warning : view.warnings) warnings.push_back(view.key + ": " + warning);
+    }
+    for (const std::string& warning : results.warnings) warnings.push_back(warning);
+    return {{"views", std::move(views)},
+            {"machine", machine_facts(results)},
+            {"command", results.command},
+            {"has_warnings", !warnings.empty()},
+            {"warnings", std::move(warnings)},
+            {"timings", timing_rows(results)},
+            {"metrics", metric_rows()},
+            {"threshold", short_text(results.mask_threshold)},
+            {"error_range", short_text(kErrorRange)}};
+}
+
+}  // namespace aoscore

@@ -1,0 +1,46 @@
+#include "report/page_template.h"
+
+#include "core/error.h"
+#include "core/files.h"
+
+#include <kainjow/mustache.hpp>
+
+namespace aoscore {
+namespace {
+
+using kainjow::mustache::data;
+
+data mustache_data(const nlohmann::json& value) {
+    switch (value.type()) {
+        case nlohmann::json::value_t::string:
+            return data(value.get_ref<const std::string&>());
+        case nlohmann::json::value_t::boolean:
+            return data(value.get<bool>());
+        case nlohmann::json::value_t::array: {
+            data list(data::type::list);
+            for (const auto& item : value) list.push_back(mustache_data(item));
+            return list;
+        }
+        case nlohmann::json::value_t::object: {
+            data object(data::type::object);
+            for (const auto& [name, member] : value.items()) object.set(name, mustache_data(member));
+            return object;
+        }
+        default:
+            throw internal_error("the page's model holds " + value.dump() + ", which has no text", "report");
+    }
+}
+
+}  // namespace
+
+std::string fill_template(const std::string& text, const nlohmann::json& model, const std::string& where) {
+    kainjow::mustache::mustache filled(text);
+    if (!filled.is_valid()) throw file_error(filled.error_message(), where, "a Mustache template");
+    return filled.render(mustache_data(model));
+}
+
+std::filesystem::path page_folder() {
+    return home_dir() / "reports" / "page";
+}
+
+}  // namespace aoscore

@@ -1,0 +1,149 @@
+#include "report/pictures.h"
+
+#include "core/error.h"
+#include "core/threads.h"
+#include "metrics/metric.h"
+#include "report/picture_encoding.h"
+#include "results/image_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace aoscore {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kThumbnailWidth_px = 480;
+
+fs::path inside(const fs::path& folder, const std::string& file) {
+    const fs::path relative = fs::path(file).lexically_normal();
+    if (relative.empty() || relative.is_absolute() || *relative.begin() == "..") {
+        throw file_error(fmt::format("names an image outside its folder, \"{}\"", file),
+                         (folder / "results.json").string(), "a file beside it");
+    }
+    return folder / relative;
+}
+
+const ImageF& channel_of(const ImageFile& file, const fs::path& path, const std::string& name) {
+    const ImageF* image = file.channel(name);
+    if (image == nullptr) {
+        throw file_error(fmt::format("has no channel {}", name), path.string(),
+                         fmt::format("{}", fmt::join(file.channel_names, ", ")));
+    }
+    return *image;
+}
+
+void require_size(const ImageF& image, const ViewRecord& view, const fs::path& path) {
+    if (image.width == view.width && image.height == view.height) return;
+    throw file_error(fmt::format("is {}x{}", image.width, image.height), path.string(),
+                     fmt::format("{}x{}, the size of view {}", view.width, view.height, view.key));
+}
+
+struct Truth {
+    ImageF visibility;
+    ImageF standard_error;  ///< empty when the file has none
+    Mask valid;
+};
+
+Truth read_truth(const ViewRecord& view, const fs::path& folder) {
+    const fs::path path = inside(folder, view.truth_file);
+    if (view.truths.empty()) throw file_error("has no truth", path.string() + ": " + view.key);
+    const TruthRecord& record = view.truths.front();
+    const ImageFile file = read_image(path);
+    Truth truth;
+    truth.visibility = channel_of(file, path, record.channel);
+    require_size(truth.visibility, view, path);
+    if (const ImageF* error = file.channel(record.se_channel)) truth.standard_error = *error;
+    const ImageF& mask = channel_of(file, path, "mask.Y");
+    truth.valid = Mask(mask.width, mask.height);
+    std::transform(mask.pixels.begin(), mask.pixels.end(), truth.valid.pixels.begin(),
+                   [](float m) { return static_cast<std::uint8_t>(m > 0.5F); });
+    return truth;
+}
+
+/// The value below which `part` of the valid pixels lie; 0 without any.
+double quantile(const ImageF& values, const Mask& valid, double part) {
+    std::vector<float> sorted;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (valid.pixels[i] != 0 && std::isfinite(values.pixels[i])) sorted.push_back(values.pixels[i]);
+    }
+    if (sorted.empty()) return 0;
+    const auto place =
+        sorted.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(sorted.size() - 1));
+    std::nth_element(sorted.begin(), place, sorted.end());
+    return double{*place};
+}
+
+ViewPictures view_pictures(const ViewRecord& view, const Truth& truth, const fs::path& folder) {
+    ViewPictures pictures;
+    pictures.truth = gray_picture(truth.visibility);
+    pictures.truth_thumbnail = gray_thumbnail(truth.visibility, kThumbnailWidth_px);
+    if (!truth.standard_error.empty()) {
+        pictures.standard_error_high = quantile(truth.standard_error, truth.valid, 1.0);
+        pictures.standard_error =
+            magnitude_picture(truth.standard_error, truth.valid, pictures.standard_error_high);
+    }
+    if (!view.gbuffer_file.empty()) {
+        const fs::path path = inside(folder, view.gbuffer_file);
+        const ImageFile file = read_image(path);
+        const ImageF& depth = channel_of(file, path, "Z");
+        require_size(depth, view, path);
+        pictures.depth_low_m = quantile(depth, truth.valid, 0.0);
+        pictures.depth_high_m = quantile(depth, truth.valid, 0.99);
+        pictures.depth = depth_picture(depth, truth.valid, pictures.depth_low_m, pictures.depth_high_m);
+    }
+    return pictures;
+}
+
+CellPictures cell_pictures(const CellRecord& cell, const ViewRecord& view, const Truth& truth,
+                           double mask_threshold, const fs::path& folder) {
+    const fs::path path = inside(folder, cell.image_file);
+    const ImageFile file = read_image(path);
+    const ImageF& output = channel_of(file, path, "Y");
+    require_size(output, view, path);
+
+    CellPictures pictures;
+    pictures.output = gray_picture(output);
+    pictures.output_thumbnail = gray_thumbnail(output, kThumbnailWidth_px);
+    if (const ImageF* raw = file.channel("raw.Y")) {
+        pictures.raw = gray_picture(*raw);
+        pictures.raw_thumbnail = gray_thumbnail(*raw, kThumbnailWidth_px);
+    }
+    std::size_t nonfinite = 0;
+    const Mask valid = finite_pixels(truth.visibility, output, truth.valid, nonfinite);
+    pictures.error = signed_error_picture(truth.visibility, output, truth.valid);
+    const OcclusionMasks masks =
+        occlusion_masks({.truth = truth.visibility, .test = output, .valid = valid}, mask_threshold);
+    pictures.masks = mask_picture(truth.visibility, masks.missing, masks.false_occlusion);
+    pictures.missing_area = masks.missing_area;
+    pictures.false_area = masks.false_area;
+    pictures.blocks = block_errors(truth.visibility, output, valid);
+    return pictures;
+}
+
+}  // namespace
+
+Pictures make_pictures(const Results& results, const fs::path& folder) {
+    Pictures pictures;
+    for (const ViewRecord& view : results.views) {
+        const Truth truth = read_truth(view, folder);
+        ViewPictures& of_view = pictures.views[view.key];
+        std::vector<std::function<void()>> jobs;
+        jobs.emplace_back([&] { of_view = view_pictures(view, truth, folder); });
+        for (const CellRecord& cell : results.cells) {
+            if (cell.view_key != view.key || !cell.error.empty()) continue;
+            CellPictures& of_cell = pictures.cells[cell.id];
+            jobs.emplace_back(
+                [&] { of_cell = cell_pictures(cell, view, truth, results.mask_threshold, folder); });
+        }
+        parallel_for(jobs.size(), [&](std::size_t i) { jobs[i](); });
+    }
+    return pictures;
+}
+
+}  // namespace aoscore

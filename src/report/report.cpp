@@ -1,0 +1,54 @@
+#include "report/report.h"
+
+#include "core/files.h"
+#include "core/log.h"
+#include "report/page_template.h"
+#include "report/pictures.h"
+#include "report/section.h"
+
+#include <fmt/format.h>
+
+namespace aoscore {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Browsers open larger pages, but slowly, and mail programs refuse them.
+constexpr std::size_t kLargePage_bytes = std::size_t{50} << 20;
+
+std::string section_html(const Section& section, const PageSource& source) {
+    const fs::path fragment = page_folder() / "sections" / (std::string(section.id) + ".html");
+    return fill_template(read_file(fragment), section.build(source), fragment.string());
+}
+
+std::string page_html(const Results& results, const Pictures& pictures) {
+    const PageSource source{results, pictures};
+    nlohmann::json model = {{"style", read_file(page_folder() / "style.css")},
+                            {"script", read_file(page_folder() / "page.js")},
+                            {"version", results.program_version},
+                            {"created", results.created_utc},
+                            {"sections", nlohmann::json::array()}};
+    for (const Section& section : sections()) {
+        model["sections"].push_back({{"id", std::string(section.id)},
+                                     {"title", std::string(section.title)},
+                                     {"body", section_html(section, source)}});
+    }
+    const fs::path frame = page_folder() / "template.html";
+    return fill_template(read_file(frame), model, frame.string());
+}
+
+}  // namespace
+
+fs::path write_report(const fs::path& results_folder) {
+    const Results results = read_results(results_folder);
+    const std::string html = page_html(results, make_pictures(results, results_folder));
+    if (html.size() > kLargePage_bytes) {
+        log_warning(
+            fmt::format("the page has {} MiB: render smaller images or fewer methods", html.size() >> 20U));
+    }
+    const fs::path path = results_folder / "index.html";
+    write_atomically(path, html);
+    return path;
+}
+
+}  // namespace aoscore

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "report/pictures.h"
+#include "results/results.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string_view>
+#include <vector>
+
+namespace aoscore {
+
+/// What every section is made of.
+struct PageSource {
+    const Results& results;
+    const Pictures& pictures;
+};
+
+/// One section of the page: a row of the table in sections.cpp, a file that builds its model, and the
+/// Mustache fragment reports/page/sections/<id>.html that shows it. The model holds texts, booleans, lists
+/// and objects only.
+struct Section {
+    std::string_view id;
+    std::string_view title;
+    nlohmann::json (*build)(const PageSource&);
+};
+
+/// All sections in the order of the page.
+const std::vector<Section>& sections();
+
+namespace section {
+nlohmann::json verdict(const PageSource& source);
+nlohmann::json ranking(const PageSource& source);
+nlohmann::json pictures(const PageSource& source);
+nlohmann::json published(const PageSource& source);
+nlohmann::json measurement(const PageSource& source);
+}  // namespace section
+
+/// The cell of that id; null when there is none.
+const CellRecord* find_cell(const Results& results, const std::string& id);
+/// The view of that key. Throws file_error when there is none.
+const ViewRecord& find_view(const Results& results, const std::string& key);
+/// The view's truth of that id; null when there is none.
+const TruthRecord* find_truth(const ViewRecord& view, const std::string& id);
+/// "binary, 0.5 m", "alchemy, u 0.128 m, infinite".
+std::string truth_text(const TruthRecord& truth);
+
+}  // namespace aoscore

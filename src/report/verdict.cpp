@@ -1,0 +1,155 @@
+#include "report/closeness.h"
+#include "report/number_text.h"
+#include "report/section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace aoscore {
+namespace {
+
+/// The cells of one view and preset: what can be compared fairly.
+struct Comparison {
+    std::string view_key, preset;
+    std::vector<const CellRecord*> cells;
+
+    std::string name() const { return fmt::format("{} ({})", view_key, preset); }
+};
+
+struct Outcome {
+    std::string sentence;
+    std::string winner;  ///< label; empty without one
+    bool tie = false;
+};
+
+std::vector<Comparison> comparisons(const Results& results) {
+    std::vector<Comparison> list;
+    for (const CellRecord& cell : results.cells) {
+        const auto found = std::find_if(list.begin(), list.end(), [&](const Comparison& c) {
+            return c.view_key == cell.view_key && c.preset == cell.preset;
+        });
+        if (found != list.end()) {
+            found->cells.push_back(&cell);
+        } else {
+            list.push_back({cell.view_key, cell.preset, {&cell}});
+        }
+    }
+    return list;
+}
+
+/// What a method costs beside the G-buffer that all of them need.
+std::optional<double> cost_ms(const CellRecord& cell) {
+    if (!cell.ao.median_ms) return std::nullopt;
+    return *cell.ao.median_ms + cell.blur.median_ms.value_or(0);
+}
+
+std::string cost_clause(const CellRecord& best, const CellRecord& second) {
+    std::vector<std::string> costs;
+    if (const auto times = ratio(cost_ms(best), cost_ms(second))) {
+        costs.push_back(fmt::format("{} times its milliseconds", fixed_text(times, 2)));
+    }
+    if (best.fetches_per_pixel && second.fetches_per_pixel) {
+        costs.push_back(fmt::format("{} against {} fetches a pixel", fixed_text(best.fetches_per_pixel, 1),
+                                    fixed_text(second.fetches_per_pixel, 1)));
+    }
+    if (costs.empty()) return "";
+    return ", at " + costs.front() + (costs.size() > 1 ? " and " + costs.back() : "");
+}
+
+bool is_tie(const PageSource& source, const CellRecord& a, const CellRecord& b) {
+    const auto of_a = source.pictures.cells.find(a.id), of_b = source.pictures.cells.find(b.id);
+    if (of_a == source.pictures.cells.end() || of_b == source.pictures.cells.end()) return false;
+    return mse_difference(of_a->second.blocks, of_b->second.blocks, source.results.seed).holds_zero();
+}
+
+Outcome judge(const PageSource& source, const Comparison& comparison) {
+    const std::string metric = ranking_metric(comparison.cells);
+    const std::string metric_label = metric == "rmse_debiased" ? "debiased RMSE" : "RMSE";
+    std::vector<const CellRecord*> ranked;
+    std::copy_if(comparison.cells.begin(), comparison.cells.end(), std::back_inserter(ranked),
+                 [&](const CellRecord* cell) { return ranked_value(*cell, metric).has_value(); });
+    std::stable_sort(ranked.begin(), ranked.end(), [&](const CellRecord* a, const CellRecord* b) {
+        return *ranked_value(*a, metric) < *ranked_value(*b, metric);
+    });
+    if (ranked.empty())
+        return {fmt::format("On {} no method could be scored.", comparison.name()), "", false};
+
+    const CellRecord& best = *ranked.front();
+    const double best_error = *ranked_value(best, metric);
+    if (ranked.size() == 1) {
+        return {fmt::format("On {} {} alone was scored: {} {}.", comparison.name(), best.method_label,
+                            metric_label, fixed_text(best_error, 4)),
+                best.method_label, false};
+    }
+    const CellRecord& second = *ranked[1];
+    const double second_error = *ranked_value(second, metric);
+    if (is_tie(source, best, second)) {
+        return {
+            fmt::format("On {} {} and {} tie: {} {} and {}, a difference that resampled parts of the picture "
+                        "turn round{}.",
+                        comparison.name(), best.method_label, second.method_label, metric_label,
+                        fixed_text(best_error, 4), fixed_text(second_error, 4), cost_clause(best, second)),
+            "", true};
+    }
+    std::string lead;
+    if (const auto part = ratio(second_error - best_error, second_error)) {
+        lead = fmt::format(", {} % below {}", percent_text(part, 0), second.method_label);
+    }
+    return {
+        fmt::format("On {} {} comes closest to the truth: {} {}{}{}.", comparison.name(), best.method_label,
+                    metric_label, fixed_text(best_error, 4), lead, cost_clause(best, second)),
+        best.method_label, false};
+}
+
+std::string lead_sentence(const std::vector<Outcome>& outcomes) {
+    std::map<std::string, int> wins;
+    int ties = 0;
+    for (const Outcome& outcome : outcomes) {
+        if (!outcome.winner.empty()) ++wins[outcome.winner];
+        if (outcome.tie) ++ties;
+    }
+    const std::size_t count = outcomes.size();
+    if (wins.empty()) return fmt::format("No method is ahead in any of the {} comparisons.", count);
+    const auto most = std::max_element(wins.begin(), wins.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (static_cast<std::size_t>(most->second) == count) {
+        return fmt::format("{} comes closest to the ray-traced truth in all {} comparisons.", most->first,
+                           count);
+    }
+    std::string text = "No method comes closest to the ray-traced truth everywhere: ";
+    bool first = true;
+    for (const auto& [label, won] : wins) {
+        text += fmt::format("{}{} leads in {}", first ? "" : ", ", label, won);
+        first = false;
+    }
+    if (ties > 0) text += fmt::format(", {} {}", ties, ties == 1 ? "is a tie" : "are ties");
+    return text + fmt::format(", of {} comparisons.", count);
+}
+
+}  // namespace
+
+nlohmann::json section::verdict(const PageSource& source) {
+    std::vector<Outcome> outcomes;
+    for (const Comparison& comparison : comparisons(source.results))
+        outcomes.push_back(judge(source, comparison));
+    nlohmann::json model;
+    model["details"] = nlohmann::json::array();
+    if (outcomes.empty()) {
+        model["lead"] = "Nothing was scored.";
+    } else if (outcomes.size() == 1) {
+        model["lead"] = outcomes.front().sentence;
+    } else {
+        model["lead"] = lead_sentence(outcomes);
+        for (const Outcome& outcome : outcomes) model["details"].push_back(outcome.sentence);
+    }
+    const auto failed = std::count_if(source.results.cells.begin(), source.results.cells.end(),
+                                      [](const CellRecord& cell) { return !cell.error.empty(); });
+    model["failed"] = failed > 0;
+    model["failed_count"] = failed == 1 ? std::string("1 cell failed and is not ranked")
+                                        : fmt::format("{} cells failed and are not ranked", failed);
+    return model;
+}
+
+}  // namespace aoscore

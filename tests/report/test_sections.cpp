@@ -1,0 +1,214 @@
+#include "report/closeness.h"
+#include "report/section.h"
+#include "report/synthetic_results.h"
+#include "support/support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace aoscore {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+struct SyntheticPage {
+    Results results = testing::synthetic_results();
+    Pictures pictures;
+
+    void read_pictures() {
+        const std::filesystem::path folder = testing::output_dir();
+        testing::write_synthetic(results, folder);
+        pictures = make_pictures(results, folder);
+    }
+    PageSource source() const { return {results, pictures}; }
+};
+
+TEST(Verdict, NamesTheClosestMethodItsLeadAndItsCost) {
+    SyntheticPage page;
+    page.read_pictures();
+    const json model = section::verdict(page.source());
+    ASSERT_EQ(model["details"].size(), 3U);
+    const std::string sentence = model["details"][0];
+    EXPECT_THAT(sentence, HasSubstr("atrium/wide (performance-wide)"));
+    EXPECT_THAT(sentence, HasSubstr("Alchemy AO comes closest"));
+    EXPECT_THAT(sentence, HasSubstr("0.0500"));
+    EXPECT_THAT(sentence, HasSubstr("38 % below HBAO (Hussain)"));
+    EXPECT_THAT(sentence, HasSubstr("0.28 times its milliseconds"));  // (80 + 5.5) / (300 + 5.5)
+    EXPECT_THAT(sentence, HasSubstr("12.0 against 36.5 fetches"));
+}
+
+TEST(Verdict, LeavesFailedCellsOut) {
+    SyntheticPage page;
+    page.read_pictures();
+    const json model = section::verdict(page.source());
+    EXPECT_THAT(model["details"][2].get<std::string>(), HasSubstr("HBAO (Hussain) comes closest"));
+    EXPECT_THAT(model["lead"].get<std::string>(),
+                HasSubstr("Alchemy AO leads in 2, HBAO (Hussain) leads in 1"));
+    EXPECT_TRUE(model["failed"].get<bool>());
+}
+
+TEST(Verdict, CallsADifferenceThatResamplingTurnsRoundATie) {
+    SyntheticPage page;
+    page.read_pictures();
+    std::mt19937 random(7);
+    std::vector<BlockErrors> blocks(2);
+    for (BlockErrors& of_method : blocks) {
+        for (int i = 0; i < 200; ++i) {
+            of_method.counts.push_back(64);
+            of_method.squared_sums.push_back(static_cast<double>(random() % 1000));
+        }
+    }
+    page.pictures.cells["atrium/wide/alchemy/performance-wide"].blocks = blocks[0];
+    page.pictures.cells["atrium/wide/hbao-hussain/performance-wide"].blocks = blocks[1];
+    const json model = section::verdict(page.source());
+    EXPECT_THAT(model["details"][0].get<std::string>(), HasSubstr("Alchemy AO and HBAO (Hussain) tie"));
+    EXPECT_THAT(model["lead"].get<std::string>(), HasSubstr("1 is a tie"));
+}
+
+TEST(Verdict, RanksByRmseWhereTheDebiasedOneIsMissing) {
+    SyntheticPage page;
+    page.read_pictures();
+    for (CellRecord& cell : page.results.cells) cell.ranked.erase("rmse_debiased");
+    const std::string sentence = section::verdict(page.source())["details"][0];
+    EXPECT_THAT(sentence, HasSubstr(": RMSE 0.0588"));  // sqrt(.05² + .031²)
+}
+
+TEST(Verdict, SaysThatNothingWasScored) {
+    SyntheticPage page;
+    page.results.cells.clear();
+    page.results.tables.clear();
+    EXPECT_EQ(section::verdict(page.source())["lead"], "Nothing was scored.");
+}
+
+TEST(Closeness, IntervalHoldsTheTrueDifferenceAboutAsOftenAsItSays) {
+    std::mt19937_64 random(11);
+    std::normal_distribution<double> normal;
+    int held = 0;
+    constexpr int kTrials = 200;
+    for (int trial = 0; trial < kTrials; ++trial) {
+        BlockErrors a, b;
+        for (int i = 0; i < 120; ++i) {
+            const double common = normal(random);
+            a.squared_sums.push_back(10 + common + 0.5 * normal(random) + 0.3);
+            b.squared_sums.push_back(10 + common + 0.5 * normal(random));
+            a.counts.push_back(1);
+            b.counts.push_back(1);
+        }
+        const Interval interval = mse_difference(a, b, static_cast<std::uint64_t>(trial));
+        if (interval.low <= 0.3 && 0.3 <= interval.high) ++held;
+    }
+    // 95 % of 200 is 190 with a standard deviation of 3.1; four of them either way.
+    EXPECT_GE(held, 177);
+    EXPECT_LE(held, 200);
+}
+
+TEST(Ranking, PutsTheClosestFirstAndFailedCellsLast) {
+    SyntheticPage page;
+    page.read_pictures();
+    const json model = section::ranking(page.source());
+    const json& wide = model["views"][0]["rows"];
+    EXPECT_EQ(wide[0]["method"], "Alchemy AO");
+    EXPECT_EQ(wide[0]["rank"], "1");
+    EXPECT_EQ(wide.back()["method"], "Crytek SSAO");
+    const json& close = model["views"][1]["rows"];
+    EXPECT_TRUE(close.back()["failed"].get<bool>());
+    EXPECT_EQ(close.back()["rank"], "–");
+    EXPECT_EQ(close.back()["error"], "7 pixels are NaN or infinite");
+}
+
+TEST(Ranking, GivesTheNumbersOfARowOneWidth) {
+    SyntheticPage page;
+    page.read_pictures();
+    const json model = section::ranking(page.source());
+    const json& rows = model["views"][0]["rows"];
+    for (std::size_t column = 0; column < model["heads"].size(); ++column) {
+        std::size_t decimals = std::string::npos;
+        for (const json& row : rows) {
+            const std::string text = row["numbers"][column]["text"];
+            if (text == "–") continue;
+            const std::size_t point = text.find('.');
+            const std::size_t here = point == std::string::npos ? 0 : text.size() - point - 1;
+            if (decimals == std::string::npos) decimals = here;
+            EXPECT_EQ(here, decimals) << model["heads"][column]["label"] << ": " << text;
+        }
+    }
+}
+
+TEST(Ranking, SaysWhyANumberIsMissing) {
+    SyntheticPage page;
+    page.read_pictures();
+    const json model = section::ranking(page.source());
+    ASSERT_TRUE(model["has_gaps"].get<bool>());
+    EXPECT_THAT(model["gaps"][0].get<std::string>(), HasSubstr("not measured in this run"));
+}
+
+const json& pair_of(const json& table, std::size_t row, std::size_t column) {
+    return table["rows"][row]["pairs"][column];
+}
+
+TEST(PublishedTables, PutRatiosToTheFirstRowBesideEachOther) {
+    SyntheticPage page;
+    page.read_pictures();
+    const json table = section::published(page.source())["tables"][0];
+    ASSERT_EQ(table["rows"].size(), 3U);
+    EXPECT_EQ(pair_of(table, 0, 1)["published"]["text"], "1.00");
+    EXPECT_EQ(pair_of(table, 1, 1)["published"]["text"], "2.36");   // 3.16 / 1.34
+    EXPECT_EQ(pair_of(table, 2, 1)["published"]["text"], "0.82");   // 1.10 / 1.34
+    EXPECT_EQ(pair_of(table, 1, 1)["ours"]["text"], "3.00");        // 300 / 100
+    EXPECT_EQ(pair_of(table, 2, 1)["ours"]["text"], "0.80");        // 80 / 100
+    EXPECT_EQ(pair_of(table, 1, 5)["published"]["text"], "0.088");  // 3.16 / 36
+    EXPECT_EQ(pair_of(table, 1, 5)["ours"]["text"], "8.219");       // 300 / 36.5
+}
+
+TEST(PublishedTables, ShowBothNumbersWhereTheSourceContradictsItself) {
+    SyntheticPage page;
+    page.read_pictures();
+    const json table = section::published(page.source())["tables"][2];
+    const json& alchemy = pair_of(table, 2, 0)["published"];
+    EXPECT_EQ(alchemy["text"], "5.80");
+    EXPECT_EQ(alchemy["other"], "5.88 (text)");
+    EXPECT_EQ(pair_of(table, 2, 1)["published"]["other"], "0.42 (text)");  // 5.88 / 13.84
+    EXPECT_THAT(table["rows"][2]["published_parameters"].dump(), HasSubstr("0.3 (0.001 in the listing)"));
+    EXPECT_THAT(table["notes"].dump(), HasSubstr("5.88 ms five times"));
+    EXPECT_EQ(pair_of(table, 0, 2)["published"]["text"], "–") << "table 5 applies no blur";
+}
+
+TEST(PublishedTables, RankAtOneRadiusAndBesideItAtEachMethodsOwn) {
+    SyntheticPage page;
+    page.read_pictures();
+    const json table = section::published(page.source())["tables"][0];
+    EXPECT_EQ(table["rows"][2]["errors"][0]["text"], "0.0500");
+    EXPECT_EQ(table["rows"][2]["errors"][3]["text"], "0.0250");
+    EXPECT_EQ(table["rows"][2]["own_truth"], "quadratic, R 0.549 m");
+}
+
+TEST(PublishedTables, HaveNoRatioToARowThatFailed) {
+    SyntheticPage page;
+    page.results.cells[0].error = "lost";
+    page.results.cells[0].ao = {};
+    page.read_pictures();
+    const json table = section::published(page.source())["tables"][0];
+    EXPECT_TRUE(table["rows"][0]["failed"].get<bool>());
+    EXPECT_EQ(pair_of(table, 1, 1)["ours"]["text"], "–");
+    EXPECT_EQ(pair_of(table, 1, 1)["published"]["text"], "2.36");
+}
+
+TEST(Measurement, NamesTruthMachineCommandAndWarnings) {
+    SyntheticPage page;
+    const json model = section::measurement(page.source());
+    EXPECT_EQ(model["command"], "aoscore run");
+    EXPECT_THAT(model["warnings"].dump(), HasSubstr("a synthetic warning"));
+    const std::string views = model["views"].dump();
+    EXPECT_THAT(views, HasSubstr("64 samples a pixel"));
+    EXPECT_THAT(views, HasSubstr("0.0310"));
+    EXPECT_THAT(views, HasSubstr("alchemy, u 0.128 m, R infinite"));
+    EXPECT_THAT(views, HasSubstr("2 disagree (0.010 %"));  // of 20336 - 300
+    EXPECT_THAT(model["machine"].dump(), HasSubstr("llvmpipe (synthetic)"));
+}
+
+}  // namespace
+}  // namespace aoscore
