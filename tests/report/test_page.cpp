@@ -91,7 +91,8 @@ TEST(Page, HasEachPictureOfACellThatSucceededOnce) {
             const bool expected = cell.error.empty() && (kind != "raw" || cell.filter != "none");
             const std::size_t at = html.find(figure);
             EXPECT_EQ(at != std::string::npos, expected) << figure;
-            if (expected) EXPECT_EQ(html.find(figure, at + 1), std::string::npos) << figure << " twice";
+            if (!expected) continue;
+            EXPECT_EQ(html.find(figure, at + 1), std::string::npos) << figure << " twice";
         }
     }
 }
