@@ -1,0 +1,183 @@
+#include "scene/gltf/materials.h"
+
+#include "core/error.h"
+#include "scene/gltf/image_decoder.h"
+
+#include <fmt/format.h>
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace aoscore::gltf {
+namespace {
+
+constexpr float kBlendCutoff = 0.5f;
+
+Texture::Wrap wrap_of(int gltf_wrap) {
+    switch (gltf_wrap) {
+        case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
+            return Texture::Wrap::clamp_to_edge;
+        case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
+            return Texture::Wrap::mirrored_repeat;
+        default:
+            return Texture::Wrap::repeat;
+    }
+}
+
+int image_of(const tinygltf::Texture& texture) {
+    const auto webp = texture.extensions.find("EXT_texture_webp");
+    if (webp != texture.extensions.end() && webp->second.Has("source")) {
+        return webp->second.Get("source").GetNumberAsInt();
+    }
+    return texture.source;
+}
+
+/// Whether no point of the material is ever cut: no tracer or rasteriser need ask then.
+bool is_solid(const Material& material, const std::vector<Texture>& textures) {
+    std::uint8_t least = 255;
+    if (material.texture >= 0) {
+        for (const glm::u8vec4& texel : textures[static_cast<std::size_t>(material.texture)].texels.pixels) {
+            least = std::min(least, texel.a);
+        }
+    }
+    return static_cast<float>(least) / 255.0f * material.base_color.a >= material.alpha_cutoff;
+}
+
+/// Textures of the document that were asked for, decoded once each.
+class TextureLoader {
+  public:
+    explicit TextureLoader(Document& document) : document_(document) {}
+
+    /// The index into textures(), or nothing (with a warning) when its image cannot be had.
+    std::optional<int> load(int texture_index, const std::string& consequence) {
+        const tinygltf::Texture& texture = document_.model->textures[static_cast<std::size_t>(texture_index)];
+        const int image = image_of(texture);
+        if (image < 0) {
+            document_.warn(fmt::format("textures[{}] has no image: {}", texture_index, consequence));
+            return std::nullopt;
+        }
+        Texture::Wrap wrap_s = Texture::Wrap::repeat, wrap_t = Texture::Wrap::repeat;
+        if (texture.sampler >= 0) {
+            const tinygltf::Sampler& sampler =
+                document_.model->samplers[static_cast<std::size_t>(texture.sampler)];
+            wrap_s = wrap_of(sampler.wrapS);
+            wrap_t = wrap_of(sampler.wrapT);
+        }
+        const auto [entry, is_new] = loaded_.try_emplace({image, wrap_s, wrap_t}, std::nullopt);
+        if (is_new) {
+            std::string reason;
+            if (auto texels = decode(image, reason)) {
+                entry->second = static_cast<int>(textures_.size());
+                textures_.push_back({std::move(*texels), wrap_s, wrap_t});
+            } else {
+                document_.warn(fmt::format("images[{}] {}: {}", image, reason, consequence));
+            }
+        }
+        return entry->second;
+    }
+
+    const std::vector<Texture>& textures() const { return textures_; }
+    std::vector<Texture> take() { return std::move(textures_); }
+
+  private:
+    std::optional<Image<glm::u8vec4>> decode(int image, std::string& reason) {
+        const ImageSource& source = document_.images[static_cast<std::size_t>(image)];
+        const std::string place = fmt::format("{}: images[{}].uri", document_.where, image);
+        if (source.buffer_view >= 0) {
+            return decode_image(document_.view_bytes(source.buffer_view), document_.budget, reason);
+        }
+        std::string bytes;
+        try {
+            bytes = is_data_uri(source.uri) ? decode_data_uri(source.uri, place)
+                                            : document_.folder.read(source.uri, place);
+        } catch (const Error&) {
+            reason = "is not there or cannot be read";
+            return std::nullopt;
+        }
+        return decode_image(bytes, document_.budget, reason);
+    }
+
+    Document& document_;
+    std::map<std::tuple<int, Texture::Wrap, Texture::Wrap>, std::optional<int>> loaded_;
+    std::vector<Texture> textures_;
+};
+
+double number_in(const tinygltf::Value& object, const char* key, int i, double fallback) {
+    if (!object.Has(key) || object.Get(key).ArrayLen() <= static_cast<std::size_t>(i)) return fallback;
+    return object.Get(key).Get(i).GetNumberAsDouble();
+}
+
+/// KHR_texture_transform: scale, then a turn counter-clockwise as one sees the image (v runs down), then
+/// offset.
+TexcoordSource texcoord_source(const tinygltf::TextureInfo& info) {
+    TexcoordSource source{true, fmt::format("TEXCOORD_{}", info.texCoord), glm::dmat3(1.0)};
+    const auto found = info.extensions.find("KHR_texture_transform");
+    if (found == info.extensions.end()) return source;
+    const tinygltf::Value& transform = found->second;
+    if (transform.Has("texCoord")) {
+        source.attribute = fmt::format("TEXCOORD_{}", transform.Get("texCoord").GetNumberAsInt());
+    }
+    const double angle = transform.Has("rotation") ? transform.Get("rotation").GetNumberAsDouble() : 0.0;
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double scale_u = number_in(transform, "scale", 0, 1), scale_v = number_in(transform, "scale", 1, 1);
+    source.uv_from_texcoord = {
+        glm::dvec3(c * scale_u, -s * scale_u, 0), glm::dvec3(s * scale_v, c * scale_v, 0),
+        glm::dvec3(number_in(transform, "offset", 0, 0), number_in(transform, "offset", 1, 0), 1)};
+    return source;
+}
+
+float cutoff_of(const tinygltf::Material& material) {
+    if (material.alphaMode == "MASK") return static_cast<float>(material.alphaCutoff);
+    return material.alphaMode == "BLEND" ? kBlendCutoff : 0.0f;
+}
+
+}  // namespace
+
+MaterialTable read_materials(Document& document, bool albedo) {
+    MaterialTable table;
+    TextureLoader loader(document);
+    const std::vector<tinygltf::Material>& sources = document.model->materials;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const tinygltf::Material& source = sources[i];
+        const auto& pbr = source.pbrMetallicRoughness;
+        Material material;
+        material.name = source.name.empty() ? fmt::format("materials[{}]", i) : source.name;
+        for (int c = 0; c < 4; ++c) {
+            material.base_color[c] = static_cast<float>(pbr.baseColorFactor[static_cast<std::size_t>(c)]);
+        }
+        material.alpha_cutoff = cutoff_of(source);
+        TexcoordSource texcoords;
+        const bool textured = pbr.baseColorTexture.index >= 0 && (material.is_cutout() || albedo);
+        if (textured) {
+            const std::string consequence = fmt::format(
+                "materials[{}] is drawn {}", i, material.is_cutout() ? "solid" : "without its texture");
+            if (const auto texture = loader.load(pbr.baseColorTexture.index, consequence)) {
+                material.texture = *texture;
+                texcoords = texcoord_source(pbr.baseColorTexture);
+            } else {
+                material.alpha_cutoff = 0;
+            }
+        }
+        if (material.is_cutout() && is_solid(material, loader.textures())) {
+            material.alpha_cutoff = 0;
+            if (!albedo) {
+                material.texture = -1;
+                texcoords = {};
+            }
+        }
+        table.materials.push_back(std::move(material));
+        table.texcoords.push_back(std::move(texcoords));
+    }
+    table.materials.push_back(Material{.name = "default"});
+    table.texcoords.emplace_back();
+    table.textures = loader.take();
+    return table;
+}
+
+}  // namespace aoscore::gltf

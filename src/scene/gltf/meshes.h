@@ -1,0 +1,49 @@
+#pragma once
+
+#include "scene/gltf/document.h"
+#include "scene/gltf/materials.h"
+#include "scene/scene.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace aoscore::gltf {
+
+/// One primitive decoded. Its positions are relative to `centre`, which is zero unless the mesh lies so far
+/// from its own zero that float32 transforms would lose details its coordinates still have.
+struct DecodedMesh {
+    Mesh mesh;
+    glm::dvec3 centre{0};
+};
+
+/// Decodes the primitives of meshes as they are asked for.
+class MeshReader {
+  public:
+    MeshReader(Document& document, const MaterialTable& materials)
+        : document_(document), materials_(materials) {}
+
+    /// All primitives of a mesh that have triangles: strips and fans taken apart, only the vertices that are
+    /// used, triangles without area left out and counted. Throws file_error for indices out of range,
+    /// positions that are not finite, and attributes of types that glTF does not allow.
+    std::vector<DecodedMesh> read(int mesh);
+
+    /// How many triangles without area were left out so far.
+    std::size_t degenerate_triangles() const { return degenerate_triangles_; }
+
+  private:
+    std::optional<DecodedMesh> read_primitive(int mesh, std::size_t primitive);
+
+    Document& document_;
+    const MaterialTable& materials_;
+    std::size_t degenerate_triangles_ = 0;
+    std::vector<std::uint32_t> new_index_;  // of each old vertex while a primitive is read; kUnused else
+};
+
+/// Removes triangles without area. Returns how many there were.
+std::size_t drop_degenerate_triangles(Mesh& mesh);
+
+}  // namespace aoscore::gltf

@@ -1,0 +1,120 @@
+#include "scene/gltf/nodes.h"
+
+#include "core/error.h"
+
+#include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace aoscore::gltf {
+namespace {
+
+bool is_finite(const glm::dmat4& m) {
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            if (!std::isfinite(m[column][row])) return false;
+        }
+    }
+    return true;
+}
+
+bool has_shear(const glm::dmat4& m) {
+    constexpr double kTolerance = 1e-4;
+    const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
+    const auto skewed = [](const glm::dvec3& a, const glm::dvec3& b) {
+        return std::abs(glm::dot(a, b)) > kTolerance * glm::length(a) * glm::length(b);
+    };
+    return skewed(x, y) || skewed(y, z) || skewed(z, x);
+}
+
+glm::dmat4 matrix_of(const tinygltf::Node& node, const std::string& place, Document& document) {
+    glm::dmat4 matrix(1.0);
+    for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
+    if (glm::transpose(matrix)[3] != glm::dvec4(0, 0, 0, 1)) {
+        throw file_error("is not affine: its last row is not 0 0 0 1", place + ".matrix");
+    }
+    if (has_shear(matrix)) document.warn("node matrices with shear (not legal in glTF) are used as they are");
+    return matrix;
+}
+
+glm::dmat4 parent_from_node(const tinygltf::Node& node, const std::string& place, Document& document) {
+    if (!node.matrix.empty()) return matrix_of(node, place, document);
+    glm::dmat4 result(1.0);
+    if (!node.translation.empty()) {
+        result = glm::translate(result, {node.translation[0], node.translation[1], node.translation[2]});
+    }
+    if (!node.rotation.empty()) {
+        const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
+        const double length = glm::length(rotation);
+        if (!(length > 1e-9) || !std::isfinite(length)) {
+            throw file_error("is no rotation: its length is 0", place + ".rotation", "a unit quaternion");
+        }
+        // Exporters round to a few digits; more than that is worth a word.
+        if (std::abs(length - 1) > 1e-2)
+            document.warn("node rotations that are not unit quaternions are normalised");
+        result *= glm::mat4_cast(rotation / length);
+    }
+    if (!node.scale.empty()) result = glm::scale(result, {node.scale[0], node.scale[1], node.scale[2]});
+    return result;
+}
+
+std::vector<int> root_nodes(Document& document) {
+    const tinygltf::Model& model = *document.model;
+    if (model.nodes.empty()) throw file_error("has no nodes: the scene is empty", document.where);
+    if (!model.scenes.empty()) {
+        const int chosen = std::max(model.defaultScene, 0);
+        if (model.scenes.size() > 1) {
+            document.warn(
+                fmt::format("scene {} of {} is drawn, the others are not", chosen, model.scenes.size()));
+        }
+        const std::vector<int>& roots = model.scenes[static_cast<std::size_t>(chosen)].nodes;
+        if (roots.empty())
+            throw file_error("has no nodes: the scene is empty",
+                             fmt::format("{}: scenes[{}]", document.where, chosen));
+        return roots;
+    }
+    document.warn("there are no scenes: all root nodes are drawn");
+    std::vector<bool> is_child(model.nodes.size(), false);
+    for (const tinygltf::Node& node : model.nodes) {
+        for (const int child : node.children) is_child[static_cast<std::size_t>(child)] = true;
+    }
+    std::vector<int> roots;
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        if (!is_child[i]) roots.push_back(static_cast<int>(i));
+    }
+    if (roots.empty())
+        throw file_error("every node is the child of another: a cycle", document.where + ": nodes");
+    return roots;
+}
+
+}  // namespace
+
+std::vector<PlacedNode> place_nodes(Document& document) {
+    const std::vector<tinygltf::Node>& nodes = document.model->nodes;
+    std::vector<bool> reached(nodes.size(), false);
+    std::vector<PlacedNode> placed;
+    const auto reach = [&](int node, const glm::dmat4& world_from_parent) {
+        const std::string place = fmt::format("{}: nodes[{}]", document.where, node);
+        const auto i = static_cast<std::size_t>(node);
+        if (reached[i]) throw file_error("is reached twice: a cycle, or a second parent", place);
+        reached[i] = true;
+        const glm::dmat4 world = world_from_parent * parent_from_node(nodes[i], place, document);
+        if (!is_finite(world)) throw file_error("its transform is not finite", place);
+        placed.push_back({node, world});
+    };
+    for (const int root : root_nodes(document)) reach(root, glm::dmat4(1.0));
+    // `placed` is the queue as well: breadth first.
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        const PlacedNode parent = placed[i];
+        for (const int child : nodes[static_cast<std::size_t>(parent.node)].children) {
+            reach(child, parent.world_from_node);
+        }
+    }
+    return placed;
+}
+
+}  // namespace aoscore::gltf

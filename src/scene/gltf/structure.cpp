@@ -1,0 +1,98 @@
+#include "scene/gltf/structure.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+namespace aoscore::gltf {
+namespace {
+
+/// Extensions a file may require. The second group only changes colours and lights, which occlusion never
+/// sees.
+constexpr std::array<std::string_view, 21> kSupported = {"KHR_mesh_quantization",
+                                                         "KHR_texture_transform",
+                                                         "EXT_texture_webp",
+                                                         "KHR_lights_punctual",
+                                                         "KHR_materials_anisotropy",
+                                                         "KHR_materials_clearcoat",
+                                                         "KHR_materials_dispersion",
+                                                         "KHR_materials_emissive_strength",
+                                                         "KHR_materials_ior",
+                                                         "KHR_materials_iridescence",
+                                                         "KHR_materials_pbrSpecularGlossiness",
+                                                         "KHR_materials_sheen",
+                                                         "KHR_materials_specular",
+                                                         "KHR_materials_transmission",
+                                                         "KHR_materials_unlit",
+                                                         "KHR_materials_variants",
+                                                         "KHR_materials_volume",
+                                                         "KHR_xmp",
+                                                         "KHR_xmp_json_ld",
+                                                         "KHR_animation_pointer",
+                                                         "EXT_lights_image_based"};
+
+/// Optional extensions whose neglect changes the geometry that is seen.
+constexpr std::array<std::string_view, 2> kMissed = {"EXT_mesh_gpu_instancing", "KHR_node_visibility"};
+
+/// "2.0" to 20; -1 when it is no version.
+int version_number(const std::string& text) {
+    const std::size_t dot = text.find('.');
+    if (dot == std::string::npos || dot == 0 || dot + 1 == text.size() || text.size() > 6) return -1;
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    const std::string major = text.substr(0, dot), minor = text.substr(dot + 1);
+    if (!std::all_of(major.begin(), major.end(), is_digit) ||
+        !std::all_of(minor.begin(), minor.end(), is_digit)) {
+        return -1;
+    }
+    return std::stoi(major) * 1000 + std::stoi(minor);
+}
+
+}  // namespace
+
+void check_asset_and_extensions(CheckedObject& root, std::vector<std::string>& warnings) {
+    root.required_object("asset", [&](CheckedObject& asset) {
+        const int version = version_number(asset.required_text("version"));
+        if (version / 1000 != 2 || version < 0) asset.fail("version", "is another version of glTF", "2.x");
+        if (asset.has("minVersion")) {
+            const int least = version_number(asset.text("minVersion"));
+            if (least < 0 || least > 2000) asset.fail("minVersion", "asks for more than glTF 2.0", "2.0");
+        }
+    });
+
+    const std::vector<std::string> required = root.texts("extensionsRequired");
+    const std::vector<std::string> used = root.texts("extensionsUsed");
+    for (const std::string& name : required) {
+        if (std::find(kSupported.begin(), kSupported.end(), name) == kSupported.end()) {
+            root.fail("extensionsRequired", "needs " + printable(name) + ", which is not supported",
+                      fmt::format("{}", fmt::join(kSupported.begin(), kSupported.begin() + 3, ", ")));
+        }
+        if (std::find(used.begin(), used.end(), name) == used.end()) {
+            warnings.push_back("extensionsRequired names " + printable(name) +
+                               ", which extensionsUsed lacks");
+        }
+    }
+    for (const std::string_view name : kMissed) {
+        if (std::find(used.begin(), used.end(), name) != used.end()) {
+            warnings.push_back(std::string(name) + " is not read: the picture lacks what it adds or hides");
+        }
+    }
+}
+
+void check_structure(nlohmann::json& json, const std::string& where, std::vector<std::string>& warnings) {
+    const Place file(where);
+    CheckedObject root(json, file);
+    check_asset_and_extensions(root, warnings);
+    const Counts counts{root.count("buffers"), root.count("bufferViews"), root.count("accessors"),
+                        root.count("meshes"),  root.count("materials"),   root.count("textures"),
+                        root.count("images"),  root.count("samplers"),    root.count("nodes"),
+                        root.count("cameras"), root.count("skins"),       root.count("scenes")};
+    check_buffers_and_accessors(root, counts, warnings);
+    check_meshes(root, counts, warnings);
+    check_nodes_and_scenes(root, counts, warnings);
+    check_cameras(root, warnings);
+    check_materials_and_textures(root, counts, warnings);
+}
+
+}  // namespace aoscore::gltf

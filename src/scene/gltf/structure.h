@@ -1,0 +1,42 @@
+#pragma once
+
+#include "scene/gltf/checked_object.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace aoscore::gltf {
+
+/// How many elements the document's arrays have; what an index may point to.
+struct Counts {
+    std::size_t buffers, buffer_views, accessors, meshes, materials, textures, images, samplers, nodes,
+        cameras, skins, scenes;
+};
+
+/// Proves that the document is sound wherever this program or tinygltf reads it: types, ranges, indices, the
+/// extents of views and accessors. tinygltf itself checks little of that. Meaning that depends on the binary
+/// data (index values, positions) is checked where it is decoded. Throws file_error with the place; legal or
+/// harmless things that are not read go to `warnings`. Names follow the glTF 2.0 specification (Khronos
+/// 2021).
+void check_structure(nlohmann::json& root, const std::string& where, std::vector<std::string>& warnings);
+
+/// Parts of check_structure(), each in a file of its own.
+void check_asset_and_extensions(CheckedObject& root, std::vector<std::string>& warnings);
+void check_buffers_and_accessors(CheckedObject& root, const Counts& counts,
+                                 std::vector<std::string>& warnings);
+void check_meshes(CheckedObject& root, const Counts& counts, std::vector<std::string>& warnings);
+void check_nodes_and_scenes(CheckedObject& root, const Counts& counts, std::vector<std::string>& warnings);
+void check_cameras(CheckedObject& root, std::vector<std::string>& warnings);
+void check_materials_and_textures(CheckedObject& root, const Counts& counts,
+                                  std::vector<std::string>& warnings);
+
+/// Bytes of one component of that type (5120 …), 0 for a type that glTF does not have.
+std::size_t component_bytes(std::int64_t component_type);
+/// Components of an element of type "SCALAR", "VEC2", …; 0 for an unknown type.
+std::size_t component_count(std::string_view type);
+
+}  // namespace aoscore::gltf

@@ -1,0 +1,79 @@
+#include "scene/gltf/asset_folder.h"
+#include "scene/gltf/structure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace aoscore::gltf {
+namespace {
+
+void check_base_color_texture(CheckedObject& info, const Counts& counts) {
+    info.required_index("index", counts.textures);
+    info.integer("texCoord", 0, 255);
+    info.object("extensions", [](CheckedObject& extensions) {
+        extensions.object("KHR_texture_transform", [](CheckedObject& transform) {
+            transform.numbers("offset", 2);
+            transform.numbers("scale", 2);
+            transform.number("rotation");
+            transform.integer("texCoord", 0, 255);
+        });
+    });
+}
+
+void check_material(CheckedObject& material, const Counts& counts) {
+    material.text("name");
+    const std::string mode = material.text("alphaMode");
+    if (!mode.empty() && mode != "OPAQUE" && mode != "MASK" && mode != "BLEND") {
+        material.fail("alphaMode", "is unknown", "OPAQUE, MASK, BLEND");
+    }
+    const auto cutoff = material.number("alphaCutoff");
+    if (cutoff && *cutoff < 0) material.fail("alphaCutoff", fmt::format("is {}", *cutoff), "0 or more");
+    material.object("pbrMetallicRoughness", [&](CheckedObject& pbr) {
+        for (const double v : pbr.numbers("baseColorFactor", 4)) {
+            if (v < 0 || v > 1) pbr.fail("baseColorFactor", fmt::format("holds {}", v), "0 to 1");
+        }
+        pbr.object("baseColorTexture", [&](CheckedObject& info) { check_base_color_texture(info, counts); });
+        pbr.erase("metallicRoughnessTexture");
+    });
+    // Never read.
+    for (const char* key : {"normalTexture", "occlusionTexture", "emissiveTexture", "emissiveFactor"}) {
+        material.erase(key);
+    }
+}
+
+}  // namespace
+
+void check_materials_and_textures(CheckedObject& root, const Counts& counts, std::vector<std::string>&) {
+    root.objects("materials",
+                 [&](CheckedObject& material, std::size_t) { check_material(material, counts); });
+    root.objects("textures", [&](CheckedObject& texture, std::size_t) {
+        texture.index("source", counts.images);
+        texture.index("sampler", counts.samplers);
+        texture.object("extensions", [&](CheckedObject& extensions) {
+            extensions.object("EXT_texture_webp",
+                              [&](CheckedObject& webp) { webp.required_index("source", counts.images); });
+        });
+    });
+    root.objects("samplers", [&](CheckedObject& sampler, std::size_t) {
+        constexpr std::array<std::int64_t, 3> kWraps = {33071, 33648, 10497};
+        for (const char* key : {"wrapS", "wrapT"}) {
+            const auto wrap = sampler.integer(key, 0, 0xFFFF);
+            if (wrap && std::find(kWraps.begin(), kWraps.end(), *wrap) == kWraps.end()) {
+                sampler.fail(key, fmt::format("is {}", *wrap), "33071, 33648, 10497");
+            }
+        }
+        sampler.erase("magFilter");
+        sampler.erase("minFilter");
+    });
+    root.objects("images", [&](CheckedObject& image, std::size_t) {
+        image.index("bufferView", counts.buffer_views);
+        const std::string uri = image.text("uri");
+        if (image.has("uri") == image.has("bufferView")) image.fail("uri", "needs either uri or bufferView");
+        if (image.has("uri") && !is_data_uri(uri))
+            check_relative_uri(uri, Place(image.place(), "uri").text());
+    });
+}
+
+}  // namespace aoscore::gltf

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <cstddef>
+
+namespace aoscore::gltf {
+
+/// Makes a mesh's vertex normals unit. Those that are zero or not finite become the mean of the adjacent
+/// faces' normals, weighted by area; when all are, the mesh loses its normals and is flat. Returns how many
+/// there were.
+std::size_t repair_normals(Mesh& mesh);
+
+}  // namespace aoscore::gltf

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace aoscore {
+
+/// The content of a view file, scenes/<id>/views.json: cameras by name for a scene that everybody has as the
+/// same file. Coordinates are the scene's own (before any change of origin).
+///
+///     {"title": text, "verified": bool, "note": text (optional),
+///      "bounds": {"low": [x, y, z], "high": [x, y, z], "tolerance_m": n},
+///      "views": [{"id": text, "position": [x, y, z], "target": [x, y, z], "up": [x, y, z] (default 0, 1, 0),
+///                 "fovy_deg": n or "half_height_m": n (orthographic), "near_m": n, "far_m": n,
+///                 "radius_m": n (optional)}]}
+///
+/// The bounds are those of the scene the views were made for. `verified` says whether somebody rendered the
+/// views with that very scene; views that nobody verified say so in View::note.
+struct ViewFile {
+    std::string title;
+    Bounds bounds;
+    double tolerance_m = 0;
+    std::vector<View> views;
+};
+
+/// Where the view file of a scene id or file stem would be.
+std::filesystem::path view_file_path(const std::string& id);
+
+/// Reads a view file. Throws file_error with file and place for unknown keys, missing or impossible values,
+/// and ids that are there twice.
+ViewFile read_view_file(const std::filesystem::path& path);
+
+/// Whether a scene's bounds are those a view file was made for: every corner coordinate within the tolerance.
+bool bounds_match(const ViewFile& views, const Bounds& bounds);
+
+}  // namespace aoscore
