@@ -1,12 +1,12 @@
 #pragma once
 
+#include "core/image.h"
+
 #include <filesystem>
 #include <map>
 #include <span>
 #include <string>
 #include <vector>
-
-#include "core/image.h"
 
 namespace aoscore {
 
@@ -16,8 +16,12 @@ struct ChannelView {
     const ImageF* image;
 };
 
-/// Writes a scan-line EXR, 32-bit float, ZIP, atomically, with text attributes ("aoscore:seed" -> "1"). Channels of
-/// one size. Throws file_error.
+/// Writes a scan-line EXR, 32-bit float, ZIP, atomically, with text attributes ("aoscore:seed" -> "1"). Of
+/// EXR's standard attributes, "comments", "capDate" and "owner" are texts; "worldToCamera" and "worldToNDC"
+/// become matrices: 16 numbers, row by row, for points that are row vectors (the transposes of ours). Viewers
+/// show the layer without a name, so that one of the channels should be Y, or three of them R, G, B. Throws
+/// file_error when it cannot be written, and internal_error for channels that are empty, of several sizes or
+/// of one name.
 void write_exr(const std::filesystem::path& path, std::span<const ChannelView> channels,
                const std::map<std::string, std::string>& attributes);
 
@@ -33,13 +37,17 @@ struct ImageFile {
     const ImageF* channel(const std::string& name) const;
 };
 
-/// Reads any format of OpenImageIO (EXR, PNG, PFM, …); integers become value/255 or value/65535.
-/// Throws file_error.
+/// Reads any format of OpenImageIO (EXR, PNG, PFM, …); integers become value/255 or value/65535, colours are
+/// not multiplied by alpha. EXR parts of the first one's size are layers: their channels come as
+/// <part>.<channel>. Throws file_error for what is absent, truncated, no image, larger than 16384 px a side,
+/// deep, or does not fill its frame.
 ImageFile read_image(const std::filesystem::path& path);
 
-/// The visibility that a file holds, for `compare`: Y, else the only channel, else R where R = G = B, else the
-/// documented names of other programs (ViewLayer.AO.R, …). `srgb` undoes sRGB coding of 8-bit files. `mask`
-/// receives mask.Y (or alpha-free 1 everywhere). Throws file_error when no channel qualifies, naming those there are.
+/// The visibility that a file holds, for `compare`: Y, else the only channel (A, mask.Y and SE.Y apart), else
+/// R where R = G = B, else the only ambient-occlusion layer as other programs name it (AO, AO.R,
+/// <layer>.AO.R, …). `srgb` undoes the sRGB coding of 8-bit files and leaves all others alone. `mask` is 1
+/// where mask.Y is above 0.5, or everywhere without one; alpha is no mask. Throws file_error when no channel
+/// or more than one qualifies, naming those there are.
 struct VisibilityFile {
     ImageF visibility;
     Mask mask;
@@ -48,8 +56,10 @@ struct VisibilityFile {
 };
 VisibilityFile read_visibility(const std::filesystem::path& path, bool srgb);
 
-/// PNG in memory, 8 bits: indices into a palette of up to 256 RGB colours.
-std::string encode_png_indexed(const Image<std::uint8_t>& indices, std::span<const std::uint32_t> palette_rgb);
+/// PNG in memory: indices into a palette of up to 256 colours (0xRRGGBB), with 1, 2, 4 or 8 bits as that many
+/// need. Throws internal_error for an index beyond the palette.
+std::string encode_png_indexed(const Image<std::uint8_t>& indices,
+                               std::span<const std::uint32_t> palette_rgb);
 /// PNG in memory, 8-bit gray.
 std::string encode_png_gray(const Image<std::uint8_t>& gray);
 

@@ -1,17 +1,19 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
+
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace aoscore {
 
-/// Everything one run measured: the only thing a report is made of. Kept as results.json with its images beside it
-/// as EXR files; paths in it are relative to that folder. Numbers that could not be had are empty, never NaN.
+/// Everything one run measured: the only thing a report is made of. Kept as results.json with its images
+/// beside it as EXR files; paths in it are relative to that folder. Numbers that could not be had are empty,
+/// never NaN.
 
 struct MeasuredMetric {
     std::optional<double> value;
@@ -28,18 +30,18 @@ struct Timing {
 
 /// One truth that a test image was held against.
 struct TruthRecord {
-    std::string id;          ///< "ranked", or the method's own, such as "quadratic-0.549"
-    std::string falloff;     ///< "binary", "quadratic", "alchemy"
+    std::string id;                  ///< "ranked", or the method's own, such as "quadratic-0.549"
+    std::string falloff;             ///< "binary", "quadratic", "alchemy"
     std::optional<double> radius_m;  ///< empty for infinity
     std::optional<double> u_m;       ///< of the falloff "alchemy"
-    std::string channel;     ///< of the view's truth file: "V0.Y"
-    std::string se_channel;  ///< "SE0.Y"
+    std::string channel;             ///< of the view's truth file: "V0.Y"
+    std::string se_channel;          ///< "SE0.Y"
     double mean_standard_error = 0;  ///< over valid pixels
     double noise_floor_rmse = 0;     ///< sqrt of the mean variance: the RMSE a perfect method would show
 };
 
 struct ViewRecord {
-    std::string key;      ///< "atrium/wide": names the view everywhere in this file
+    std::string key;  ///< "atrium/wide": names the view everywhere in this file
     std::string scene;
     std::string view;
     std::string scene_digest;
@@ -52,15 +54,15 @@ struct ViewRecord {
     double fovy_deg = 0;                           ///< perspective
     double half_height_m = 0;                      ///< orthographic
     double near_m = 0, far_m = 0;
-    double radius_m = 0;                           ///< of the ranking
-    double radius_px_median = 0;                   ///< that radius, projected, median over valid pixels
+    double radius_m = 0;          ///< of the ranking
+    double radius_px_median = 0;  ///< that radius, projected, median over valid pixels
     std::size_t surface_pixels = 0;
-    std::size_t valid_pixels = 0;                  ///< surface in both paths, camera contract kept
-    std::size_t disagreeing_pixels = 0;            ///< non-edge pixels that break the contract
-    std::size_t edge_pixels = 0;                   ///< left out of the contract
-    std::string truth_file;                        ///< EXR: V0.Y…, SE0.Y…, mask.Y (1 = valid)
-    std::string gbuffer_file;                      ///< EXR: Z, N.X…, Ns.X…; empty when not kept
-    std::vector<TruthRecord> truths;               ///< the first is the ranking's
+    std::size_t valid_pixels = 0;        ///< surface in both paths, camera contract kept
+    std::size_t disagreeing_pixels = 0;  ///< non-edge pixels that break the contract
+    std::size_t edge_pixels = 0;         ///< left out of the contract
+    std::string truth_file;              ///< EXR: V0.Y…, SE0.Y…, mask.Y (1 = valid)
+    std::string gbuffer_file;            ///< EXR: Z, N.X…, Ns.X…; empty when not kept
+    std::vector<TruthRecord> truths;     ///< the first is the ranking's
     int samples = 0;
     double truth_seconds = 0;
     std::uint64_t truth_rays = 0;
@@ -70,37 +72,37 @@ struct ViewRecord {
 
 /// One scene x view x method x preset.
 struct CellRecord {
-    std::string id;        ///< unique: "atrium/wide/hbao/performance-wide"
+    std::string id;  ///< unique: "atrium/wide/hbao/performance-wide"
     std::string view_key;
-    std::string method;    ///< id
+    std::string method;  ///< id
     std::string method_label;
     std::string preset;
-    std::string filter;    ///< "none" or a filter's id
+    std::string filter;                                ///< "none" or a filter's id
     std::map<std::string, nlohmann::json> parameters;  ///< all of them, by id
-    std::string error;     ///< why the cell failed; empty when it did not
+    std::string error;                                 ///< why the cell failed; empty when it did not
     Timing ao, blur;
-    std::optional<double> frame_ms;              ///< G-buffer + AO + filter, medians added
-    std::optional<double> fetches_per_pixel;     ///< of the AO pass, mean over valid pixels
+    std::optional<double> frame_ms;           ///< G-buffer + AO + filter, medians added
+    std::optional<double> fetches_per_pixel;  ///< of the AO pass, mean over valid pixels
     std::size_t nonfinite = 0;
     std::string ranked_truth = "ranked";
-    std::string own_truth;                       ///< id in the view's truths
-    MetricMap ranked;                            ///< against the ranking's truth
-    MetricMap own;                               ///< against the method's own radius and falloff
-    MetricMap raw;                               ///< ranked metrics of the unfiltered output; empty without a filter
-    std::string image_file;                      ///< EXR: Y (output), raw.Y (before the filter)
+    std::string own_truth;   ///< id in the view's truths
+    MetricMap ranked;        ///< against the ranking's truth
+    MetricMap own;           ///< against the method's own radius and falloff
+    MetricMap raw;           ///< ranked metrics of the unfiltered output; empty without a filter
+    std::string image_file;  ///< EXR: Y (output), raw.Y (before the filter)
 };
 
 /// A published table rebuilt: the definition (reports/<id>.json) and which cell stands for each of its rows.
 struct TableRecord {
-    nlohmann::json definition;         ///< as read, without change
-    std::vector<std::string> cell_ids; ///< one for each row of the definition
+    nlohmann::json definition;          ///< as read, without change
+    std::vector<std::string> cell_ids;  ///< one for each row of the definition
 };
 
 struct Results {
     static constexpr int kSchemaVersion = 1;
     std::string program_version;
-    std::string created_utc;      ///< 2026-11-22T02:11:47Z
-    std::string command;          ///< that makes it again
+    std::string created_utc;  ///< 2026-11-22T02:11:47Z
+    std::string command;      ///< that makes it again
     std::string cpu;
     int threads = 0;
     std::string gl_renderer;

@@ -1,0 +1,23 @@
+#include "core/files.h"
+#include "core/strict_json.h"
+#include "results/results.h"
+
+namespace aoscore {
+namespace {
+
+constexpr const char* kFileName = "results.json";
+
+}  // namespace
+
+void write_results(const Results& results, const std::filesystem::path& folder) {
+    // Names of files may hold any bytes, JSON only UTF-8: others become U+FFFD.
+    write_atomically(folder / kFileName,
+                     to_json(results).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
+Results read_results(const std::filesystem::path& folder) {
+    const std::filesystem::path path = folder / kFileName;
+    return results_from_json(parse_json_file(path), path.string());
+}
+
+}  // namespace aoscore

@@ -1,0 +1,123 @@
+#pragma once
+
+#include "results/results.h"
+
+#include <concepts>
+#include <type_traits>
+
+/// The members of every record of results.json, by key: the one list that both writing and reading go
+/// through, so that neither can forget one. `visit(key, member)` is called for each; `Record` may be const.
+namespace aoscore {
+
+template <class Record, class Of>
+concept RecordOf = std::same_as<std::remove_const_t<Record>, Of>;
+
+template <class Visit, RecordOf<MeasuredMetric> Record>
+void visit_members(Visit& visit, Record& metric) {
+    visit("value", metric.value);
+    visit("note", metric.note);
+}
+
+template <class Visit, RecordOf<Timing> Record>
+void visit_members(Visit& visit, Record& timing) {
+    visit("runs_ms", timing.runs_ms);
+    visit("median_ms", timing.median_ms);
+    visit("spread_ms", timing.spread_ms);
+}
+
+template <class Visit, RecordOf<TruthRecord> Record>
+void visit_members(Visit& visit, Record& truth) {
+    visit("id", truth.id);
+    visit("falloff", truth.falloff);
+    visit("radius_m", truth.radius_m);
+    visit("u_m", truth.u_m);
+    visit("channel", truth.channel);
+    visit("se_channel", truth.se_channel);
+    visit("mean_standard_error", truth.mean_standard_error);
+    visit("noise_floor_rmse", truth.noise_floor_rmse);
+}
+
+template <class Visit, RecordOf<ViewRecord> Record>
+void visit_members(Visit& visit, Record& view) {
+    visit("key", view.key);
+    visit("scene", view.scene);
+    visit("view", view.view);
+    visit("scene_digest", view.scene_digest);
+    visit("view_source", view.view_source);
+    visit("view_note", view.view_note);
+    visit("triangles", view.triangles);
+    visit("width", view.width);
+    visit("height", view.height);
+    visit("position_m", view.position_m);
+    visit("target_m", view.target_m);
+    visit("up", view.up);
+    visit("projection", view.projection);
+    visit("fovy_deg", view.fovy_deg);
+    visit("half_height_m", view.half_height_m);
+    visit("near_m", view.near_m);
+    visit("far_m", view.far_m);
+    visit("radius_m", view.radius_m);
+    visit("radius_px_median", view.radius_px_median);
+    visit("surface_pixels", view.surface_pixels);
+    visit("valid_pixels", view.valid_pixels);
+    visit("disagreeing_pixels", view.disagreeing_pixels);
+    visit("edge_pixels", view.edge_pixels);
+    visit("truth_file", view.truth_file);
+    visit("gbuffer_file", view.gbuffer_file);
+    visit("truths", view.truths);
+    visit("samples", view.samples);
+    visit("truth_seconds", view.truth_seconds);
+    visit("truth_rays", view.truth_rays);
+    visit("gbuffer", view.gbuffer);
+    visit("warnings", view.warnings);
+}
+
+template <class Visit, RecordOf<CellRecord> Record>
+void visit_members(Visit& visit, Record& cell) {
+    visit("id", cell.id);
+    visit("view_key", cell.view_key);
+    visit("method", cell.method);
+    visit("method_label", cell.method_label);
+    visit("preset", cell.preset);
+    visit("filter", cell.filter);
+    visit("parameters", cell.parameters);
+    visit("error", cell.error);
+    visit("ao", cell.ao);
+    visit("blur", cell.blur);
+    visit("frame_ms", cell.frame_ms);
+    visit("fetches_per_pixel", cell.fetches_per_pixel);
+    visit("nonfinite", cell.nonfinite);
+    visit("ranked_truth", cell.ranked_truth);
+    visit("own_truth", cell.own_truth);
+    visit("ranked", cell.ranked);
+    visit("own", cell.own);
+    visit("raw", cell.raw);
+    visit("image_file", cell.image_file);
+}
+
+template <class Visit, RecordOf<TableRecord> Record>
+void visit_members(Visit& visit, Record& table) {
+    visit("definition", table.definition);
+    visit("cell_ids", table.cell_ids);
+}
+
+template <class Visit, RecordOf<Results> Record>
+void visit_members(Visit& visit, Record& results) {
+    visit("program_version", results.program_version);
+    visit("created_utc", results.created_utc);
+    visit("command", results.command);
+    visit("cpu", results.cpu);
+    visit("threads", results.threads);
+    visit("gl_renderer", results.gl_renderer);
+    visit("gl_version", results.gl_version);
+    visit("seed", results.seed);
+    visit("mask_threshold", results.mask_threshold);
+    visit("total_seconds", results.total_seconds);
+    visit("peak_memory_mib", results.peak_memory_mib);
+    visit("views", results.views);
+    visit("cells", results.cells);
+    visit("tables", results.tables);
+    visit("warnings", results.warnings);
+}
+
+}  // namespace aoscore

@@ -1,0 +1,134 @@
+#include "files.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+namespace aoscore {
+namespace {
+
+using testing::file_error_of;
+using ::testing::HasSubstr;
+using testing::output_dir;
+using testing::write_bytes;
+
+std::string reading(const std::filesystem::path& path) {
+    return file_error_of([&] { read_image(path); });
+}
+
+std::string big_endian(std::uint32_t value) {
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift);
+    return bytes;
+}
+
+std::string png_chunk(const std::string& type_and_data) {
+    const auto crc = crc32(0, reinterpret_cast<const Bytef*>(type_and_data.data()),
+                           static_cast<uInt>(type_and_data.size()));
+    return big_endian(static_cast<std::uint32_t>(type_and_data.size() - 4)) + type_and_data +
+           big_endian(static_cast<std::uint32_t>(crc));
+}
+
+TEST(HostileImage, AbsentFileFolderAndEmptyFileAreErrors) {
+    const auto folder = output_dir();
+    EXPECT_THAT(reading(folder / "absent.exr"), HasSubstr("absent.exr: no such file"));
+    EXPECT_THAT(reading(folder / "constant.null"), HasSubstr("no such file"));
+    EXPECT_THAT(reading(folder), HasSubstr("not a regular file"));
+    write_bytes(folder / "empty.exr", "");
+    EXPECT_THAT(reading(folder / "empty.exr"), HasSubstr("empty.exr"));
+}
+
+TEST(HostileImage, GarbageIsAnErrorThatNamesTheFileWhateverItCallsItself) {
+    const auto folder = output_dir();
+    std::mt19937 random(5);
+    std::string garbage(5000, '\0');
+    for (char& byte : garbage) byte = static_cast<char>(random());
+    for (const std::string extension : {"exr", "png", "jpg", "tif", "hdr", "pfm", "bmp", "txt"}) {
+        const auto path = folder / ("garbage." + extension);
+        write_bytes(path, garbage);
+        EXPECT_THAT(reading(path), HasSubstr("garbage." + extension));
+    }
+}
+
+TEST(HostileImage, EveryTruncationOfAnExrIsAnError) {
+    const auto folder = output_dir();
+    const ImageF y = testing::random_visibility(64, 48, 1);
+    write_exr(folder / "whole.exr", std::vector<ChannelView>{{"Y", &y}}, {{"aoscore:seed", "1"}});
+    const std::string whole = read_file(folder / "whole.exr");
+    for (std::size_t size = 0; size < whole.size(); size += size < 600 ? 7 : 211) {
+        write_bytes(folder / "cut.exr", whole.substr(0, size));
+        EXPECT_THAT(reading(folder / "cut.exr"), HasSubstr("cut.exr")) << size << " of " << whole.size();
+    }
+}
+
+TEST(HostileImage, EveryTruncationOfAPngIsAnError) {
+    const auto folder = output_dir();
+    Image<std::uint8_t> gray(64, 48);
+    std::mt19937 random(3);
+    for (std::uint8_t& level : gray.pixels) level = static_cast<std::uint8_t>(random());
+    const std::string whole = encode_png_gray(gray);
+    const std::size_t end_of_pixels =
+        whole.size() - 16;  // The last chunk is empty, and the checksum before it.
+    for (std::size_t size = 0; size < end_of_pixels; size += 37) {
+        write_bytes(folder / "cut.png", whole.substr(0, size));
+        EXPECT_THAT(reading(folder / "cut.png"), HasSubstr("cut.png")) << size << " of " << whole.size();
+    }
+}
+
+TEST(HostileImage, FlippedBytesNeverCrash) {
+    const auto folder = output_dir();
+    const ImageF y = testing::random_visibility(32, 32, 1);
+    write_exr(folder / "whole.exr", std::vector<ChannelView>{{"Y", &y}}, {});
+    const std::string whole = read_file(folder / "whole.exr");
+    std::mt19937 random(11);
+    for (int trial = 0; trial < 300; ++trial) {
+        std::string bytes = whole;
+        for (int flips = 0; flips < 3; ++flips) bytes[random() % 500] = static_cast<char>(random());
+        write_bytes(folder / "flipped.exr", bytes);
+        try {
+            read_image(folder / "flipped.exr");
+        } catch (const Error& e) {
+            EXPECT_EQ(e.exit_code(), ExitCode::file_error) << e.what();
+        }
+    }
+}
+
+TEST(HostileImage, HeaderThatClaimsHugeSizesIsRefusedBeforeAnythingIsAllocated) {
+    const auto folder = output_dir();
+    const auto png = [&](std::uint32_t width, std::uint32_t height) {
+        const std::string header =
+            "IHDR" + big_endian(width) + big_endian(height) + std::string("\x08\0\0\0\0", 5);
+        write_bytes(folder / "huge.png",
+                    "\x89PNG\r\n\x1a\n" + png_chunk(header) + png_chunk("IDAT") + png_chunk("IEND"));
+        return reading(folder / "huge.png");
+    };
+    EXPECT_THAT(png(900'000, 900'000), HasSubstr("huge.png"));
+    EXPECT_THAT(png(20'000, 100), HasSubstr("at most 16384x16384"));
+    EXPECT_THAT(png(16'384, 16'384), HasSubstr("huge.png"));
+
+    const ImageF y(16, 16);
+    write_exr(folder / "small.exr", std::vector<ChannelView>{{"Y", &y}}, {});
+    std::string bytes = read_file(folder / "small.exr");
+    const std::string fifteen("\x0f\0\0\0\x0f\0\0\0", 8), huge("\xff\xff\x0f\0\xff\xff\x0f\0", 8);
+    for (const char* window : {"dataWindow", "displayWindow"}) {
+        const std::size_t at = bytes.find(fifteen, bytes.find(window));
+        ASSERT_NE(at, std::string::npos);
+        bytes.replace(at, 8, huge);
+    }
+    write_bytes(folder / "huge.exr", bytes);
+    EXPECT_THAT(reading(folder / "huge.exr"), HasSubstr("huge.exr"));
+}
+
+TEST(HostileImage, PictureThatCoversOnlyAPartOfItsFrameIsAnError) {
+    const auto folder = output_dir();
+    const ImageF y(16, 16);
+    write_exr(folder / "whole.exr", std::vector<ChannelView>{{"Y", &y}}, {});
+    std::string bytes = read_file(folder / "whole.exr");
+    const std::string fifteen("\x0f\0\0\0\x0f\0\0\0", 8), larger("\x1f\0\0\0\x1f\0\0\0", 8);
+    bytes.replace(bytes.find(fifteen, bytes.find("displayWindow")), 8, larger);
+    write_bytes(folder / "part.exr", bytes);
+    EXPECT_THAT(reading(folder / "part.exr"), HasSubstr("16x16 pixels at 0, 0 of a frame of 32x32"));
+}
+
+}  // namespace
+}  // namespace aoscore

@@ -1,0 +1,251 @@
+#include "core/error.h"
+#include "core/files.h"
+#include "results/results.h"
+#include "results/results_members.h"
+#include "support/support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <limits>
+
+namespace aoscore {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+/// Gives every member of every record a value of its own, other than its default.
+struct Filler {
+    int count = 0;
+
+    void operator()(const char*, std::string& text) { text = "text " + std::to_string(++count) + " ä\n\"\\"; }
+    template <std::integral T>
+    void operator()(const char*, T& number) {
+        number = static_cast<T>(1000000 + ++count);
+    }
+    void operator()(const char*, double& number) { number = ++count / 7.0; }
+    void operator()(const char*, json& value) { value = {{"rows", {1, 0.1, "x", nullptr}}, {"n", ++count}}; }
+    template <class T>
+    void operator()(const char* key, std::optional<T>& value) {
+        if (++count % 2 == 0) (*this)(key, value.emplace());
+    }
+    template <class T>
+    void operator()(const char* key, std::vector<T>& values) {
+        for (int i = 0; i < 3; ++i) (*this)(key, values.emplace_back());
+    }
+    template <class T>
+    void operator()(const char* key, std::map<std::string, T>& values) {
+        for (int i = 0; i < 3; ++i) (*this)(key, values["key " + std::to_string(++count)]);
+    }
+    template <class Record>
+    void operator()(const char*, Record& record) {
+        visit_members(*this, record);
+    }
+};
+
+Results filled() {
+    Results results;
+    Filler filler;
+    visit_members(filler, results);
+    results.seed = std::numeric_limits<std::uint64_t>::max();
+    results.total_seconds = 0.1 + 0.2;
+    results.peak_memory_mib = std::numeric_limits<double>::denorm_min();
+    results.mask_threshold = 5;  // A whole number is written like an integer and must come back.
+    return results;
+}
+
+std::string refusal(const json& object) {
+    try {
+        results_from_json(object, "results.json");
+    } catch (const Error& e) {
+        EXPECT_EQ(e.exit_code(), ExitCode::file_error);
+        return e.what();
+    }
+    return "accepted";
+}
+
+TEST(Results, ComeBackFromJsonAsTheyWere) {
+    const json once = to_json(filled());
+    const Results back = results_from_json(json::parse(once.dump()), "results.json");
+    EXPECT_EQ(to_json(back).dump(1), once.dump(1));
+    EXPECT_EQ(back.seed, std::numeric_limits<std::uint64_t>::max());
+    EXPECT_EQ(back.total_seconds, 0.1 + 0.2);
+    EXPECT_EQ(back.peak_memory_mib, std::numeric_limits<double>::denorm_min());
+    EXPECT_EQ(back.mask_threshold, 5);
+    EXPECT_EQ(back.views.size(), 3U);
+}
+
+// Member by member, so that one that the list in results_members.h forgets is seen: a record that came back
+// is compared where the compiler knows the members.
+TEST(Results, ComeBackWithEveryMemberOfACell) {
+    Results results;
+    CellRecord cell;
+    cell.id = "a/b/c";
+    cell.view_key = "a/b";
+    cell.method = "c";
+    cell.method_label = "C";
+    cell.preset = "quality";
+    cell.filter = "box-4x4";
+    cell.parameters = {{"radius", 0.5}, {"count", 4}, {"on", true}};
+    cell.error = "none";
+    cell.ao = {{1, 2, 4}, 2.0, 1.5};
+    cell.blur = {{}, std::nullopt, std::nullopt};
+    cell.frame_ms = 3.25;
+    cell.nonfinite = 7;
+    cell.own_truth = "quadratic-1";
+    cell.ranked = {{"psnr", {std::nullopt, "the images are identical"}}, {"rmse", {0.0, ""}}};
+    cell.image_file = "c.exr";
+    results.cells = {cell};
+    const CellRecord back = results_from_json(to_json(results), "results.json").cells.at(0);
+    const auto& [id, view_key, method, method_label, preset, filter, parameters, error, ao, blur, frame_ms,
+                 fetches_per_pixel, nonfinite, ranked_truth, own_truth, ranked, own, raw, image_file] = back;
+    EXPECT_EQ(std::tie(id, view_key, method, method_label, preset, filter, parameters, error),
+              std::tie(cell.id, cell.view_key, cell.method, cell.method_label, cell.preset, cell.filter,
+                       cell.parameters, cell.error));
+    EXPECT_EQ(ao.runs_ms, cell.ao.runs_ms);
+    EXPECT_EQ(ao.median_ms, 2.0);
+    EXPECT_EQ(ao.spread_ms, 1.5);
+    EXPECT_TRUE(blur.runs_ms.empty());
+    EXPECT_EQ(blur.median_ms, std::nullopt);
+    EXPECT_EQ(frame_ms, 3.25);
+    EXPECT_EQ(fetches_per_pixel, std::nullopt);
+    EXPECT_EQ(nonfinite, 7U);
+    EXPECT_EQ(ranked_truth, "ranked");
+    EXPECT_EQ(own_truth, cell.own_truth);
+    EXPECT_EQ(ranked.at("psnr").value, std::nullopt);
+    EXPECT_EQ(ranked.at("psnr").note, "the images are identical");
+    EXPECT_EQ(ranked.at("rmse").value, 0.0);
+    EXPECT_TRUE(own.empty() && raw.empty());
+    EXPECT_EQ(image_file, "c.exr");
+}
+
+/// How many members a plain struct has: as many as the list visits.
+struct Counter {
+    int members = 0;
+    template <class T>
+    void operator()(const char*, T&) {
+        ++members;
+    }
+};
+template <class Record>
+int listed() {
+    Record record;
+    Counter counter;
+    visit_members(counter, record);
+    return counter.members;
+}
+
+struct Anything {
+    template <class T>
+    operator T() const;  // NOLINT: converts on purpose
+};
+template <class Record, class... Initial>
+constexpr int declared() {
+    if constexpr (requires { Record{Initial{}..., Anything{}}; }) {
+        return declared<Record, Initial..., Anything>();
+    } else {
+        return sizeof...(Initial);
+    }
+}
+
+TEST(Results, ListOfMembersForgetsNone) {
+    EXPECT_EQ(listed<MeasuredMetric>(), declared<MeasuredMetric>());
+    EXPECT_EQ(listed<Timing>(), declared<Timing>());
+    EXPECT_EQ(listed<TruthRecord>(), declared<TruthRecord>());
+    EXPECT_EQ(listed<ViewRecord>(), declared<ViewRecord>());
+    EXPECT_EQ(listed<CellRecord>(), declared<CellRecord>());
+    EXPECT_EQ(listed<TableRecord>(), declared<TableRecord>());
+    EXPECT_EQ(listed<Results>(), declared<Results>());
+}
+
+TEST(Results, EmptyValuesAreNullAndNeverNan) {
+    Results results;
+    results.cells.resize(1);
+    results.cells[0].ranked["psnr"] = {std::nullopt, "why"};
+    const json object = to_json(results);
+    EXPECT_TRUE(object.at("cells")[0].at("ranked").at("psnr").at("value").is_null());
+    EXPECT_TRUE(object.at("cells")[0].at("frame_ms").is_null());
+
+    results.cells[0].ranked["psnr"].value = std::numeric_limits<double>::quiet_NaN();
+    try {
+        to_json(results);
+        FAIL() << "NaN was written";
+    } catch (const Error& e) {
+        EXPECT_EQ(e.exit_code(), ExitCode::internal);
+        EXPECT_THAT(e.where(), HasSubstr("results.cells[0].ranked.psnr.value"));
+    }
+}
+
+TEST(Results, AnotherSchemaVersionIsRefused) {
+    json object = to_json(Results{});
+    EXPECT_EQ(object.at("schema_version"), Results::kSchemaVersion);
+    object["schema_version"] = Results::kSchemaVersion + 1;
+    object["from_the_future"] = 1;
+    EXPECT_THAT(refusal(object), HasSubstr("results.json.schema_version: is 2"));
+    object.erase("schema_version");
+    EXPECT_THAT(refusal(object), HasSubstr("schema_version: is missing"));
+}
+
+TEST(Results, MissingUnknownAndMistypedMembersAreErrorsThatNameTheirPlace) {
+    const json whole = to_json(filled());
+    json object = whole;
+    object["cells"][1].erase("nonfinite");
+    EXPECT_THAT(refusal(object), HasSubstr("results.json.cells[1].nonfinite: is missing"));
+    object = whole;
+    object["views"][2]["extra"] = 1;
+    EXPECT_THAT(refusal(object), HasSubstr("results.json.views[2].extra: unknown key"));
+    object = whole;
+    object["views"][0]["near_m"] = nullptr;
+    EXPECT_THAT(refusal(object), HasSubstr("results.json.views[0].near_m: is null (valid: a number)"));
+    object = whole;
+    object["views"][0]["width"] = 3e9;
+    EXPECT_THAT(refusal(object), HasSubstr("width"));
+    object["views"][0]["width"] = 3000000000;
+    EXPECT_THAT(refusal(object), HasSubstr("width"));
+    object = whole;
+    object["seed"] = -1;
+    EXPECT_THAT(refusal(object), HasSubstr("seed: is -1"));
+    object = whole;
+    object["warnings"] = "one";
+    EXPECT_THAT(refusal(object), HasSubstr("warnings: is \"one\" (valid: an array)"));
+}
+
+TEST(ResultsFile, ComesBackFromItsFolder) {
+    const auto folder = testing::output_dir() / "made" / "on demand";
+    write_results(filled(), folder);
+    EXPECT_EQ(to_json(read_results(folder)), to_json(filled()));
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1)
+        << "a temporary file is left";
+}
+
+TEST(ResultsFile, TakesNamesThatAreNotUtf8) {
+    const auto folder = testing::output_dir();
+    Results results;
+    results.command =
+        "aoscore score b\xfc"
+        "ro.glb";
+    write_results(results, folder);
+    EXPECT_EQ(read_results(folder).command, "aoscore score b\xef\xbf\xbdro.glb");
+}
+
+TEST(ResultsFile, TruncatedOrAbsentIsAnErrorThatNamesTheFile) {
+    const auto folder = testing::output_dir();
+    const auto message = [&] {
+        try {
+            read_results(folder);
+        } catch (const Error& e) {
+            EXPECT_EQ(e.exit_code(), ExitCode::file_error);
+            return std::string(e.what());
+        }
+        return std::string("accepted");
+    };
+    EXPECT_THAT(message(), HasSubstr("results.json: no such file"));
+    const std::string whole = to_json(filled()).dump();
+    std::ofstream(folder / "results.json") << whole.substr(0, whole.size() / 2);
+    EXPECT_THAT(message(), HasSubstr("results.json"));
+}
+
+}  // namespace
+}  // namespace aoscore
