@@ -1,0 +1,39 @@
+// Per-pixel random numbers. The method declares the choice parameter `noise` with tiled_4x4, hash and
+// interleaved_gradient, in any order, and lists the input noise_4x4.
+#include "contract/inputs.glsl"
+
+// Jarzynski and Olano, Hash Functions for GPU Rendering, 2020: a permuted congruential step over four lanes.
+uvec4 pcg4d(uvec4 v) {
+    v = v * 1664525u + 1013904223u;
+    v.x += v.y * v.w;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v.w += v.y * v.z;
+    v ^= v >> 16u;
+    v.x += v.y * v.w;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v.w += v.y * v.z;
+    return v;
+}
+
+vec4 hash_noise(ivec2 texel, uint stream) {
+    return vec4(pcg4d(uvec4(uvec2(texel), u_seed, stream)) >> 8u) * (1.0 / 16777216.0);
+}
+
+// Jimenez, Next Generation Post Processing in Call of Duty: Advanced Warfare, 2014; later channels and other seeds are
+// the same pattern moved.
+float interleaved_gradient(vec2 at) { return fract(52.9829189 * fract(dot(at, vec2(0.06711056, 0.00583715)))); }
+
+vec4 interleaved_gradient_noise(ivec2 texel) {
+    vec2 at = vec2(texel) + 5.588238 * float(u_seed & 63u);
+    return vec4(interleaved_gradient(at), interleaved_gradient(at + vec2(47.0, 17.0)),
+                interleaved_gradient(at + vec2(11.0, 83.0)), interleaved_gradient(at + vec2(71.0, 5.0)));
+}
+
+// Four numbers in [0,1) for this pixel.
+vec4 pixel_noise() {
+    if (p_noise == noise_hash) return hash_noise(centre_texel(), 0u);
+    if (p_noise == noise_interleaved_gradient) return interleaved_gradient_noise(centre_texel());
+    return tiled_noise();
+}

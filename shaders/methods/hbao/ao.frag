@@ -1,0 +1,38 @@
+// Horizon-based ambient occlusion (Bavoil, Sainz and Dimitrov 2008; Vermeer 2020, algorithm 2).
+// O = 1/N_d sum over directions of sum over samples that raise the horizon: W(|v|) (sin phi - sin h), W = 1 - (d/R)²,
+// h beginning at the tangent's angle t + bias. All angles are to the picture plane and lie in [-π/2, π/2], where the
+// sine is monotone: sines are compared instead.
+#include "contract/ao_pass.glsl"
+#include "lib/horizon.glsl"
+#include "lib/limits.glsl"
+#include "lib/noise.glsl"
+
+float attenuation(float distance_squared) {
+    return p_falloff == falloff_none ? 1.0 : 1.0 - distance_squared / (p_radius * p_radius);
+}
+
+float visibility(vec2 image_px, vec3 position) {
+    vec3 normal = centre_normal_geometric();
+    vec3 line_of_sight = view_ray(image_px);
+    vec4 noise = pixel_noise();
+    float step_px = p_radius * pixels_per_metre(-position.z) / float(p_steps + 1);
+    float least_cosine = cos(p_threshold);
+
+    float occlusion = 0.0;
+    for (int i = 0; i < p_directions; ++i) {
+        vec2 direction = image_direction(i, p_directions, noise.x);
+        vec3 tangent = slice_tangent(direction, normal, line_of_sight);
+        float sin_horizon = sin(min(asin(clamp(tangent.z / length(tangent), -1.0, 1.0)) + p_bias, kHalfPi));
+        for (int j = 0; j < p_steps; ++j) {
+            vec3 v = tap_position(image_px + direction * (float(j + 1) + noise.y) * step_px) - position;
+            float distance_squared = dot(v, v);
+            if (distance_squared == 0.0 || distance_squared >= p_radius * p_radius) continue;
+            float inverse_distance = inversesqrt(distance_squared);
+            float sin_elevation = v.z * inverse_distance;
+            if (sin_elevation <= sin_horizon || dot(v, normal) * inverse_distance < least_cosine) continue;
+            occlusion += attenuation(distance_squared) * (sin_elevation - sin_horizon);
+            sin_horizon = sin_elevation;
+        }
+    }
+    return limited_visibility(1.0 - occlusion / float(p_directions));
+}
