@@ -1,77 +1,109 @@
 #include "reference/ray_batch.h"
 
+#include "core/sampling.h"
 #include "reference/truth.h"
+#include "reference/vectorise.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace aoscore {
 namespace {
 
-static_assert(kReplicates == 4, "the point set is stored in two bits");
-
-/// Directions are sorted into kCellsPerSide^2 cells of an octahedron's unfolding, along a Z-order curve.
+/// Directions are sorted into cells of an octahedron's unfolding, along a Z-order curve.
 constexpr unsigned kCellBits = 5;
-constexpr float kCellsPerSide = 1u << kCellBits;
-constexpr std::size_t kCells = std::size_t{1} << (2 * kCellBits);
+constexpr int kCellsPerSide = 1 << kCellBits;
+constexpr std::size_t kCells = std::size_t{kCellsPerSide} * kCellsPerSide;
 
 /// Moves bit i to bit 2 i.
-constexpr std::uint32_t spread_bits(std::uint32_t x) {
+inline std::uint32_t spread_bits(std::uint32_t x) {
     x = (x | (x << 4)) & 0x0f0fu;
     x = (x | (x << 2)) & 0x3333u;
     return (x | (x << 1)) & 0x5555u;
 }
 
 /// The cell of a direction on the octahedral map (Cigolle et al., A Survey of Efficient Representations for
-/// Independent Unit Vectors, 2014).
-std::uint16_t direction_cell(float x, float y, float z) {
+/// Independent Unit Vectors, 2014). Only an order: it need not be exact, and both halves may share a fold.
+inline std::uint16_t direction_cell(float x, float y, float z) {
     const float scale = 1 / (std::abs(x) + std::abs(y) + std::abs(z));
-    float a = x * scale, b = y * scale;
-    if (z < 0) {
-        const float folded_a = std::copysign(1 - std::abs(b), x);
-        b = std::copysign(1 - std::abs(a), y);
-        a = folded_a;
+    const float a = x * scale, b = y * scale;
+    const float folded_a = std::copysign(1 - std::abs(b), x);
+    const float folded_b = std::copysign(1 - std::abs(a), y);
+    constexpr float kHalf = kCellsPerSide / 2;
+    const int i = std::min(static_cast<int>((z < 0 ? folded_a : a) * kHalf + kHalf), kCellsPerSide - 1);
+    const int j = std::min(static_cast<int>((z < 0 ? folded_b : b) * kHalf + kHalf), kCellsPerSide - 1);
+    return static_cast<std::uint16_t>(spread_bits(static_cast<std::uint32_t>(i)) |
+                                      (spread_bits(static_cast<std::uint32_t>(j)) << 1));
+}
+
+AOSCORE_VECTORISE
+void make_directions(const std::uint32_t* __restrict u, const std::uint32_t* __restrict v, std::size_t count,
+                     std::uint32_t shift_u, std::uint32_t shift_v, const glm::mat3& frame,
+                     float* __restrict x, float* __restrict y, float* __restrict z,
+                     std::uint16_t* __restrict cell) {
+    const glm::vec3 s = frame[0], t = frame[1], n = frame[2];
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::vec3 d = cosine_hemisphere(unit_interval(u[i] ^ shift_u), unit_interval(v[i] ^ shift_v));
+        x[i] = s.x * d.x + t.x * d.y + n.x * d.z;
+        y[i] = s.y * d.x + t.y * d.y + n.y * d.z;
+        z[i] = s.z * d.x + t.z * d.y + n.z * d.z;
+        cell[i] = direction_cell(x[i], y[i], z[i]);
     }
-    const auto cell = [](float c) {
-        return std::min(static_cast<std::uint32_t>((c * 0.5f + 0.5f) * kCellsPerSide), (1u << kCellBits) - 1);
-    };
-    return static_cast<std::uint16_t>(spread_bits(cell(a)) | (spread_bits(cell(b)) << 1));
+}
+
+AOSCORE_VECTORISE
+void gather(const std::uint32_t* __restrict order, const float* __restrict x, const float* __restrict y,
+            const float* __restrict z, const std::uint32_t* __restrict owner,
+            PacketDirections& __restrict d) {
+    for (std::size_t lane = 0; lane < kPacket; ++lane) d.x[lane] = x[order[lane]];
+    for (std::size_t lane = 0; lane < kPacket; ++lane) d.y[lane] = y[order[lane]];
+    for (std::size_t lane = 0; lane < kPacket; ++lane) d.z[lane] = z[order[lane]];
+    for (std::size_t lane = 0; lane < kPacket; ++lane) d.owner[lane] = owner[order[lane]];
 }
 
 }  // namespace
 
-void RayBatch::clear() {
-    x_.clear();
-    y_.clear();
-    z_.clear();
-    owner_.clear();
-    cell_.clear();
+void RayBatch::reserve(std::size_t size) {
+    if (size <= x_.size()) return;
+    size = std::max(size, 2 * x_.size());
+    x_.resize(size);
+    y_.resize(size);
+    z_.resize(size);
+    owner_.resize(size);
+    cell_.resize(size);
 }
 
-void RayBatch::add(const RaySource& source, std::uint32_t owner, int first, int last) {
-    std::array<std::uint64_t, kReplicates> seeds;
-    for (std::uint64_t r = 0; r < kReplicates; ++r) seeds[r] = mix_bits(source.seed + r);
-    for (int k = first; k < last; ++k) {
-        const auto replicate = static_cast<std::uint32_t>(k % kReplicates);
-        const auto index = static_cast<std::uint32_t>(k / kReplicates);
-        const auto seed_u = static_cast<std::uint32_t>(seeds[replicate]);
-        const auto seed_v = static_cast<std::uint32_t>(seeds[replicate] >> 32);
-        const float u = unit_interval(owen_scramble_reversed(index, seed_u));
-        const float v = unit_interval(owen_scramble_reversed(sobol_y_reversed(index), seed_v));
-        const glm::vec3 d = source.frame * cosine_hemisphere(u, v);
-        x_.push_back(d.x);
-        y_.push_back(d.y);
-        z_.push_back(d.z);
-        owner_.push_back(owner << 2 | replicate);
-        cell_.push_back(direction_cell(d.x, d.y, d.z));
+void RayBatch::add(const RaySource& source, std::size_t number, int first, int last) {
+    for (int replicate = 0; replicate < kReplicates; ++replicate) {
+        // Sample k is point k / kReplicates of set k mod kReplicates.
+        const int begin = (first - replicate + kReplicates - 1) / kReplicates;
+        const int end = (last - replicate + kReplicates - 1) / kReplicates;
+        if (end <= begin) continue;
+        const auto count = static_cast<std::size_t>(end - begin);
+        const std::uint64_t shifts = mix_bits(source.seed + static_cast<std::uint64_t>(replicate));
+        const PointSets::Coordinates set = points_.set(mix_bits(shifts));
+        reserve(size_ + count);
+        make_directions(set.u + begin, set.v + begin, count, static_cast<std::uint32_t>(shifts),
+                        static_cast<std::uint32_t>(shifts >> 32), source.frame, &x_[size_], &y_[size_],
+                        &z_[size_], &cell_[size_]);
+        std::fill_n(&owner_[size_], count,
+                    static_cast<std::uint32_t>(number * kReplicates) + static_cast<std::uint32_t>(replicate));
+        size_ += count;
     }
 }
 
 void RayBatch::sort() {
     std::array<std::uint32_t, kCells + 1> start{};
-    for (const std::uint16_t cell : cell_) ++start[cell + 1u];
+    for (std::size_t i = 0; i < size_; ++i) ++start[cell_[i] + 1u];
     for (std::size_t c = 0; c < kCells; ++c) start[c + 1] += start[c];
-    order_.resize(size());
-    for (std::uint32_t i = 0; i < cell_.size(); ++i) order_[start[cell_[i]]++] = i;
+    order_.resize(size_ + kPacket);
+    for (std::size_t i = 0; i < size_; ++i) order_[start[cell_[i]]++] = static_cast<std::uint32_t>(i);
+    for (std::size_t i = size_; i < size_ + kPacket; ++i) order_[i] = size_ > 0 ? order_[size_ - 1] : 0;
+}
+
+void RayBatch::packet(std::size_t first, PacketDirections& directions) const {
+    gather(&order_[first], x_.data(), y_.data(), z_.data(), owner_.data(), directions);
 }
 
 }  // namespace aoscore

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "core/sampling.h"
+#include "reference/point_sets.h"
+
+#include <glm/glm.hpp>
 
 #include <cstdint>
 #include <vector>
@@ -14,31 +16,42 @@ struct RaySource {
     std::uint64_t seed;  ///< of this pixel's point sets
 };
 
+/// Rays in one packet.
+inline constexpr std::size_t kPacket = 16;
+
+/// The directions of one packet, and the point set that each belongs to: kReplicates times the source, plus
+/// the replicate.
+struct PacketDirections {
+    alignas(64) float x[kPacket];
+    alignas(64) float y[kPacket];
+    alignas(64) float z[kPacket];
+    alignas(64) std::uint32_t owner[kPacket];
+};
+
 /// The rays of the pixels of one tile for a range of sample indices, in an order that puts rays of similar
 /// direction, whichever pixel they leave from, side by side: packets of them are coherent, while each pixel
 /// keeps point sets of its own, so that the noise of neighbours stays independent.
 class RayBatch {
   public:
-    void clear();
-    /// Samples [first, last) of a source; `owner` comes back with each ray.
-    void add(const RaySource& source, std::uint32_t owner, int first, int last);
+    explicit RayBatch(const PointSets& points) : points_(points) {}
+
+    void clear() { size_ = 0; }
+    /// Samples [first, last) of source number `number`.
+    void add(const RaySource& source, std::size_t number, int first, int last);
     void sort();
 
-    std::size_t size() const { return x_.size(); }
-    struct Ray {
-        glm::vec3 direction;
-        std::uint32_t owner;
-        std::uint32_t replicate;
-    };
-    /// The ray at `place` of the sorted order.
-    Ray sorted(std::size_t place) const {
-        const std::uint32_t i = order_[place];
-        return {{x_[i], y_[i], z_[i]}, owner_[i] >> 2, owner_[i] & 3u};
-    }
+    std::size_t size() const { return size_; }
+    /// The rays at places [first, first + kPacket) of the sorted order; past the end the last ray is
+    /// repeated.
+    void packet(std::size_t first, PacketDirections& directions) const;
 
   private:
+    void reserve(std::size_t size);
+
+    const PointSets& points_;
+    std::size_t size_ = 0;
     std::vector<float> x_, y_, z_;
-    std::vector<std::uint32_t> owner_;  // owner, then the point set in the last two bits
+    std::vector<std::uint32_t> owner_;
     std::vector<std::uint16_t> cell_;
     std::vector<std::uint32_t> order_;
 };

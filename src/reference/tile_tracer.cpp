@@ -1,6 +1,7 @@
 #include "reference/tile_tracer.h"
 
 #include "reference/falloff.h"
+#include "reference/vectorise.h"
 
 #include <algorithm>
 #include <limits>
@@ -8,110 +9,123 @@
 namespace aoscore {
 namespace {
 
-constexpr std::size_t kPacket = 16;
 /// Rays held at once: their directions and order stay in the second-level cache.
 constexpr std::size_t kBatchRays = 16384;
 
-struct Packet {
-    alignas(64) int valid[kPacket];
-    RTCRayHit16 query;
-};
-
-void fill_ray(RTCRay16& ray, std::size_t lane, const glm::vec3& origin, const glm::vec3& direction,
-              float tfar) {
-    ray.org_x[lane] = origin.x;
-    ray.org_y[lane] = origin.y;
-    ray.org_z[lane] = origin.z;
-    ray.tnear[lane] = 0;
-    ray.dir_x[lane] = direction.x;
-    ray.dir_y[lane] = direction.y;
-    ray.dir_z[lane] = direction.z;
-    ray.time[lane] = 0;
-    ray.tfar[lane] = tfar;
-    ray.mask[lane] = ~0u;
-    ray.id[lane] = 0;
-    ray.flags[lane] = 0;
+AOSCORE_VECTORISE
+void fill(RTCRay16& ray, const PacketDirections& directions, const float* __restrict origin_x,
+          const float* __restrict origin_y, const float* __restrict origin_z, float tfar) {
+    for (std::size_t lane = 0; lane < kPacket; ++lane) ray.dir_x[lane] = directions.x[lane];
+    for (std::size_t lane = 0; lane < kPacket; ++lane) ray.dir_y[lane] = directions.y[lane];
+    for (std::size_t lane = 0; lane < kPacket; ++lane) ray.dir_z[lane] = directions.z[lane];
+    for (std::size_t lane = 0; lane < kPacket; ++lane) ray.org_x[lane] = origin_x[directions.owner[lane]];
+    for (std::size_t lane = 0; lane < kPacket; ++lane) ray.org_y[lane] = origin_y[directions.owner[lane]];
+    for (std::size_t lane = 0; lane < kPacket; ++lane) ray.org_z[lane] = origin_z[directions.owner[lane]];
+    for (std::size_t lane = 0; lane < kPacket; ++lane) ray.tfar[lane] = tfar;
 }
+
+/// What stays the same from packet to packet.
+void fill_constants(RTCRay16& ray) {
+    std::fill_n(ray.tnear, kPacket, 0.0f);
+    std::fill_n(ray.time, kPacket, 0.0f);
+    std::fill_n(ray.mask, kPacket, ~0u);
+    std::fill_n(ray.id, kPacket, 0u);
+    std::fill_n(ray.flags, kPacket, 0u);
+}
+
+/// All lanes below `count`.
+struct ValidLanes {
+    alignas(64) int lanes[kPacket];
+    explicit ValidLanes(std::size_t count) {
+        for (std::size_t lane = 0; lane < kPacket; ++lane) lanes[lane] = lane < count ? -1 : 0;
+    }
+};
 
 }  // namespace
 
-TileTracer::TileTracer(const EmbreeScene& scene, const std::vector<TruthQuery>& queries)
+TileTracer::TileTracer(const EmbreeScene& scene, const std::vector<TruthQuery>& queries,
+                       const PointSets& points)
     : scene_(scene),
       queries_(queries),
-      only_occlusion_(queries.size() == 1 && queries[0].falloff == Falloff::binary) {
+      only_occlusion_(queries.size() == 1 && queries[0].falloff == Falloff::binary),
+      batch_(points) {
     double reach = 0;
     for (const TruthQuery& q : queries) reach = std::max(reach, q.radius_m);
-    // Rounded up: a hit between the radius and its float32 value is judged by the radius itself.
     reach_m_ = static_cast<float>(reach);
+    // A hit between a radius and its float32 value is judged by the radius itself.
     if (!only_occlusion_) reach_m_ = std::nextafter(reach_m_, std::numeric_limits<float>::infinity());
 }
 
-void TileTracer::start(std::size_t sources) {
-    sums_.assign(sources * queries_.size() * kReplicates, 0);
+void TileTracer::start(std::vector<RaySource> sources) {
+    sources_ = std::move(sources);
+    const std::size_t owners = sources_.size() * kReplicates;
+    sums_.assign(owners * queries_.size(), 0);
+    blocked_.resize(owners);
+    origin_x_.clear();
+    origin_y_.clear();
+    origin_z_.clear();
+    for (const RaySource& source : sources_) {
+        origin_x_.insert(origin_x_.end(), kReplicates, source.origin.x);
+        origin_y_.insert(origin_y_.end(), kReplicates, source.origin.y);
+        origin_z_.insert(origin_z_.end(), kReplicates, source.origin.z);
+    }
 }
 
-void TileTracer::trace(const std::vector<RaySource>& sources, int first, int last) {
-    if (sources.empty()) return;
-    const int step = static_cast<int>(std::max<std::size_t>(kReplicates, kBatchRays / sources.size()));
+void TileTracer::trace(int first, int last) {
+    if (sources_.empty()) return;
+    const int step = static_cast<int>(std::max<std::size_t>(kReplicates, kBatchRays / sources_.size()));
     for (int from = first; from < last; from += step) {
         const int to = std::min(last, from + step);
         batch_.clear();
-        for (std::size_t s = 0; s < sources.size(); ++s) {
-            batch_.add(sources[s], static_cast<std::uint32_t>(s), from, to);
-        }
+        for (std::size_t s = 0; s < sources_.size(); ++s) batch_.add(sources_[s], s, from, to);
         batch_.sort();
         rays_ += batch_.size();
         if (only_occlusion_) {
-            trace_occlusion(sources);
+            trace_occlusion();
         } else {
-            trace_distance(sources);
+            trace_distance();
         }
     }
 }
 
-void TileTracer::trace_occlusion(const std::vector<RaySource>& sources) {
+void TileTracer::trace_occlusion() {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-    Packet packet;
-    double* targets[kPacket];
+    RTCRay16 ray;
+    fill_constants(ray);
+    PacketDirections directions;
+    std::fill(blocked_.begin(), blocked_.end(), 0u);
     for (std::size_t first = 0; first < batch_.size(); first += kPacket) {
         const std::size_t count = std::min(kPacket, batch_.size() - first);
-        for (std::size_t lane = 0; lane < kPacket; ++lane) {
-            packet.valid[lane] = lane < count ? -1 : 0;
-            const RayBatch::Ray ray = batch_.sorted(first + std::min(lane, count - 1));
-            fill_ray(packet.query.ray, lane, sources[ray.owner].origin, ray.direction, reach_m_);
-            targets[lane] = &sums_[ray.owner * kReplicates + ray.replicate];
-        }
-        rtcOccluded16(packet.valid, scene_.handle(), &context, &packet.query.ray);
-        for (std::size_t lane = 0; lane < count; ++lane) {
-            if (packet.query.ray.tfar[lane] < 0) *targets[lane] += 1;
-        }
+        const ValidLanes valid(count);
+        batch_.packet(first, directions);
+        fill(ray, directions, origin_x_.data(), origin_y_.data(), origin_z_.data(), reach_m_);
+        rtcOccluded16(valid.lanes, scene_.handle(), &context, &ray);
+        for (std::size_t lane = 0; lane < count; ++lane)
+            blocked_[directions.owner[lane]] += ray.tfar[lane] < 0;
     }
+    for (std::size_t i = 0; i < blocked_.size(); ++i) sums_[i] += blocked_[i];
 }
 
-void TileTracer::trace_distance(const std::vector<RaySource>& sources) {
+void TileTracer::trace_distance() {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-    Packet packet;
-    double* targets[kPacket];
+    RTCRayHit16 query;
+    fill_constants(query.ray);
+    PacketDirections directions;
     for (std::size_t first = 0; first < batch_.size(); first += kPacket) {
         const std::size_t count = std::min(kPacket, batch_.size() - first);
-        for (std::size_t lane = 0; lane < kPacket; ++lane) {
-            packet.valid[lane] = lane < count ? -1 : 0;
-            const RayBatch::Ray ray = batch_.sorted(first + std::min(lane, count - 1));
-            fill_ray(packet.query.ray, lane, sources[ray.owner].origin, ray.direction, reach_m_);
-            packet.query.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
-            packet.query.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
-            targets[lane] = &sums_[ray.owner * queries_.size() * kReplicates + ray.replicate];
-        }
-        rtcIntersect16(packet.valid, scene_.handle(), &context, &packet.query);
+        const ValidLanes valid(count);
+        batch_.packet(first, directions);
+        fill(query.ray, directions, origin_x_.data(), origin_y_.data(), origin_z_.data(), reach_m_);
+        std::fill_n(query.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
+        std::fill_n(query.hit.instID[0], kPacket, RTC_INVALID_GEOMETRY_ID);
+        rtcIntersect16(valid.lanes, scene_.handle(), &context, &query);
         for (std::size_t lane = 0; lane < count; ++lane) {
-            if (packet.query.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) continue;
-            const double t = packet.query.ray.tfar[lane];
+            if (query.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) continue;
+            const double t = query.ray.tfar[lane];
             for (std::size_t q = 0; q < queries_.size(); ++q) {
-                targets[lane][q * kReplicates] += darkening(queries_[q], t);
+                sums_[q * blocked_.size() + directions.owner[lane]] += darkening(queries_[q], t);
             }
         }
     }

@@ -4,36 +4,40 @@
 #include "reference/ray_batch.h"
 #include "reference/truth.h"
 
+#include <span>
 #include <vector>
 
 namespace aoscore {
 
-/// Sums of darkening over the rays of the pixels of one tile. One a thread; keeps its buffers between tiles.
+/// Sums of darkening over the rays of the pixels of one tile.
 class TileTracer {
   public:
-    TileTracer(const EmbreeScene& scene, const std::vector<TruthQuery>& queries);
+    TileTracer(const EmbreeScene& scene, const std::vector<TruthQuery>& queries, const PointSets& points);
 
-    /// Traces samples [first, last) of every source and adds to the sums, which begin at zero after start().
-    void start(std::size_t sources);
-    void trace(const std::vector<RaySource>& sources, int first, int last);
+    /// Begins with these pixels and sums of zero.
+    void start(std::vector<RaySource> sources);
+    /// Traces samples [first, last) of every source and adds to the sums.
+    void trace(int first, int last);
 
     /// Darkening summed by point set: kReplicates values.
-    const double* sums(std::size_t source, std::size_t query) const {
-        return &sums_[(source * queries_.size() + query) * kReplicates];
+    std::span<const double> sums(std::size_t source, std::size_t query) const {
+        return {&sums_[(query * sources_.size() + source) * kReplicates], kReplicates};
     }
     std::uint64_t rays() const { return rays_; }
 
   private:
-    void trace_batch(const std::vector<RaySource>& sources);
-    void trace_occlusion(const std::vector<RaySource>& sources);
-    void trace_distance(const std::vector<RaySource>& sources);
+    void trace_occlusion();
+    void trace_distance();
 
     const EmbreeScene& scene_;
     const std::vector<TruthQuery>& queries_;
     bool only_occlusion_;
     float reach_m_;  // no query looks farther
+    std::vector<RaySource> sources_;
+    std::vector<float> origin_x_, origin_y_, origin_z_;  // by owner, as packets name them
     RayBatch batch_;
-    std::vector<double> sums_;
+    std::vector<std::uint32_t> blocked_;  // by owner
+    std::vector<double> sums_;            // by query, then owner
     std::uint64_t rays_ = 0;
 };
 

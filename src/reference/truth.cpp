@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "core/progress.h"
+#include "core/sampling.h"
 #include "core/threads.h"
 #include "reference/embree_scene.h"
 #include "reference/estimate.h"
@@ -119,6 +120,7 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
     truth.samples = settings.samples;
 
     const std::vector<Tile> tiles = tiles_of(width, height);
+    const PointSets points((settings.samples + kReplicates - 1) / kReplicates);
     Progress progress(what, tiles.size());
     std::atomic<std::uint64_t> rays{0};
     const auto start = std::chrono::steady_clock::now();
@@ -136,12 +138,12 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
                 pixels.push_back(truth.hits.depth.index(x, y));
             }
         }
-        TileTracer tracer(impl_->embree, queries);
-        tracer.start(sources.size());
-        tracer.trace(sources, 0, settings.samples);
-        for (std::size_t s = 0; s < sources.size(); ++s) {
+        TileTracer tracer(impl_->embree, queries, points);
+        tracer.start(std::move(sources));
+        tracer.trace(0, settings.samples);
+        for (std::size_t s = 0; s < pixels.size(); ++s) {
             for (std::size_t q = 0; q < queries.size(); ++q) {
-                const Estimate estimate = pooled_estimate({tracer.sums(s, q), kReplicates}, settings.samples);
+                const Estimate estimate = pooled_estimate(tracer.sums(s, q), settings.samples);
                 truth.visibility[q].pixels[pixels[s]] = static_cast<float>(estimate.visibility);
                 truth.standard_error[q].pixels[pixels[s]] = static_cast<float>(estimate.standard_error);
             }

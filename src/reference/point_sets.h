@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace aoscore {
+
+/// Owen-scrambled Sobol points, made once and shared by all pixels: a pixel takes one of a few sets and
+/// shifts it digitally (exclusive or) by random bits of its own. A digital shift of an Owen-scrambled net is
+/// one again, and since a shift alone already makes every point uniform, two pixels are uncorrelated even
+/// where they share a set.
+class PointSets {
+  public:
+    /// Sets of at least `points` points each.
+    explicit PointSets(int points);
+
+    struct Coordinates {
+        const std::uint32_t* u;  ///< fractions of 2^32
+        const std::uint32_t* v;
+    };
+    Coordinates set(std::uint64_t bits) const {
+        const std::size_t begin = (bits % kSets) * points_;
+        return {&u_[begin], &v_[begin]};
+    }
+
+  private:
+    static constexpr std::size_t kSets = 16;
+    std::size_t points_;
+    std::vector<std::uint32_t> u_, v_;
+};
+
+}  // namespace aoscore
