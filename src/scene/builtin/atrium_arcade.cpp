@@ -14,9 +14,9 @@ using glm::dvec2;
 using glm::dvec3;
 
 /// One leaf of a capital: a strip that hugs the bell and curls outwards at its tip, about the direction +z.
-void add_capital_leaf(MeshBuilder& mesh, double bell_radius_m, double foot_m, double height_m,
-                      double width_m) {
-    add_surface(mesh, 4, 6, [&](double u, double v) {
+void add_capital_leaf(MeshBuilder& mesh, double bell_radius_m, double foot_m, double height_m, double width_m,
+                      int rows) {
+    add_surface(mesh, rows > 4 ? 4 : 2, rows, [&](double u, double v) {
         const double across = (u - 0.5) * width_m * (1 - 0.75 * v * v * v);
         const double curl = v < 0.7 ? 0 : (v - 0.7) / 0.3;
         const double out = 0.012 + 0.045 * v + 0.07 * curl * curl - 0.6 * across * across / width_m;
@@ -28,7 +28,7 @@ void add_capital_leaf(MeshBuilder& mesh, double bell_radius_m, double foot_m, do
 struct Order {
     double foot_m, springing_m;  ///< from the floor it stands on to the underside of the arch
     double radius_m, plinth_half_m;
-    int segments;
+    int segments, leaf_rows;
 };
 
 /// A column after the classical order: plinth, two tori with a scotia, tapering shaft, capital of two rows of
@@ -64,7 +64,7 @@ MeshBuilder column(const Order& order) {
     for (int row = 0; row < 2; ++row) {
         MeshBuilder leaf;
         add_capital_leaf(leaf, neck + (row ? 0.02 : 0.0), shaft_high + 0.03, capital * (row ? 0.9 : 0.5),
-                         0.72 * r);
+                         0.72 * r, order.leaf_rows);
         for (int i = 0; i < 8; ++i) {
             mesh.append(leaf, rotation_y((i + 0.5 * row) * std::numbers::pi / 4));
         }
@@ -74,21 +74,20 @@ MeshBuilder column(const Order& order) {
     return mesh;
 }
 
-/// An arcade wall of one bay with its archivolt on both faces.
-MeshBuilder arch(double opening_m, double height_m, int segments) {
+enum class Archivolts { court, both };
+
+/// An arcade wall of one bay, the court on -z, with an archivolt on its court face or on both.
+MeshBuilder arch(double opening_m, double height_m, int segments, Archivolts archivolts) {
     MeshBuilder mesh;
     const Profile line = semicircular_arch(opening_m, opening_m, segments);
     add_arched_wall(mesh, line, kBay_m / 2, height_m, kWallHalf_m);
     const double face = kWallHalf_m;
-    for (const double side : {1.0, -1.0}) {
-        Profile section{{0.03, face - 0.05}, {0.22, face - 0.05},  {0.22, face + 0.06},
-                        {0.17, face + 0.06}, {0.14, face + 0.035}, {0.03, face + 0.035}};
-        if (side < 0) {
-            for (dvec2& p : section) p.y = -p.y;
-            section = Profile(section.rbegin(), section.rend());
-        }
-        add_arch_moulding(mesh, line, section);
-    }
+    const Profile section{{0.03, -face - 0.035}, {0.14, -face - 0.035}, {0.17, -face - 0.06},
+                          {0.22, -face - 0.06},  {0.22, -face + 0.05},  {0.03, -face + 0.05}};
+    MeshBuilder archivolt;
+    add_arch_moulding(archivolt, line, section);
+    mesh.append(archivolt, glm::dmat4(1.0));
+    if (archivolts == Archivolts::both) mesh.append(archivolt, quarter_turns_y(2));
     // Keystone.
     MeshBuilder key;
     add_bevelled_box(key, {-0.11, opening_m - 0.04, -face - 0.1}, {0.11, opening_m + 0.3, face + 0.1}, 0.015);
@@ -96,7 +95,6 @@ MeshBuilder arch(double opening_m, double height_m, int segments) {
     return mesh;
 }
 
-constexpr double kVaultRise_m = 1.1;
 constexpr double kRibHalf_m = 0.25;
 /// Vaults reach this far into the walls and ribs around them.
 constexpr double kEmbed_m = 0.03;
@@ -104,10 +102,10 @@ constexpr double kEmbed_m = 0.03;
 }  // namespace
 
 MeshBuilder lower_column() {
-    return column({kStep_m, kLowerSpringing_m, 0.27, 0.375, 24});
+    return column({kStep_m, kLowerSpringing_m, 0.27, 0.375, 20, 5});
 }
 MeshBuilder upper_column() {
-    return column({kUpperFloor_m + kParapet_m, kUpperSpringing_m, 0.16, 0.27, 16});
+    return column({kUpperFloor_m + kParapet_m, kUpperSpringing_m, 0.16, 0.27, 14, 4});
 }
 
 MeshBuilder corner_pier() {
@@ -123,10 +121,10 @@ MeshBuilder corner_pier() {
 }
 
 MeshBuilder lower_arch() {
-    return arch(1.0, kUpperFloor_m - 0.2 - kLowerSpringing_m, 12);
+    return arch(1.0, kUpperFloor_m - 0.2 - kLowerSpringing_m, 12, Archivolts::both);
 }
 MeshBuilder upper_arch() {
-    return arch(1.105, kCornice_m + 0.1 - kUpperSpringing_m, 12);
+    return arch(1.105, kCornice_m + 0.1 - kUpperSpringing_m, 12, Archivolts::court);
 }
 
 /// Across a gallery, x from the arcade (negative) to the outer wall.
@@ -182,10 +180,10 @@ MeshBuilder balustrade() {
         line.emplace_back(p.x, low + (high - low) * p.y);
     }
     MeshBuilder baluster;
-    add_lathe(baluster, line, 10);
-    constexpr int kBalusters = 9;
+    add_lathe(baluster, line, 8);
+    constexpr int kBalusters = 8;
     for (int i = 0; i < kBalusters; ++i) {
-        mesh.append(baluster, translation((i - (kBalusters - 1) / 2.0) * 0.235, 0, 0));
+        mesh.append(baluster, translation((i - (kBalusters - 1) / 2.0) * 0.265, 0, 0));
     }
     // Pedestal of the column at the bay's right end.
     MeshBuilder pedestal;

@@ -22,6 +22,7 @@ inline constexpr double kParapet_m = 0.95;  ///< above the upper floor
 inline constexpr double kUpperSpringing_m = 8.25;
 inline constexpr double kCornice_m = 10.25;  ///< underside of the roof's cornice
 inline constexpr double kTop_m = 12;
+inline constexpr double kVaultRise_m = 1.1;  ///< of the lower galleries' vaults above the springing
 
 MeshBuilder lower_column();
 MeshBuilder upper_column();
@@ -33,5 +34,26 @@ MeshBuilder gallery_vault();
 MeshBuilder corner_vault();
 MeshBuilder pilaster();
 MeshBuilder balustrade();
+
+MeshBuilder lion_head();
+MeshBuilder medallion_frame();
+MeshBuilder blind_panel();
+MeshBuilder basin();
+
+MeshBuilder curtain_rod();
+MeshBuilder drawn_curtain();
+MeshBuilder tied_curtain();
+MeshBuilder banner();
+
+Texture frond_texture();
+MeshBuilder frond();
+MeshBuilder planter();
+
+MeshBuilder paving();
+MeshBuilder door();
+MeshBuilder beams();
+MeshBuilder lamp();
+MeshBuilder rosette();
+MeshBuilder roof_tiles(double half_length_m);
 
 }  // namespace aoscore::builtin::atrium

@@ -39,9 +39,9 @@ Scene generate_pillar() {
     for (const int i : {-1, 0, 1}) scene.place(pillars, translation(kSpacing_m * i, 0, kPillarZ_m));
 
     MeshBuilder crate;
-    add_bevelled_box(crate, {-0.42, -0.05, -0.05}, {0.42, 0.84, 0.75}, 0.02);
-    add_bevelled_box(crate, {-0.36, 0.8, -0.04}, {0.36, 1.5, 0.62}, 0.02);
-    add_bevelled_box(crate, {-0.3, 1.45, -0.03}, {0.3, 2.0, 0.5}, 0.02);
+    add_bevelled_box(crate, {-0.5, -0.05, -0.05}, {0.5, 0.84, 0.75}, 0.02);
+    add_bevelled_box(crate, {-0.44, 0.8, -0.04}, {0.44, 1.5, 0.62}, 0.02);
+    add_bevelled_box(crate, {-0.38, 1.45, -0.03}, {0.38, 2.0, 0.5}, 0.02);
     const int crates = scene.mesh(crate, wood);
     for (const int i : {-1, 0, 1}) scene.place(crates, translation(kSpacing_m * i, 0, 0));
     return scene.take();

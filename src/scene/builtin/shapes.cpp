@@ -78,6 +78,22 @@ void add_bevelled_box(MeshBuilder& mesh, const dvec3& low, const dvec3& high, do
     }
 }
 
+void add_raised_block(MeshBuilder& mesh, const dvec3& low, const dvec3& high, double bevel_m) {
+    const auto loop = [&](double inset, double z) {
+        return std::array<dvec3, 4>{{{low.x + inset, low.y + inset, z},
+                                     {high.x - inset, low.y + inset, z},
+                                     {high.x - inset, high.y - inset, z},
+                                     {low.x + inset, high.y - inset, z}}};
+    };
+    const auto foot = loop(0, low.z), shoulder = loop(0, high.z - bevel_m), top = loop(bevel_m, high.z);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t k = (i + 1) % 4;
+        mesh.quad(foot[i], foot[k], shoulder[k], shoulder[i]);
+        mesh.quad(shoulder[i], shoulder[k], top[k], top[i]);
+    }
+    mesh.quad(top[0], top[1], top[2], top[3]);
+}
+
 void add_surface(MeshBuilder& mesh, int columns, int rows, const std::function<dvec3(double, double)>& f,
                  bool wrap_u) {
     std::vector<dvec3> points;

@@ -22,6 +22,9 @@ void add_box(MeshBuilder& mesh, const glm::dvec3& low, const glm::dvec3& high);
 /// A box whose edges are cut at 45 degrees, `bevel_m` wide along each face.
 void add_bevelled_box(MeshBuilder& mesh, const glm::dvec3& low, const glm::dvec3& high, double bevel_m);
 
+/// A bevelled block that stands out of a surface: without its low z face, which belongs inside another solid.
+void add_raised_block(MeshBuilder& mesh, const glm::dvec3& low, const glm::dvec3& high, double bevel_m);
+
 /// The patch f(u,v), u and v in [0,1], in columns x rows quads; its visible side is d/du x d/dv. `wrap_u`
 /// closes it.
 void add_surface(MeshBuilder& mesh, int columns, int rows, const std::function<glm::dvec3(double, double)>& f,
