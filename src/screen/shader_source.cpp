@@ -64,51 +64,48 @@ std::size_t ShaderSource::add_part(std::string name, std::string_view text) {
     return parts_.size() - 1;
 }
 
-void ShaderSource::begin_part(std::size_t part, std::size_t line) {
-    text_ += fmt::format("#line {} {}\n", line, part);
+void ShaderSource::add_line(std::size_t part, std::size_t index) {
+    text_ += parts_[part].lines[index] + "\n";
+    origins_.push_back({part, index + 1});
 }
 
 void ShaderSource::add_block(std::string name, std::string_view text) {
     const std::size_t part = add_part(std::move(name), text);
-    begin_part(part, 1);
-    for (const std::string& line : parts_[part].lines) text_ += line + "\n";
+    for (std::size_t i = 0; i < parts_[part].lines.size(); ++i) add_line(part, i);
 }
 
 void ShaderSource::add_file(const fs::path& file, const fs::path& folder) {
     if (!entered_.insert(fs::weakly_canonical(file)).second) return;
     const std::size_t part = add_part(file.string(), read_file(file, std::size_t{4} << 20));
-    begin_part(part, 1);
     static const std::regex include(R"rx(^\s*#\s*include\s+"([^"]+)"\s*(//.*)?$)rx");
-    const std::vector<std::string> lines = parts_[part].lines;  // a copy: parts_ grows below
-    for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::size_t i = 0; i < parts_[part].lines.size(); ++i) {
         std::smatch match;
-        if (std::regex_match(lines[i], match, include)) {
+        const std::string line = parts_[part].lines[i];  // a copy: parts_ grows below
+        if (std::regex_match(line, match, include)) {
             add_file(find_include(match[1], folder, fmt::format("{}:{}", file.string(), i + 1)), folder);
-            begin_part(part, i + 2);
         } else {
-            text_ += lines[i] + "\n";
+            add_line(part, i);
         }
     }
 }
 
 std::string ShaderSource::explain(std::string_view log) const {
-    static const std::regex place(R"((\d+):(\d+)\((\d+)\):?)");
-    constexpr std::size_t kContextLines = 2;
+    static const std::regex place(R"(\d+:(\d+)\((\d+)\):?)");
+    constexpr std::size_t kContextLines = 2, kFirst = 2;  // the first line is #version's
     std::string result;
     for (const std::string& message : lines_of(log)) {
         std::smatch match;
-        const bool placed = std::regex_search(message, match, place);
-        const std::size_t part = placed ? std::stoul(match[1]) : parts_.size();
-        if (part >= parts_.size()) {
+        const std::size_t text_line = std::regex_search(message, match, place) ? std::stoul(match[1]) : 0;
+        if (text_line < kFirst || text_line - kFirst >= origins_.size()) {
             result += message + "\n";
             continue;
         }
-        const std::size_t line = std::stoul(match[2]);
-        result += fmt::format("{}:{}:{}{}\n", parts_[part].name, line, match[3].str(), match.suffix().str());
-        const auto& lines = parts_[part].lines;
-        const std::size_t first = line > kContextLines ? line - kContextLines : 1;
-        for (std::size_t i = first; i <= std::min(line + kContextLines, lines.size()); ++i) {
-            result += fmt::format("{} {:4} | {}\n", i == line ? ">" : " ", i, lines[i - 1]);
+        const Origin origin = origins_[text_line - kFirst];
+        const Part& part = parts_[origin.part];
+        result += fmt::format("{}:{}:{}{}\n", part.name, origin.line, match[2].str(), match.suffix().str());
+        const std::size_t first = origin.line > kContextLines ? origin.line - kContextLines : 1;
+        for (std::size_t i = first; i <= std::min(origin.line + kContextLines, part.lines.size()); ++i) {
+            result += fmt::format("{} {:4} | {}\n", i == origin.line ? ">" : " ", i, part.lines[i - 1]);
         }
     }
     return result;

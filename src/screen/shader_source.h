@@ -24,7 +24,8 @@ class ShaderSource {
 
     const std::string& text() const { return text_; }
 
-    /// A compiler's log with each "part:line" replaced by the part's name, and the numbered lines around it.
+    /// A compiler's log with each line number turned into the part's name and its own line, and the numbered
+    /// lines around it. (`#line` would do, but Mesa forgets its source number in half of its messages.)
     std::string explain(std::string_view log) const;
 
   private:
@@ -32,11 +33,16 @@ class ShaderSource {
         std::string name;
         std::vector<std::string> lines;
     };
-    void begin_part(std::size_t part, std::size_t line);
+    struct Origin {
+        std::size_t part = 0;
+        std::size_t line = 0;  // counted from 1
+    };
     std::size_t add_part(std::string name, std::string_view text);
+    void add_line(std::size_t part, std::size_t index);
 
     std::string text_;
     std::vector<Part> parts_;
+    std::vector<Origin> origins_;  // of each line of text_ after the first
     std::set<std::filesystem::path> entered_;
 };
 

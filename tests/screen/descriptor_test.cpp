@@ -1,0 +1,171 @@
+#include "core/error.h"
+#include "hand_made.h"
+#include "support/support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <functional>
+
+namespace aoscore::testing {
+namespace {
+
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+// A small method of two text files, in a folder outside of the program's own.
+constexpr const char* kDescriptor = R"({
+  "label": "Depth edges",
+  "paper": "none",
+  "summary": "Closed where the pixel to the right is nearer by more than `step`",
+  "parameters": {"step": {"type": "real", "default": 0.1, "range": [0, 10], "unit": "m", "meaning": "least step", "length_power": 1}},
+  "presets": {"coarse": {"step": 1.0}},
+  "passes": [{"fragment": "edges.frag", "inputs": ["linear_depth"]}]
+})";
+constexpr const char* kFragment = R"(
+#include "contract/ao_pass.glsl"
+
+float visibility(vec2 image_px, vec3 position) {
+    float right = tap_linear_depth(texel_at(image_px + vec2(1.0, 0.0)));
+    return -position.z - right > p_step ? 0.0 : 1.0;
+}
+)";
+
+void write(const fs::path& file, const std::string& text) {
+    fs::create_directories(file.parent_path());
+    std::ofstream(file) << text;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const auto at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+}
+
+// A folder of methods that holds this one.
+fs::path folder_with(const std::string& descriptor, const std::string& fragment) {
+    const fs::path folder = output_dir();
+    write(folder / "depth-edges" / "method.json", descriptor);
+    write(folder / "depth-edges" / "edges.frag", fragment);
+    return folder;
+}
+
+std::string error_of(const std::function<void()>& action, ExitCode expected) {
+    try {
+        action();
+    } catch (const Error& e) {
+        EXPECT_EQ(e.exit_code(), expected) << e.what();
+        return e.what();
+    }
+    return "(no error)";
+}
+
+std::string loading_error(const std::string& descriptor, const std::string& fragment = kFragment) {
+    const fs::path folder = folder_with(descriptor, fragment);
+    return error_of([&] { load_methods(folder); }, ExitCode::file_error);
+}
+
+std::string running_error(const std::string& descriptor, const std::string& fragment, ExitCode expected) {
+    const auto methods = load_methods(folder_with(descriptor, fragment));
+    ScreenRenderer renderer;
+    renderer.set_scene(corner_scene());
+    renderer.draw_gbuffer(CameraFrame(corner_camera(), 32, 18), gbuffer_inputs());
+    return error_of([&] { renderer.run(request_for(find_method(methods, "depth-edges"), {}, "default")); },
+                    expected);
+}
+
+TEST(UsersMethod, OfTwoTextFilesAppearsAndRuns) {
+    const auto methods = load_methods(folder_with(kDescriptor, kFragment));
+    EXPECT_EQ(methods.size(), load_methods().size() + 1);
+    const MethodDescriptor& method = find_method(methods, "depth-edges");
+    EXPECT_EQ(method.values("coarse").at("step"), 1.0);
+    ScreenRenderer renderer;
+    renderer.set_scene(corner_scene());
+    renderer.draw_gbuffer(CameraFrame(corner_camera(), 160, 90), {});
+    const GBufferImages images = renderer.read_gbuffer();
+    const ImageF result = renderer.run(request_for(method, {}, "default")).raw;
+    for (int y = 0; y < 90; ++y) {
+        for (int x = 0; x < 159; ++x) {
+            if (images.surface.at(x, y) == 0) continue;
+            const bool edge = images.linear_depth.at(x, y) - images.linear_depth.at(x + 1, y) > 0.1F;
+            ASSERT_EQ(result.at(x, y), edge ? 0.0F : 1.0F);
+        }
+    }
+}
+
+TEST(UsersMethod, WithAnIdThatExistsIsAnError) {
+    const fs::path folder = output_dir();
+    write(folder / "hbao" / "method.json", kDescriptor);
+    write(folder / "hbao" / "edges.frag", kFragment);
+    EXPECT_THAT(error_of([&] { load_methods(folder); }, ExitCode::file_error), HasSubstr("exists twice"));
+}
+
+TEST(Descriptor, UnknownKeyIsAnErrorWithItsPlace) {
+    const std::string message =
+        loading_error(replaced(kDescriptor, "\"meaning\"", "\"menaing\": 1, \"meaning\""));
+    EXPECT_THAT(message, HasSubstr("parameters.step.menaing"));
+}
+
+TEST(Descriptor, ParameterThatNoPassUsesIsAnError) {
+    EXPECT_THAT(loading_error(kDescriptor, replaced(kFragment, "p_step", "0.1 /* p_step */")),
+                HasSubstr("p_step"));
+}
+
+TEST(Descriptor, DefaultOutOfRangeIsAnError) {
+    EXPECT_THAT(loading_error(replaced(kDescriptor, "\"default\": 0.1", "\"default\": 11")),
+                HasSubstr("0 to 10"));
+}
+
+TEST(Descriptor, PresetOfAnUnknownParameterIsAnError) {
+    EXPECT_THAT(loading_error(replaced(kDescriptor, "{\"step\": 1.0}", "{\"stride\": 1.0}")),
+                HasSubstr("presets.coarse.stride"));
+}
+
+TEST(Descriptor, UnknownInputIsAnErrorThatListsTheKnownOnes) {
+    EXPECT_THAT(loading_error(replaced(kDescriptor, "[\"linear_depth\"]", "[\"depth\"]")),
+                HasSubstr("linear_depth"));
+}
+
+TEST(Descriptor, MissingFragmentOrIncludeIsAnError) {
+    EXPECT_THAT(loading_error(replaced(kDescriptor, "edges.frag", "egdes.frag")), HasSubstr("egdes.frag"));
+    EXPECT_THAT(loading_error(kDescriptor, replaced(kFragment, "ao_pass", "no_pass")),
+                HasSubstr("edges.frag:2"));
+}
+
+TEST(Pass, SamplingAnInputThatIsNotListedIsAnError) {
+    const std::string message = running_error(
+        kDescriptor, replaced(kFragment, "-position.z", "centre_normal_smooth().z"), ExitCode::file_error);
+    EXPECT_THAT(message, HasSubstr("u_normal_smooth"));
+}
+
+TEST(Pass, ListingAnInputThatIsNeverSampledIsAnError) {
+    const std::string message =
+        running_error(replaced(kDescriptor, "[\"linear_depth\"]", "[\"linear_depth\", \"albedo\"]"),
+                      kFragment, ExitCode::file_error);
+    EXPECT_THAT(message, HasSubstr("albedo"));
+}
+
+TEST(Pass, UniformThatNobodyDeclaredIsAnError) {
+    const std::string fragment = replaced(replaced(kFragment, "p_step", "p_step + u_mystery"),
+                                          "float visibility", "uniform float u_mystery;\nfloat visibility");
+    EXPECT_THAT(running_error(kDescriptor, fragment, ExitCode::file_error), HasSubstr("u_mystery"));
+}
+
+TEST(Pass, CompileErrorShowsTheNumberedSourceOfItsFile) {
+    const std::string message =
+        running_error(kDescriptor, replaced(kFragment, "float right", "floot right"), ExitCode::internal);
+    EXPECT_THAT(message, HasSubstr("edges.frag:5"));
+    EXPECT_THAT(message, HasSubstr("5 |     floot right"));
+}
+
+TEST(Pass, ErrorAfterAnIncludeIsCountedInItsOwnFile) {
+    const std::string fragment =
+        std::string("#include \"lib/constants.glsl\"\n\n") + replaced(kFragment, "p_step ?", "p_stop ?");
+    const std::string message = running_error(
+        kDescriptor, fragment + "// p_step\nfloat f() { return p_step; }\n", ExitCode::internal);
+    EXPECT_THAT(message, HasSubstr("edges.frag:8"));
+}
+
+}  // namespace
+}  // namespace aoscore::testing
