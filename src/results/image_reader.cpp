@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <concepts>
 #include <map>
 #include <new>
 
@@ -77,8 +78,13 @@ void read_strips(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int subim
         for (std::size_t c = 0; c < count; ++c) {
             float* to = &channels[first_channel + c].at(0, y);
             const auto pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(end - y);
-            for (std::size_t i = 0; i < pixels; ++i)
-                to[i] = static_cast<float>(strip[i * count + c]) / coding.scale;
+            for (std::size_t i = 0; i < pixels; ++i) {
+                if constexpr (std::same_as<Value, float>) {
+                    to[i] = strip[i * count + c];  // Not even a division by 1, which alters signalling NaN.
+                } else {
+                    to[i] = static_cast<float>(strip[i * count + c]) / coding.scale;
+                }
+            }
         }
     }
 }
