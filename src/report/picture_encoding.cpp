@@ -15,8 +15,9 @@ using Bytes = Image<std::uint8_t>;
 // Noise of the truth alone is about two of these steps; more of them cost megabytes and show nothing.
 constexpr int kErrorSteps = 63;
 constexpr int kErrorCentre = kErrorSteps / 2;
+// With the colours that are added, at most 16: four bits a pixel.
 constexpr int kMaskGrays = 12;
-constexpr int kMagnitudeSteps = 16;
+constexpr int kMagnitudeSteps = 15;
 constexpr int kDepthSteps = 64;
 
 Picture png_picture(const std::string& png, int width, int height) {
@@ -47,17 +48,20 @@ Picture mapped_picture(const ImageF& values, const Mask& valid, double low, doub
     return indexed_picture(indices, colours);
 }
 
-Bytes gray_bytes(const ImageF& visibility) {
+Bytes gray_bytes(const ImageF& visibility, double step) {
+    const int levels = 1 + static_cast<int>(std::lround(1 / std::clamp(step, 1.0 / 255, 1.0)));
     Bytes bytes(visibility.width, visibility.height);
-    std::transform(visibility.pixels.begin(), visibility.pixels.end(), bytes.pixels.begin(),
-                   [](float v) { return step_of(double{v}, 256); });
+    std::transform(visibility.pixels.begin(), visibility.pixels.end(), bytes.pixels.begin(), [&](float v) {
+        const double rounded = step_of(double{v}, levels) / (levels - 1.0);
+        return static_cast<std::uint8_t>(std::lround(rounded * 255));
+    });
     return bytes;
 }
 
 }  // namespace
 
-Picture gray_picture(const ImageF& visibility) {
-    return png_picture(encode_png_gray(gray_bytes(visibility)), visibility.width, visibility.height);
+Picture gray_picture(const ImageF& visibility, double step) {
+    return png_picture(encode_png_gray(gray_bytes(visibility, step)), visibility.width, visibility.height);
 }
 
 Picture gray_thumbnail(const ImageF& visibility, int width_px) {

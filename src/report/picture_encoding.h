@@ -5,9 +5,10 @@
 
 namespace aoscore {
 
-/// Visibility as 8-bit gray, 0 black, 1 white, linear in the number (not light): what a viewer reads off is
-/// V.
-Picture gray_picture(const ImageF& visibility);
+/// Visibility as 8-bit gray, 0 black, 1 white, linear in the number, not in light. Values are rounded to
+/// multiples of `step`, or of 1/255 where that is more: digits below the truth's noise cost megabytes and
+/// tell nothing.
+Picture gray_picture(const ImageF& visibility, double step = 0);
 
 /// The same, at most `width_px` wide, each pixel the mean of the square it covers.
 Picture gray_thumbnail(const ImageF& visibility, int width_px);

@@ -1,3 +1,4 @@
+#include "report/closeness.h"
 #include "report/colour_map.h"
 #include "report/number_text.h"
 #include "report/section.h"
@@ -73,24 +74,24 @@ void add_cell_figures(json& figures, const CellRecord& cell, const std::string& 
                       const CellPictures& pictures, double threshold) {
     const json visibility_bar = bar_model(gray(), "0 occluded", "0.5", "1 open", "visibility");
     json output =
-        figure_model(pictures.output, kOutput, cell.id, name + ", output",
+        figure_model(pictures.output, kOutput, cell.id, name + ": output",
                      cell.filter == "none" ? "The method's visibility; no filter is applied."
                                            : "The method's visibility after the filter " + cell.filter + ".");
     output["bars"].push_back(visibility_bar);
     figures.push_back(std::move(output));
     if (pictures.raw) {
-        json raw = figure_model(pictures.raw, kRaw, cell.id, name + ", raw", "The same before the filter.");
+        json raw = figure_model(pictures.raw, kRaw, cell.id, name + ": raw", "The same before the filter.");
         raw["bars"].push_back(visibility_bar);
         figures.push_back(std::move(raw));
     }
     json error =
-        figure_model(pictures.error, kError, cell.id, name + ", signed error",
+        figure_model(pictures.error, kError, cell.id, name + ": signed error",
                      "Output minus truth. Red is too bright: occlusion is missing. Blue is too dark.");
     error["bars"].push_back(bar_model(blue_red(), fixed_text(-kErrorRange, 1) + " too dark", "0",
                                       "+" + fixed_text(kErrorRange, 1) + " too bright", "output − truth"));
     error["keys"].push_back(key_model(kInvalidColour, "not compared"));
     figures.push_back(std::move(error));
-    json masks = figure_model(pictures.masks, kMasks, cell.id, name + ", masks",
+    json masks = figure_model(pictures.masks, kMasks, cell.id, name + ": masks",
                               fmt::format("Where visibility is off by more than {}, over the truth in gray.",
                                           short_text(threshold)));
     masks["keys"].push_back(key_model(
@@ -99,6 +100,21 @@ void add_cell_figures(json& figures, const CellRecord& cell, const std::string& 
     masks["keys"].push_back(key_model(
         kFalseOcclusionColour, fmt::format("false occlusion, {} %", percent_text(pictures.false_area))));
     figures.push_back(std::move(masks));
+}
+
+/// The cell that a view opens on: the closest to the truth; empty without any.
+std::string first_shown(const Results& results, const std::string& view_key) {
+    std::vector<const CellRecord*> cells;
+    for (const CellRecord& cell : results.cells) {
+        if (cell.view_key == view_key) cells.push_back(&cell);
+    }
+    const std::string metric = ranking_metric(cells);
+    const CellRecord* closest = nullptr;
+    for (const CellRecord* cell : cells) {
+        const auto value = ranked_value(*cell, metric);
+        if (value && (closest == nullptr || *value < *ranked_value(*closest, metric))) closest = cell;
+    }
+    return closest != nullptr ? closest->id : "";
 }
 
 }  // namespace
@@ -110,11 +126,12 @@ nlohmann::json section::pictures(const PageSource& source) {
     }
     for (const ViewRecord& view : source.results.views) {
         json figures = json::array(), cells = json::array();
+        const std::string opened = first_shown(source.results, view.key);
         const auto of_view = source.pictures.views.find(view.key);
         if (of_view != source.pictures.views.end()) add_view_figures(figures, view, of_view->second);
         for (const CellRecord& cell : source.results.cells) {
             if (cell.view_key != view.key) continue;
-            const std::string name = fmt::format("{} ({})", cell.method_label, cell.preset);
+            const std::string name = fmt::format("{}, {}", cell.method_label, cell.preset);
             const auto of_cell = source.pictures.cells.find(cell.id);
             const bool failed = of_cell == source.pictures.cells.end();
             const std::size_t number = cells.size() + 1;
@@ -123,7 +140,7 @@ nlohmann::json section::pictures(const PageSource& source) {
                              {"preset", cell.preset},
                              {"number", std::to_string(number)},
                              {"has_key", number <= 9},
-                             {"checked", number == 1},
+                             {"checked", cell.id == opened},
                              {"failed", failed},
                              {"error", cell.error}});
             if (!failed)

@@ -45,6 +45,7 @@ void require_size(const ImageF& image, const ViewRecord& view, const fs::path& p
 }
 
 struct Truth {
+    double gray_step = 0;  ///< half its mean standard error: finer grays would show noise
     ImageF visibility;
     ImageF standard_error;  ///< empty when the file has none
     Mask valid;
@@ -56,6 +57,7 @@ Truth read_truth(const ViewRecord& view, const fs::path& folder) {
     const TruthRecord& record = view.truths.front();
     const ImageFile file = read_image(path);
     Truth truth;
+    truth.gray_step = record.mean_standard_error / 2;
     truth.visibility = channel_of(file, path, record.channel);
     require_size(truth.visibility, view, path);
     if (const ImageF* error = file.channel(record.se_channel)) truth.standard_error = *error;
@@ -81,7 +83,7 @@ double quantile(const ImageF& values, const Mask& valid, double part) {
 
 ViewPictures view_pictures(const ViewRecord& view, const Truth& truth, const fs::path& folder) {
     ViewPictures pictures;
-    pictures.truth = gray_picture(truth.visibility);
+    pictures.truth = gray_picture(truth.visibility, truth.gray_step);
     pictures.truth_thumbnail = gray_thumbnail(truth.visibility, kThumbnailWidth_px);
     if (!truth.standard_error.empty()) {
         pictures.standard_error_high = quantile(truth.standard_error, truth.valid, 1.0);
@@ -108,10 +110,10 @@ CellPictures cell_pictures(const CellRecord& cell, const ViewRecord& view, const
     require_size(output, view, path);
 
     CellPictures pictures;
-    pictures.output = gray_picture(output);
+    pictures.output = gray_picture(output, truth.gray_step);
     pictures.output_thumbnail = gray_thumbnail(output, kThumbnailWidth_px);
     if (const ImageF* raw = file.channel("raw.Y")) {
-        pictures.raw = gray_picture(*raw);
+        pictures.raw = gray_picture(*raw, truth.gray_step);
         pictures.raw_thumbnail = gray_thumbnail(*raw, kThumbnailWidth_px);
     }
     std::size_t nonfinite = 0;

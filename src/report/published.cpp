@@ -150,7 +150,8 @@ json error_numbers(const CellRecord& cell, const std::string& metric) {
 }
 
 json thumbnails(const std::vector<TableRow>& rows, const Pictures& pictures) {
-    json model = {{"outputs", json::array()}, {"has_raws", false}};
+    json model = {
+        {"outputs", json::array()}, {"has_raws", false}, {"columns", std::to_string(rows.size() + 1)}};
     const auto view = pictures.views.find(rows.front().cell.view_key);
     if (view != pictures.views.end()) model["reference"] = view->second.truth_thumbnail.uri;
     for (const TableRow& row : rows) {
@@ -206,7 +207,7 @@ json table_model(const TableRecord& table, const PageSource& source) {
                   {"samples", std::to_string(view.samples)},
                   {"radius", short_text(view.radius_m)},
                   {"renderer", source.results.gl_renderer},
-                  {"metric", metric == "rmse_debiased" ? "RMSE, debiased" : "RMSE"},
+                  {"metric", metric == "rmse_debiased" ? "RMSE deb." : "RMSE"},
                   {"thumbnails", thumbnails(rows, source.pictures)},
                   {"notes", notes_of(table, rows)},
                   {"rows", json::array()}};

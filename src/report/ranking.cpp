@@ -4,10 +4,12 @@
 #include "report/section.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 
 namespace aoscore {
 namespace {
@@ -17,6 +19,7 @@ using Cells = std::vector<const CellRecord*>;
 
 /// One column of numbers: its head, how wide its digits run, and where a cell's number comes from.
 struct Column {
+    std::string id;  ///< of the metric; empty for costs and areas
     std::string label, unit, meaning;
     std::function<MeasuredMetric(const CellRecord&)> value;
     std::optional<int> decimals;  ///< empty: as the column's largest number asks
@@ -31,7 +34,7 @@ std::vector<Column> columns(const PageSource& source) {
     std::vector<Column> list;
     for (const Metric& metric : metrics()) {
         const std::string id(metric.id);
-        list.push_back({std::string(metric.label), std::string(metric.unit), std::string(metric.meaning),
+        list.push_back({id, std::string(metric.label), std::string(metric.unit), std::string(metric.meaning),
                         [id](const CellRecord& cell) { return metric_of(cell, id); },
                         metric.unit.empty() ? 4 : 2});
     }
@@ -44,26 +47,28 @@ std::vector<Column> columns(const PageSource& source) {
         };
     };
     const std::string threshold = short_text(source.results.mask_threshold);
-    list.push_back({"Missing", "%", "Valid pixels brighter than the truth by more than " + threshold + ".",
+    list.push_back({"", "Missing", "%",
+                    "Valid pixels brighter than the truth by more than " + threshold + ".",
                     area(&CellPictures::missing_area), 2});
-    list.push_back({"False", "%", "Valid pixels darker than the truth by more than " + threshold + ".",
+    list.push_back({"", "False", "%", "Valid pixels darker than the truth by more than " + threshold + ".",
                     area(&CellPictures::false_area), 2});
-    list.push_back({"Fetches", "a pixel", "Texture reads of the AO pass, counted, mean over valid pixels.",
+    list.push_back({"", "Fetches", "a pixel",
+                    "Texture reads of the AO pass, counted, mean over valid pixels.",
                     [](const CellRecord& cell) {
                         return MeasuredMetric{cell.fetches_per_pixel, ""};
                     },
                     1});
-    list.push_back({"AO", "ms", "Median of the AO pass.",
+    list.push_back({"", "AO", "ms", "Median of the AO pass.",
                     [](const CellRecord& cell) {
                         return MeasuredMetric{cell.ao.median_ms, ""};
                     },
                     std::nullopt});
-    list.push_back({"Filter", "ms", "Median of the filter after it.",
+    list.push_back({"", "Filter", "ms", "Median of the filter after it.",
                     [](const CellRecord& cell) {
                         return MeasuredMetric{cell.blur.median_ms, ""};
                     },
                     std::nullopt});
-    list.push_back({"Frame", "ms", "G-buffer, AO pass and filter together.",
+    list.push_back({"", "Frame", "ms", "G-buffer, AO pass and filter together.",
                     [](const CellRecord& cell) {
                         return MeasuredMetric{cell.frame_ms, ""};
                     },
@@ -71,16 +76,17 @@ std::vector<Column> columns(const PageSource& source) {
     return list;
 }
 
-json number_model(const Column& column, const CellRecord& cell, int decimals) {
+json number_model(const Column& column, const CellRecord& cell, int decimals, const std::string& ranking) {
     const MeasuredMetric measured = column.value(cell);
     const bool known = measured.value && std::isfinite(*measured.value);
     return {{"text", fixed_text(measured.value, decimals)},
             {"sort", known ? fmt::format("{}", *measured.value) : std::string()},
-            {"note", measured.note}};
+            {"note", measured.note},
+            {"ranks", column.id == ranking}};
 }
 
 json row_model(const std::vector<Column>& list, const std::vector<int>& decimals, const CellRecord& cell,
-               const std::string& rank) {
+               const std::string& rank, const std::string& ranking) {
     json row = {{"method", cell.method_label},
                 {"id", cell.method},
                 {"preset", cell.preset},
@@ -93,7 +99,7 @@ json row_model(const std::vector<Column>& list, const std::vector<int>& decimals
                 {"numbers", json::array()}};
     if (!cell.error.empty()) return row;
     for (std::size_t i = 0; i < list.size(); ++i)
-        row["numbers"].push_back(number_model(list[i], cell, decimals[i]));
+        row["numbers"].push_back(number_model(list[i], cell, decimals[i], ranking));
     return row;
 }
 
@@ -110,13 +116,24 @@ Cells in_order(const Results& results, const ViewRecord& view, std::string& metr
     return cells;
 }
 
-/// Numbers that are missing although their cell succeeded, with the reason: a dash alone would hide it.
-void add_gaps(json& gaps, const std::vector<Column>& list, const CellRecord& cell) {
-    for (const Column& column : list) {
-        const MeasuredMetric measured = column.value(cell);
-        if (measured.value || measured.note.empty()) continue;
-        gaps.push_back(fmt::format("{}, {}: {} – {}", cell.id, column.label, kNoNumber, measured.note));
+/// Numbers that are missing although their cells succeeded, with the reason: a dash alone would hide it.
+json gaps_of(const std::vector<Column>& list, const Results& results) {
+    std::map<std::pair<std::string, std::string>, std::vector<std::string>> cells_by_gap;
+    for (const CellRecord& cell : results.cells) {
+        if (!cell.error.empty()) continue;
+        for (const Column& column : list) {
+            const MeasuredMetric measured = column.value(cell);
+            if (measured.value || measured.note.empty()) continue;
+            cells_by_gap[{column.label, measured.note}].push_back(cell.id);
+        }
     }
+    json gaps = json::array();
+    for (const auto& [gap, cells] : cells_by_gap) {
+        const std::string where = cells.size() <= 3 ? fmt::format("{}", fmt::join(cells, ", "))
+                                                    : fmt::format("{} cells", cells.size());
+        gaps.push_back(fmt::format("{} is missing of {}: {}", gap.first, where, gap.second));
+    }
+    return gaps;
 }
 
 }  // namespace
@@ -132,7 +149,7 @@ nlohmann::json section::ranking(const PageSource& source) {
         decimals.push_back(column.decimals.value_or(column_decimals(values)));
         heads.push_back({{"label", column.label}, {"unit", column.unit}, {"meaning", column.meaning}});
     }
-    json model = {{"heads", heads}, {"views", json::array()}, {"gaps", json::array()}};
+    json model = {{"heads", heads}, {"views", json::array()}, {"gaps", gaps_of(list, results)}};
     for (const ViewRecord& view : results.views) {
         std::string metric;
         const Cells cells = in_order(results, view, metric);
@@ -140,8 +157,8 @@ nlohmann::json section::ranking(const PageSource& source) {
         int rank = 0;
         for (const CellRecord* cell : cells) {
             const bool placed = ranked_value(*cell, metric).has_value();
-            rows.push_back(row_model(list, decimals, *cell, placed ? std::to_string(++rank) : kNoNumber));
-            if (cell->error.empty()) add_gaps(model["gaps"], list, *cell);
+            rows.push_back(
+                row_model(list, decimals, *cell, placed ? std::to_string(++rank) : kNoNumber, metric));
         }
         const double floor = view.truths.empty() ? 0.0 : view.truths.front().noise_floor_rmse;
         model["views"].push_back({{"key", view.key},

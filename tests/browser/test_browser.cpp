@@ -76,11 +76,11 @@ class Browser : public ::testing::Test {
     fs::path folder_, page_;
 };
 
-TEST_F(Browser, OpensOnTheFirstViewAndMethodWithoutScriptErrors) {
+TEST_F(Browser, OpensOnTheClosestMethodWithoutScriptErrors) {
     const std::string html = document("");
     expect_no_script_error(html);
     EXPECT_THAT(state(html), HasSubstr("data-view=\"atrium/wide\""));
-    EXPECT_THAT(state(html), HasSubstr("data-shown=\"error atrium/wide/crytek-ssao/performance-wide\""));
+    EXPECT_THAT(state(html), HasSubstr("data-shown=\"error atrium/wide/alchemy/performance-wide\""));
 }
 
 TEST_F(Browser, ShowsWhatItsAddressNames) {

@@ -122,6 +122,16 @@ TEST(GrayPicture, IsLinearInVisibility) {
     EXPECT_EQ(image.at(2, 0), 0xffffffU);
 }
 
+TEST(GrayPicture, RoundsToHalfTheTruthsNoiseAndKeepsBlackAndWhite) {
+    ImageF visibility(4, 1);
+    visibility.pixels = {0.0F, 0.46F, 0.54F, 1.0F};
+    const Image<Rgb> image = seen(gray_picture(visibility, 0.1));
+    EXPECT_EQ(image.at(0, 0), 0x000000U);
+    EXPECT_EQ(image.at(1, 0), 0x808080U);
+    EXPECT_EQ(image.at(2, 0), 0x808080U);
+    EXPECT_EQ(image.at(3, 0), 0xffffffU);
+}
+
 TEST(Thumbnail, IsTheMeanOfTheSquaresItCovers) {
     ImageF visibility(5, 2);
     visibility.pixels = {0, 1, 0.2F, 0.2F, 1, 1, 0, 0.2F, 0.2F, 1};
