@@ -30,10 +30,12 @@ void load_buffers(json& root, Document& document) {
         // reason.
         std::size_t padding = 0;
         if (!buffer.contains("uri")) {
-            if (i != 0 || !document.container->binary_chunk) {
-                throw file_error("has neither a uri nor a BIN chunk", place);
+            // Without a chunk the buffer is one that an extension fills: legal as long as nothing reads it.
+            if (i == 0 && document.container->binary_chunk) bytes = *document.container->binary_chunk;
+            if (bytes.empty()) {
+                document.buffers.emplace_back();
+                continue;
             }
-            bytes = *document.container->binary_chunk;
             padding = 3;
         } else {
             const auto& uri = buffer.at("uri").get_ref<const std::string&>();
@@ -41,6 +43,10 @@ void load_buffers(json& root, Document& document) {
             loaded = is_data_uri(uri) ? decode_data_uri(uri, place + ".uri")
                                       : document.folder.read(uri, place + ".uri");
             document.budget.take(loaded.size(), place);
+            if (is_data_uri(uri) && !uri.starts_with("data:application/octet-stream;") &&
+                !uri.starts_with("data:application/gltf-buffer;")) {
+                document.warn(fmt::format("buffers[{}].uri has another media type than glTF's", i));
+            }
             if (is_data_uri(uri) && loaded.size() != stated) {
                 throw file_error(fmt::format("states {} bytes, its data URI has {}", stated, loaded.size()),
                                  place + ".byteLength");
@@ -108,7 +114,12 @@ Document::~Document() = default;
 
 std::string_view Document::view_bytes(int buffer_view) const {
     const tinygltf::BufferView& view = model->bufferViews.at(static_cast<std::size_t>(buffer_view));
-    return buffers.at(static_cast<std::size_t>(view.buffer)).substr(view.byteOffset, view.byteLength);
+    const std::string_view bytes = buffers.at(static_cast<std::size_t>(view.buffer));
+    if (bytes.empty()) {
+        throw file_error("has neither a uri nor a BIN chunk",
+                         fmt::format("{}: buffers[{}]", where, view.buffer));
+    }
+    return bytes.substr(view.byteOffset, view.byteLength);
 }
 
 void Document::warn(std::string text) {

@@ -33,13 +33,13 @@ struct Document {
     AssetFolder folder;
     std::unique_ptr<const Container> container;
     std::vector<std::string> loaded_buffers;  ///< those that are not the GLB's chunk
-    std::vector<std::string_view> buffers;    ///< the bytes of buffers[i]
+    std::vector<std::string_view> buffers;    ///< the bytes of buffers[i]; empty for one without data
     std::vector<ImageSource> images;
     std::unique_ptr<tinygltf::Model> model;  ///< without buffers and images
     MemoryBudget budget;
     std::vector<std::string> warnings;
 
-    /// The bytes of a buffer view.
+    /// The bytes of a buffer view. Throws file_error when its buffer has no data.
     std::string_view view_bytes(int buffer_view) const;
     /// Adds a warning unless it is there already.
     void warn(std::string text);

@@ -5,8 +5,8 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
+#include <png.h>
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -17,11 +17,41 @@ namespace {
 constexpr std::int64_t kMaxSide = 8192;
 
 /// The reader's name for the image's first bytes; only what glTF allows is tried, whatever OpenImageIO reads.
-const char* format_of(std::string_view bytes) {
+std::string_view format_of(std::string_view bytes) {
     if (bytes.starts_with("\x89PNG\r\n\x1a\n")) return "png";
     if (bytes.starts_with("\xFF\xD8\xFF")) return "jpeg";
     if (bytes.size() >= 12 && bytes.starts_with("RIFF") && bytes.substr(8, 4) == "WEBP") return "webp";
-    return nullptr;
+    return {};
+}
+
+bool fits(std::int64_t width, std::int64_t height, int channels, MemoryBudget& budget, std::string& reason) {
+    if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide || channels < 1 || channels > 4) {
+        reason = fmt::format("has {} x {} pixels of {} channels, more than the {} x {} of 4 that are read",
+                             width, height, channels, kMaxSide, kMaxSide);
+        return false;
+    }
+    try {
+        // The decoder's samples beside the texels.
+        budget.take(static_cast<std::size_t>(width * height) * 2 * sizeof(glm::u8vec4), "");
+    } catch (const Error&) {
+        reason = "does not fit into the memory that a scene may take (1 GiB)";
+        return false;
+    }
+    return true;
+}
+
+/// libpng itself: OpenImageIO lets it write its complaints to standard error.
+std::optional<Image<glm::u8vec4>> decode_png(std::string_view bytes, MemoryBudget& budget,
+                                             std::string& reason) {
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) return std::nullopt;
+    const std::unique_ptr<png_image, decltype(&png_image_free)> release(&png, png_image_free);
+    if (!fits(png.width, png.height, 4, budget, reason)) return std::nullopt;
+    png.format = PNG_FORMAT_RGBA;
+    Image<glm::u8vec4> image(static_cast<int>(png.width), static_cast<int>(png.height));
+    if (png_image_finish_read(&png, nullptr, image.pixels.data(), 0, nullptr) == 0) return std::nullopt;
+    return image;
 }
 
 glm::u8vec4 to_rgba(const std::uint8_t* pixel, int channels) {
@@ -37,51 +67,40 @@ glm::u8vec4 to_rgba(const std::uint8_t* pixel, int channels) {
     }
 }
 
-}  // namespace
-
-std::optional<Image<glm::u8vec4>> decode_image(std::string_view bytes, MemoryBudget& budget,
-                                               std::string& reason) {
-    const char* format = format_of(bytes);
-    if (format == nullptr) {
-        reason = "is no PNG, JPEG or WebP";
-        return std::nullopt;
-    }
+std::optional<Image<glm::u8vec4>> decode_other(const char* format, std::string_view bytes,
+                                               MemoryBudget& budget, std::string& reason) {
     OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(format);
     OIIO::ImageSpec config, spec;
     config["oiio:UnassociatedAlpha"] = 1;
-    reason = "is broken";
-    if (!input || !input->valid_file(format)) {
-    }
     if (!input || !input->set_ioproxy(&memory) || !input->open(format, spec, config)) {
-        OIIO::geterror();
+        // What it says may quote the file; it is taken so that nobody else reports it.
+        static_cast<void>(input ? input->geterror() : OIIO::geterror());
         return std::nullopt;
     }
-    if (spec.width < 1 || spec.height < 1 || spec.width > kMaxSide || spec.height > kMaxSide ||
-        spec.nchannels < 1 || spec.nchannels > 4) {
-        reason =
-            fmt::format("has {} x {} pixels of {} channels, more than the 8192 x 8192 of 4 that are read",
-                        spec.width, spec.height, spec.nchannels);
-        return std::nullopt;
-    }
-    const std::size_t pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
+    if (!fits(spec.width, spec.height, spec.nchannels, budget, reason)) return std::nullopt;
     const auto channels = static_cast<std::size_t>(spec.nchannels);
-    try {
-        budget.take(pixels * (channels + sizeof(glm::u8vec4)), "");
-    } catch (const Error&) {
-        reason = "does not fit into the memory that a scene may take (1 GiB)";
-        return std::nullopt;
-    }
-    std::vector<std::uint8_t> samples(pixels * channels);
+    Image<glm::u8vec4> image(spec.width, spec.height);
+    std::vector<std::uint8_t> samples(image.size() * channels);
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeUInt8, samples.data())) {
         static_cast<void>(input->geterror());
         return std::nullopt;
     }
-    Image<glm::u8vec4> image(spec.width, spec.height);
-    for (std::size_t i = 0; i < pixels; ++i)
+    for (std::size_t i = 0; i < image.size(); ++i) {
         image.pixels[i] = to_rgba(&samples[i * channels], spec.nchannels);
-    reason.clear();
+    }
     return image;
+}
+
+}  // namespace
+
+std::optional<Image<glm::u8vec4>> decode_image(std::string_view bytes, MemoryBudget& budget,
+                                               std::string& reason) {
+    const std::string_view format = format_of(bytes);
+    reason = format.empty() ? "is no PNG, JPEG or WebP" : "is broken";
+    if (format.empty()) return std::nullopt;
+    return format == "png" ? decode_png(bytes, budget, reason)
+                           : decode_other(format.data(), bytes, budget, reason);
 }
 
 }  // namespace aoscore::gltf

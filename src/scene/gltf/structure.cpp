@@ -88,6 +88,10 @@ void check_structure(nlohmann::json& json, const std::string& where, std::vector
                         root.count("meshes"),  root.count("materials"),   root.count("textures"),
                         root.count("images"),  root.count("samplers"),    root.count("nodes"),
                         root.count("cameras"), root.count("skins"),       root.count("scenes")};
+    for (const char* array : {"buffers", "bufferViews", "accessors", "meshes", "materials", "textures",
+                              "images", "samplers", "nodes", "cameras", "skins", "scenes", "animations"}) {
+        root.objects(array, [](CheckedObject& element, std::size_t) { element.text("name"); });
+    }
     check_buffers_and_accessors(root, counts, warnings);
     check_meshes(root, counts, warnings);
     check_nodes_and_scenes(root, counts, warnings);

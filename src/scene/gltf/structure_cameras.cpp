@@ -41,7 +41,6 @@ void check_orthographic(CheckedObject& lens) {
 void check_cameras(CheckedObject& root, std::vector<std::string>& warnings) {
     root.objects("cameras", [&](CheckedObject& camera, std::size_t) {
         const std::string type = camera.required_text("type");
-        camera.text("name");
         if (type == "perspective") {
             camera.required_object("perspective",
                                    [&](CheckedObject& lens) { check_perspective(lens, warnings); });

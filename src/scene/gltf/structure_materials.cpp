@@ -22,8 +22,18 @@ void check_base_color_texture(CheckedObject& info, const Counts& counts) {
     });
 }
 
+/// A texture that occlusion never needs: checked, then taken out of what tinygltf sees.
+void check_unread_texture(CheckedObject& owner, const char* key, const Counts& counts) {
+    owner.object(key, [&](CheckedObject& info) {
+        info.required_index("index", counts.textures);
+        info.integer("texCoord", 0, 255);
+        info.number("scale");
+        info.number("strength");
+    });
+    owner.erase(key);
+}
+
 void check_material(CheckedObject& material, const Counts& counts) {
-    material.text("name");
     const std::string mode = material.text("alphaMode");
     if (!mode.empty() && mode != "OPAQUE" && mode != "MASK" && mode != "BLEND") {
         material.fail("alphaMode", "is unknown", "OPAQUE, MASK, BLEND");
@@ -35,12 +45,12 @@ void check_material(CheckedObject& material, const Counts& counts) {
             if (v < 0 || v > 1) pbr.fail("baseColorFactor", fmt::format("holds {}", v), "0 to 1");
         }
         pbr.object("baseColorTexture", [&](CheckedObject& info) { check_base_color_texture(info, counts); });
-        pbr.erase("metallicRoughnessTexture");
+        check_unread_texture(pbr, "metallicRoughnessTexture", counts);
     });
-    // Never read.
-    for (const char* key : {"normalTexture", "occlusionTexture", "emissiveTexture", "emissiveFactor"}) {
-        material.erase(key);
+    for (const char* key : {"normalTexture", "occlusionTexture", "emissiveTexture"}) {
+        check_unread_texture(material, key, counts);
     }
+    material.erase("emissiveFactor");
 }
 
 }  // namespace
