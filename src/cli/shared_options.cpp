@@ -9,7 +9,6 @@
 namespace aoscore {
 namespace {
 
-constexpr int kLargestSide_px = 16384;
 
 std::optional<int> parse_int(const std::string& text) {
     int value = 0;
@@ -38,11 +37,11 @@ void add_size_option(CLI::App& app, ImageSize& size) {
                const auto x = text.find('x');
                const auto width = parse_int(text.substr(0, x));
                const auto height = x == std::string::npos ? std::nullopt : parse_int(text.substr(x + 1));
-               if (!width || !height || *width < 1 || *height < 1 || *width > kLargestSide_px ||
-                   *height > kLargestSide_px) {
+               if (!width || !height || *width < 1 || *height < 1 || *width > kLargestImageSide_px ||
+                   *height > kLargestImageSide_px) {
                    throw CLI::ValidationError("--size", "\"" + text +
                                                             "\" is no size such as 1920x1080 (at most " +
-                                                            std::to_string(kLargestSide_px) + " each way)");
+                                                            std::to_string(kLargestImageSide_px) + " each way)");
                }
                size = {*width, *height};
            },

@@ -7,6 +7,9 @@
 
 namespace aoscore {
 
+/// The longest side of any picture that is read, drawn or traced.
+inline constexpr int kLargestImageSide_px = 16384;
+
 /// A picture in memory: `width` x `height` pixels, row by row, row 0 at the top, x to the right.
 template <class T>
 struct Image {

@@ -65,7 +65,7 @@ double ranking_radius(const std::optional<double>& asked, const View& view, cons
     if (view.radius_m) return *view.radius_m;
     const double radius = kAutomaticRadiusShare * scene.bounds.diagonal();
     warnings.push_back(
-        fmt::format("{}/{}: no radius is named; ranked at {:.4g} m, {:g} % of the scene's diagonal", scene.id,
+        fmt::format("no radius is named for view {}; ranked at {:.4g} m, {:g} % of the scene's diagonal",
                     view.id, radius, 100 * kAutomaticRadiusShare));
     return radius;
 }
@@ -107,7 +107,6 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
             if (!cell.error.empty()) log_warning("failed: " + cell.id + ": " + cell.error);
             results.cells.push_back(std::move(cell));
         }
-        for (const std::string& warning : outcome.view.warnings) results.warnings.push_back(warning);
         results.views.push_back(std::move(outcome.view));
     }
     for (const TablePlan& table : plan.tables) {

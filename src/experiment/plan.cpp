@@ -2,17 +2,22 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/image.h"
 #include "core/strict_json.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace aoscore {
 namespace {
 
 constexpr double kLargestRadius_m = 1e6;
+constexpr double kSmallestRadius_m = 1e-9;
 
 std::string source_line(StrictObject source) {
     std::string line = fmt::format("{}, {}, {}", source.text("author"), source.text("title"),
@@ -53,6 +58,17 @@ CellPlan read_row(StrictObject row) {
     return cell;
 }
 
+std::pair<int, int> read_size(StrictObject& object) {
+    const std::vector<double> size = object.numbers("size", 2);
+    for (const double side : size) {
+        if (side != std::floor(side) || side < 1 || side > kLargestImageSide_px) {
+            throw file_error(fmt::format("holds {}", side), object.where("size"),
+                             fmt::format("width and height in pixels, 1 to {}", kLargestImageSide_px));
+        }
+    }
+    return {static_cast<int>(size[0]), static_cast<int>(size[1])};
+}
+
 bool same_picture(const ViewPlan& a, const ViewPlan& b) {
     return a.scene == b.scene && a.view == b.view && a.width == b.width && a.height == b.height &&
            a.radius_m == b.radius_m;
@@ -82,11 +98,9 @@ void add_report(ExperimentPlan& plan, const ReportDefinition& report) {
     ViewPlan view;
     view.scene = object.text("scene");
     view.view = object.text("view");
-    const std::vector<double> size = object.numbers("size", 2);
-    view.width = static_cast<int>(size[0]);
-    view.height = static_cast<int>(size[1]);
+    std::tie(view.width, view.height) = read_size(object);
     view.samples = object.integer("samples", 1, 1 << 20);
-    view.radius_m = object.number("radius_m", 1e-9, kLargestRadius_m);
+    view.radius_m = object.number("radius_m", kSmallestRadius_m, kLargestRadius_m);
     std::vector<StrictObject> rows = object.objects("rows");
     object.finish();
 

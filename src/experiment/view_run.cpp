@@ -18,11 +18,13 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 
 namespace aoscore {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+// What is measured besides the ranking: the perceptual metrics cost more than all others together.
+const std::vector<std::string> kUnrankedMetrics{"rmse", "rmse_debiased", "mae", "bias", "ssim"};
 
 std::string file_name(std::string id) {
     std::replace(id.begin(), id.end(), '/', '-');
@@ -82,7 +84,7 @@ class Runner {
         v.up = numbers(camera.up);
         const bool perspective = camera.projection == Camera::Projection::perspective;
         v.projection = perspective ? "perspective" : "orthographic";
-        v.fovy_deg = perspective ? camera.fovy_rad * 180 / kPi : 0;
+        v.fovy_deg = perspective ? glm::degrees(camera.fovy_rad) : 0;
         v.half_height_m = perspective ? 0 : camera.half_height;
         v.near_m = camera.near;
         v.far_m = camera.far;
@@ -193,12 +195,13 @@ class Runner {
         }
     }
 
-    MetricMap metrics_against(const TruthQuery& query, const ImageF& test, const Mask& valid) const {
+    MetricMap metrics_against(const TruthQuery& query, const ImageF& test, const Mask& valid,
+                              std::span<const std::string> ids = {}) const {
         const auto q = static_cast<std::size_t>(
             std::find(truth_.queries.begin(), truth_.queries.end(), query) - truth_.queries.begin());
         const MetricInput input{truth_.visibility[q], test, valid, &truth_.standard_error[q]};
         MetricMap map;
-        for (auto& [id, measured] : evaluate(input)) map[id] = {measured.value, measured.note};
+        for (auto& [id, measured] : evaluate(input, ids)) map[id] = {measured.value, measured.note};
         return map;
     }
 
@@ -225,12 +228,12 @@ class Runner {
             throw internal_error(fmt::format("{} pixels are NaN or infinite", record.nonfinite));
         }
         record.ranked = metrics_against(truth_.queries[0], output.visibility, valid);
-        record.own = metrics_against(cell.own, output.visibility, valid);
+        record.own = metrics_against(cell.own, output.visibility, valid, kUnrankedMetrics);
         if (filtered) {
             std::size_t nonfinite = 0;
             const Mask raw_valid =
                 finite_pixels(truth_.visibility[0], output.raw, contract_.valid, nonfinite);
-            record.raw = metrics_against(truth_.queries[0], output.raw, raw_valid);
+            record.raw = metrics_against(truth_.queries[0], output.raw, raw_valid, kUnrankedMetrics);
         }
         record.fetches_per_pixel = mean_over(run_.renderer.count_fetches(cell.request), contract_.valid);
     }
@@ -260,7 +263,8 @@ class Runner {
                     clocks[i].ao_ms.push_back(times.ao_ms);
                     if (times.filter_ms) clocks[i].filter_ms.push_back(*times.filter_ms);
                 });
-                more = more || --clocks[i].left > 0;
+                --clocks[i].left;
+                more = true;
                 progress.step();
             }
         }

@@ -150,8 +150,8 @@ INSTANTIATE_TEST_SUITE_P(All, RealScene,
                          ::testing::Values("cornell_original.glb", "fireplace_room.glb", "flight_helmet.glb",
                                            "hairball_synthetic.glb", "sibenik.glb", "sponza_crytek.glb",
                                            "staircase.glb", "stanford_group.glb"),
-                         [](const auto& info) {
-                             const std::string name = info.param;
+                         [](const auto& param_info) {
+                             const std::string name = param_info.param;
                              return name.substr(0, name.find('.'));
                          });
 
