@@ -65,7 +65,7 @@ Profile pointed_arch(double half_width_m, double rise_m, int segments) {
 }
 
 void add_arched_wall(MeshBuilder& mesh, const Profile& arch, double half_width_m, double height_m,
-                     double half_thickness_m) {
+                     double half_thickness_m, Underside underside) {
     const double z = half_thickness_m;
     const auto both_faces = [&](const dvec2& a, const dvec2& b, const dvec2& c) {
         mesh.triangle(dvec3(a, z), dvec3(b, z), dvec3(c, z));
@@ -83,11 +83,41 @@ void add_arched_wall(MeshBuilder& mesh, const Profile& arch, double half_width_m
         }
         mesh.quad(dvec3(a, z), dvec3(b, z), dvec3(b, -z), dvec3(a, -z));
     }
+    if (underside == Underside::open) return;
     for (const double side : {-1.0, 1.0}) {
         const double inner = side > 0 ? arch.front().x : -half_width_m;
         const double outer = side > 0 ? half_width_m : arch.back().x;
         mesh.quad({inner, 0, -z}, {outer, 0, -z}, {outer, 0, z}, {inner, 0, z});
     }
+}
+
+Profile stilted(const Profile& arch, double jamb_m) {
+    Profile raised{{arch.front().x, 0}};
+    for (const dvec2& p : arch) raised.emplace_back(p.x, p.y + jamb_m);
+    raised.emplace_back(arch.back().x, 0);
+    return raised;
+}
+
+Profile widened(const Profile& arch, double half_width_m) {
+    Profile wide = arch;
+    for (dvec2& p : wide) p.x *= half_width_m / arch.front().x;
+    return wide;
+}
+
+void add_window_wall(MeshBuilder& mesh, const Profile& opening, const WindowWall& wall) {
+    MeshBuilder upper;
+    add_arched_wall(upper, opening, wall.half_width_m, wall.high_m - wall.sill_m, wall.half_thickness_m,
+                    Underside::open);
+    glm::dmat4 up(1.0);
+    up[3].y = wall.sill_m;
+    mesh.append(upper, up);
+    const double z = wall.half_thickness_m, low = wall.low_m, sill = wall.sill_m;
+    const double x[4] = {-wall.half_width_m, opening.back().x, opening.front().x, wall.half_width_m};
+    for (int i = 0; i < 3; ++i) {
+        mesh.quad({x[i], low, z}, {x[i + 1], low, z}, {x[i + 1], sill, z}, {x[i], sill, z});
+        mesh.quad({x[i + 1], low, -z}, {x[i], low, -z}, {x[i], sill, -z}, {x[i + 1], sill, -z});
+    }
+    mesh.quad({x[1], sill, z}, {x[2], sill, z}, {x[2], sill, -z}, {x[1], sill, -z});
 }
 
 void add_arch_moulding(MeshBuilder& mesh, const Profile& arch, const Profile& offset_and_z) {

@@ -27,7 +27,7 @@ void add_capital_leaf(MeshBuilder& mesh, double bell_radius_m, double foot_m, do
 
 struct Order {
     double foot_m, springing_m;  ///< from the floor it stands on to the underside of the arch
-    double radius_m, plinth_half_m;
+    double radius_m, plinth_half_m, abacus_half_m;
     int segments, leaf_rows;
 };
 
@@ -69,7 +69,7 @@ MeshBuilder column(const Order& order) {
             mesh.append(leaf, rotation_y((i + 0.5 * row) * std::numbers::pi / 4));
         }
     }
-    const double half = order.plinth_half_m;
+    const double half = order.abacus_half_m;
     add_bevelled_box(mesh, {-half, top - abacus, -half}, {half, top + 0.03, half}, 0.025);
     return mesh;
 }
@@ -102,10 +102,10 @@ constexpr double kEmbed_m = 0.03;
 }  // namespace
 
 MeshBuilder lower_column() {
-    return column({kStep_m, kLowerSpringing_m, 0.27, 0.375, 20, 5});
+    return column({kStep_m, kLowerSpringing_m, 0.27, 0.375, 0.4, 20, 5});
 }
 MeshBuilder upper_column() {
-    return column({kUpperFloor_m + kParapet_m, kUpperSpringing_m, 0.16, 0.27, 14, 4});
+    return column({kUpperFloor_m + kParapet_m, kUpperSpringing_m, 0.16, 0.27, 0.39, 14, 4});
 }
 
 MeshBuilder corner_pier() {

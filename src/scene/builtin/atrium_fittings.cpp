@@ -47,13 +47,8 @@ MeshBuilder basin() {
     line.insert(line.end(), {{0.15, 0.18}, {0.14, 0.36}, {0.2, 0.46}, {0.42, 0.56}, {0.6, 0.7}, {0.64, 0.8}});
     append_arc(line, {0.64, 0.84}, {0.045, 0.04}, -half_pi, half_pi, 5);
     line.insert(line.end(), {{0.6, 0.86}, {0.52, 0.72}, {0.35, 0.64}, {0, 0.6}});
-    const int rows = static_cast<int>(line.size()) - 1;
     MeshBuilder mesh;
-    add_surface(mesh, 24, rows, [&](double u, double v) {
-        const dvec2 p = line[static_cast<std::size_t>(std::lround(v * rows))];
-        const double angle = std::numbers::pi * (u - 0.5);
-        return dvec3(p.x * std::sin(angle), p.y, p.x * std::cos(angle));
-    });
+    add_part_lathe(mesh, line, 24, -half_pi, half_pi);
     return mesh;
 }
 

@@ -127,6 +127,16 @@ void add_lathe(MeshBuilder& mesh, const Profile& radius_and_y, int segments) {
         true);
 }
 
+void add_part_lathe(MeshBuilder& mesh, const Profile& radius_and_y, int segments, double from_rad,
+                    double to_rad) {
+    const int rows = static_cast<int>(radius_and_y.size()) - 1;
+    add_surface(mesh, segments, rows, [&](double u, double v) {
+        const dvec2 p = radius_and_y[static_cast<std::size_t>(std::lround(v * rows))];
+        const double angle = glm::mix(from_rad, to_rad, u);
+        return dvec3(p.x * std::sin(angle), p.y, p.x * std::cos(angle));
+    });
+}
+
 void add_frame(MeshBuilder& mesh, const Profile& offset_and_y, double half_x, double half_z) {
     const int rows = static_cast<int>(offset_and_y.size()) - 1;
     const std::array<dvec2, 4> sides{{{1, 1}, {1, -1}, {-1, -1}, {-1, 1}}};  // counter-clockwise about +y

@@ -34,6 +34,10 @@ void add_surface(MeshBuilder& mesh, int columns, int rows, const std::function<g
 /// outwards.
 void add_lathe(MeshBuilder& mesh, const Profile& radius_and_y, int segments);
 
+/// add_lathe() between two angles about +y, 0 being +z; its two sides stay open.
+void add_part_lathe(MeshBuilder& mesh, const Profile& radius_and_y, int segments, double from_rad,
+                    double to_rad);
+
 /// A moulding that runs around a rectangle in plan with mitred corners: a profile of (outward offset, y)
 /// points, the rectangle being |x| <= half_x, |z| <= half_z at offset 0. Walking the profile upwards, the
 /// visible side is outwards; downwards, inwards. A closed profile makes a closed solid.
