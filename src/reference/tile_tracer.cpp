@@ -91,6 +91,7 @@ void TileTracer::trace(int first, int last) {
 void TileTracer::trace_occlusion() {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     RTCRay16 ray;
     fill_constants(ray);
     PacketDirections directions;
@@ -110,6 +111,7 @@ void TileTracer::trace_occlusion() {
 void TileTracer::trace_distance() {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     RTCRayHit16 query;
     fill_constants(query.ray);
     PacketDirections directions;

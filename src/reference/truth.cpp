@@ -141,11 +141,15 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
         TileTracer tracer(impl_->embree, queries, points);
         tracer.start(std::move(sources));
         tracer.trace(0, settings.samples);
-        for (std::size_t s = 0; s < pixels.size(); ++s) {
-            for (std::size_t q = 0; q < queries.size(); ++q) {
-                const Estimate estimate = pooled_estimate(tracer.sums(s, q), settings.samples);
-                truth.visibility[q].pixels[pixels[s]] = static_cast<float>(estimate.visibility);
-                truth.standard_error[q].pixels[pixels[s]] = static_cast<float>(estimate.standard_error);
+        std::vector<PixelSpread> spreads(pixels.size());
+        for (std::size_t q = 0; q < queries.size(); ++q) {
+            for (std::size_t p = 0; p < pixels.size(); ++p) {
+                spreads[p] = pixel_spread(tracer.sums(p, q), settings.samples);
+            }
+            const std::vector<Estimate> estimates = moderated_estimates(spreads);
+            for (std::size_t p = 0; p < pixels.size(); ++p) {
+                truth.visibility[q].pixels[pixels[p]] = static_cast<float>(estimates[p].visibility);
+                truth.standard_error[q].pixels[pixels[p]] = static_cast<float>(estimates[p].standard_error);
             }
         }
         rays += tracer.rays();
