@@ -28,19 +28,18 @@ bool in_picture(vec2 image_px) {
     return all(greaterThanEqual(image_px, vec2(0.0))) && all(lessThan(image_px, u_size_px));
 }
 
-// The texel that an image position falls into; outside of the picture the nearest one (clamp to edge).
-ivec2 texel_at(vec2 image_px) { return ivec2(clamp(image_px, vec2(0.5), u_size_px - 0.5)); }
-vec2 texel_centre(ivec2 texel) { return vec2(texel) + 0.5; }
-
-// Taps.
-float tap_linear_depth(ivec2 texel) {
+// Taps. What lies outside of the picture is a setting of the run: BORDER_FAR 1, the depth of the background; 0, the
+// depth of the nearest texel (clamp to edge), which stretches the picture's edge outward.
+float tap_linear_depth(vec2 image_px) {
     COUNT_TAP
-    return texelFetch(u_linear_depth, texel, 0).r;
+    float depth = texelFetch(u_linear_depth, ivec2(clamp(image_px, vec2(0.0), u_size_px - 1.0)), 0).r;
+#if BORDER_FAR
+    return in_picture(image_px) ? depth : u_far;
+#else
+    return depth;
+#endif
 }
 
 // View-space position of the surface in the texel at an image position. It lies on the line of sight through the
 // texel's centre, so that a plane in the scene gives points on that plane.
-vec3 tap_position(vec2 image_px) {
-    ivec2 texel = texel_at(image_px);
-    return view_position(texel_centre(texel), tap_linear_depth(texel));
-}
+vec3 tap_position(vec2 image_px) { return view_position(floor(image_px) + 0.5, tap_linear_depth(image_px)); }

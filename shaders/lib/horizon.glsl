@@ -18,3 +18,22 @@ vec3 slice_tangent(vec2 direction, vec3 normal, vec3 line_of_sight) {
     float facing = min(dot(line_of_sight, normal), -1e-4);
     return along - line_of_sight * (dot(along, normal) / facing);
 }
+
+// A tap is read at its texel's centre, up to half a texel beside the slice. It is moved into the slice along the
+// tangent plane: it keeps its height over that plane, and a tap of the plane itself its elevation.
+struct Slice {
+    vec3 tangent;  // not unit
+    vec3 across;   // in the tangent plane, where the picture's perpendicular direction leads
+    vec3 measure;  // v · measure: how many `across` v lies beside the slice
+};
+
+Slice slice_along(vec2 direction, vec3 normal, vec3 line_of_sight) {
+    vec3 across = slice_tangent(vec2(-direction.y, direction.x), normal, line_of_sight);
+    vec3 slice_normal = cross(line_of_sight, view_of_image_direction(direction));
+    return Slice(slice_tangent(direction, normal, line_of_sight), across, slice_normal / dot(across, slice_normal));
+}
+
+vec3 into_slice(vec3 v, Slice slice) { return v - slice.across * dot(v, slice.measure); }
+
+// Angle to the picture plane, positive toward the viewer.
+float elevation(vec3 v) { return asin(clamp(v.z * inversesqrt(dot(v, v)), -1.0, 1.0)); }

@@ -137,9 +137,10 @@ const std::set<std::string>& filter_inputs() {
 
 ShaderSource pass_source(const PassBuild& build, const Pass& pass) {
     ShaderSource source;
-    source.add_block("(program's macros)",
-                     fmt::format("#define ORTHOGRAPHIC {}\n#define COUNT_FETCHES {}\n",
-                                 build.orthographic ? 1 : 0, build.count_fetches ? 1 : 0));
+    source.add_block(
+        "(program's macros)",
+        fmt::format("#define ORTHOGRAPHIC {}\n#define BORDER_FAR {}\n#define COUNT_FETCHES {}\n",
+                    build.orthographic ? 1 : 0, build.border_far ? 1 : 0, build.count_fetches ? 1 : 0));
     source.add_block(fmt::format("({}: parameters)", build.method->id), parameter_block(build));
     source.add_block(fmt::format("({}: kernels)", build.method->id), kernel_block(build));
     source.add_file(build.method->folder / pass.fragment, build.method->folder);

@@ -15,6 +15,7 @@ struct PassBuild {
     const ParameterValues* parameters = nullptr;  ///< complete
     std::uint64_t seed = 1;
     bool orthographic = false;
+    bool border_far = true;      ///< what taps outside of the picture read
     bool uniform_form = false;   ///< parameters and kernels as uniforms, not constants
     bool count_fetches = false;  ///< with the second output o_fetches
 };

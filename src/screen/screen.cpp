@@ -138,12 +138,20 @@ struct ScreenRenderer::Impl {
     }
 
     PassBuild method_build(const MethodRequest& request) const {
-        return {request.method,         &request.parameters,  request.seed,
-                gbuffer.orthographic(), request.uniform_form, false};
+        PassBuild build;
+        build.method = request.method;
+        build.parameters = &request.parameters;
+        build.seed = request.seed;
+        build.orthographic = gbuffer.orthographic();
+        build.border_far = request.border == Border::far;
+        build.uniform_form = request.uniform_form;
+        return build;
     }
     PassBuild filter_build(const MethodRequest& request) const {
-        return {request.filter,         &request.filter_parameters, request.seed,
-                gbuffer.orthographic(), request.uniform_form,       false};
+        PassBuild build = method_build(request);
+        build.method = request.filter;
+        build.parameters = &request.filter_parameters;
+        return build;
     }
 
     void draw_method(const MethodRequest& request) {

@@ -23,6 +23,10 @@ struct GBufferImages {
     Image<glm::vec3> albedo;            ///< linear
 };
 
+/// What a tap outside of the picture reads: the background's depth (nothing is known, nothing occludes), or the depth
+/// of the nearest pixel.
+enum class Border { far, clamp };
+
 /// What to run on the current G-buffer.
 struct MethodRequest {
     const MethodDescriptor* method = nullptr;
@@ -30,6 +34,7 @@ struct MethodRequest {
     const MethodDescriptor* filter = nullptr;  ///< null: none
     ParameterValues filter_parameters;
     std::uint64_t seed = 1;  ///< of kernels and noise
+    Border border = Border::far;
     /// Parameters and kernels as uniforms instead of constants: the same picture, slower; for comparison.
     bool uniform_form = false;
 };

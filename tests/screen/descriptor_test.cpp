@@ -27,7 +27,7 @@ constexpr const char* kFragment = R"(
 #include "contract/ao_pass.glsl"
 
 float visibility(vec2 image_px, vec3 position) {
-    float right = tap_linear_depth(texel_at(image_px + vec2(1.0, 0.0)));
+    float right = tap_linear_depth(image_px + vec2(1.0, 0.0));
     return -position.z - right > p_step ? 0.0 : 1.0;
 }
 )";

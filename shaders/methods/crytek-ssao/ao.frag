@@ -24,9 +24,9 @@ float visibility(vec2 image_px, vec3 position) {
     float occlusion = 0.0;
     for (int i = 0; i < p_samples; ++i) {
         vec3 point = position + view_from_tangent * reflect(k_points[i], plane) * p_radius;
-        if (-point.z < u_near) continue;
-        float surface_z = -tap_linear_depth(texel_at(image_of(point)));
-        if (surface_z >= point.z + p_bias && in_range(surface_z, position.z)) occlusion += 1.0;
+        float surface_z = -tap_linear_depth(image_of(point));
+        bool hidden = -point.z >= u_near && surface_z >= point.z + p_bias && in_range(surface_z, position.z);
+        occlusion += hidden ? 1.0 : 0.0;
     }
     return 1.0 - occlusion / float(p_samples);
 }

@@ -11,11 +11,8 @@ mat2 direction_rotation(vec2 vector) {
     return mat2(vector.x, -vector.y, vector.y, vector.x);
 }
 
-float tangent_angle(vec2 direction, vec3 normal, vec3 line_of_sight) {
-    if (p_tangent == tangent_plane) {
-        vec3 tangent = slice_tangent(direction, normal, line_of_sight);
-        return asin(clamp(tangent.z / length(tangent), -1.0, 1.0)) + p_bias;
-    }
+float tangent_angle(vec2 direction, vec3 tangent, vec3 normal) {
+    if (p_tangent == tangent_plane) return elevation(tangent) + p_bias;
     return acos(clamp(dot(view_of_image_direction(direction), normal), -1.0, 1.0)) - kHalfPi + p_bias;
 }
 
@@ -30,18 +27,23 @@ float visibility(vec2 image_px, vec3 position) {
     float sum = 0.0;
     for (int i = 0; i < p_directions; ++i) {
         vec2 direction = turn * image_direction(i, p_directions, 0.0);
-        float tangent = tangent_angle(direction, normal, line_of_sight);
-        float horizon = tangent;
+        Slice slice = slice_along(direction, normal, line_of_sight);
+        float tangent = tangent_angle(direction, slice.tangent, normal);
+        float sin_horizon = -1.0;  // of the samples' elevations, which lie in [-π/2, π/2]
         float last_distance_squared = 0.0;
         for (int j = 0; j < p_steps; ++j) {
-            vec3 v = tap_position(image_px + direction * step_px * (float(j) + first)) - position;
+            vec3 tap = tap_position(image_px + direction * step_px * (float(j) + first));
+            vec3 v = into_slice(tap - position, slice);
             float distance_squared = dot(v, v);
-            if (distance_squared == 0.0 || distance_squared >= p_radius * p_radius) continue;
-            last_distance_squared = distance_squared;
-            horizon = max(horizon, asin(clamp(v.z * inversesqrt(distance_squared), -1.0, 1.0)));
+            bool in_range = distance_squared > 0.0 && distance_squared < p_radius * p_radius;
+            last_distance_squared = in_range ? distance_squared : last_distance_squared;
+            float sin_elevation = v.z * inversesqrt(distance_squared);
+            sin_horizon = in_range && sin_elevation > sin_horizon ? sin_elevation : sin_horizon;
         }
         float attenuation = 1.0 - last_distance_squared / (p_radius * p_radius);
-        sum += 1.0 - p_darkness * clamp(attenuation * (sin(horizon) - sin(tangent)), 0.0, 1.0);
+        // The bias can lift the tangent beyond π/2, above any sample.
+        float rise = tangent < kHalfPi ? max(sin_horizon - sin(tangent), 0.0) : 0.0;
+        sum += 1.0 - p_darkness * clamp(attenuation * rise, 0.0, 1.0);
     }
     return sum / float(p_directions);
 }

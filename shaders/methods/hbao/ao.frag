@@ -11,27 +11,30 @@ float attenuation(float distance_squared) {
     return p_falloff == falloff_none ? 1.0 : 1.0 - distance_squared / (p_radius * p_radius);
 }
 
+bool within_threshold(float cosine) { return p_threshold > 3.1415 || cosine >= cos(p_threshold); }
+
 float visibility(vec2 image_px, vec3 position) {
     vec3 normal = centre_normal_geometric();
     vec3 line_of_sight = view_ray(image_px);
     vec4 noise = pixel_noise();
     float step_px = p_radius * pixels_per_metre(-position.z) / float(p_steps + 1);
-    float least_cosine = cos(p_threshold);
 
     float occlusion = 0.0;
     for (int i = 0; i < p_directions; ++i) {
         vec2 direction = image_direction(i, p_directions, noise.x);
-        vec3 tangent = slice_tangent(direction, normal, line_of_sight);
-        float sin_horizon = sin(min(asin(clamp(tangent.z / length(tangent), -1.0, 1.0)) + p_bias, kHalfPi));
+        Slice slice = slice_along(direction, normal, line_of_sight);
+        float sin_horizon = sin(min(elevation(slice.tangent) + p_bias, kHalfPi));
         for (int j = 0; j < p_steps; ++j) {
-            vec3 v = tap_position(image_px + direction * (float(j + 1) + noise.y) * step_px) - position;
+            vec3 tap = tap_position(image_px + direction * (float(j + 1) + noise.y) * step_px);
+            vec3 v = into_slice(tap - position, slice);
             float distance_squared = dot(v, v);
-            if (distance_squared == 0.0 || distance_squared >= p_radius * p_radius) continue;
             float inverse_distance = inversesqrt(distance_squared);
             float sin_elevation = v.z * inverse_distance;
-            if (sin_elevation <= sin_horizon || dot(v, normal) * inverse_distance < least_cosine) continue;
-            occlusion += attenuation(distance_squared) * (sin_elevation - sin_horizon);
-            sin_horizon = sin_elevation;
+            // A tap of the pixel itself has no direction; its comparisons are all false.
+            bool rises = distance_squared > 0.0 && distance_squared < p_radius * p_radius &&
+                         sin_elevation > sin_horizon && within_threshold(dot(v, normal) * inverse_distance);
+            occlusion += rises ? attenuation(distance_squared) * (sin_elevation - sin_horizon) : 0.0;
+            sin_horizon = rises ? sin_elevation : sin_horizon;
         }
     }
     return limited_visibility(1.0 - occlusion / float(p_directions));
