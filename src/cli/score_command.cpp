@@ -1,8 +1,8 @@
 #include "cli/command.h"
+#include "cli/run_and_report.h"
 #include "cli/shared_options.h"
 #include "core/files.h"
-#include "experiment/experiment.h"
-#include "report/report.h"
+#include "experiment/plan.h"
 
 #include <fmt/format.h>
 
@@ -67,9 +67,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     const std::string stem = std::filesystem::path(options.choice.scene).stem().string();
     const std::filesystem::path folder =
         options.out.empty() ? home_dir() / "reports" / "out" / ("score-" + stem) : options.out;
-    const Results results = run_experiment(plan, folder);
-    fmt::print("{}\n", write_report(folder).string());
-    return failed_cells(results) > 0 ? ExitCode::cells_failed : ExitCode::ok;
+    return run_and_report(plan, folder);
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 namespace aoscore {
 namespace {
 
-
 std::optional<int> parse_int(const std::string& text) {
     int value = 0;
     const auto [end, ec] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -39,9 +38,9 @@ void add_size_option(CLI::App& app, ImageSize& size) {
                const auto height = x == std::string::npos ? std::nullopt : parse_int(text.substr(x + 1));
                if (!width || !height || *width < 1 || *height < 1 || *width > kLargestImageSide_px ||
                    *height > kLargestImageSide_px) {
-                   throw CLI::ValidationError("--size", "\"" + text +
-                                                            "\" is no size such as 1920x1080 (at most " +
-                                                            std::to_string(kLargestImageSide_px) + " each way)");
+                   throw CLI::ValidationError("--size",
+                                              "\"" + text + "\" is no size such as 1920x1080 (at most " +
+                                                  std::to_string(kLargestImageSide_px) + " each way)");
                }
                size = {*width, *height};
            },

@@ -3,12 +3,14 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/log.h"
+#include "core/staged_folder.h"
 #include "core/threads.h"
 #include "experiment/machine.h"
 #include "experiment/view_run.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <memory>
@@ -49,12 +51,12 @@ std::vector<PreparedView> prepare(const ExperimentPlan& plan, const Registry& re
     return prepared;
 }
 
-void check_writable(const std::filesystem::path& folder) {
-    write_atomically(folder / "results.json.incomplete", "A run is going on here, or was stopped.\n");
-}
-
-std::string view_key(const PreparedView& p) {
-    return p.scene->id + "/" + p.view->id;
+// Names the view in the results. One view in two sizes is two entries.
+std::string view_key(const PreparedView& p, const Results& results) {
+    const std::string key = p.scene->id + "/" + p.view->id;
+    const bool taken = std::any_of(results.views.begin(), results.views.end(),
+                                   [&](const ViewRecord& view) { return view.key == key; });
+    return taken ? fmt::format("{}@{}x{}", key, p.plan->width, p.plan->height) : key;
 }
 
 }  // namespace
@@ -70,11 +72,14 @@ double ranking_radius(const std::optional<double>& asked, const View& view, cons
     return radius;
 }
 
-Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& folder) {
+Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& target,
+                       const std::function<void(const std::filesystem::path&)>& finish) {
     const auto start = std::chrono::steady_clock::now();
     const Registry registry = load_registry(plan.methods_dir);
     const std::vector<PreparedView> prepared = prepare(plan, registry);
-    check_writable(folder);
+    // Opened before the work begins: a path that cannot be written fails at once.
+    StagedFolder staged(target);
+    const std::filesystem::path& folder = staged.path();
 
     Results results;
     results.program_version = version();
@@ -96,11 +101,11 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
             reference = std::make_unique<ReferenceScene>(*current);
             renderer.set_scene(*current);
         }
-        log_info(fmt::format("{}: {} triangles, {}x{}", view_key(p), current->triangle_count, p.plan->width,
+        const std::string key = view_key(p, results);
+        log_info(fmt::format("{}: {} triangles, {}x{}", key, current->triangle_count, p.plan->width,
                              p.plan->height));
-        ViewOutcome outcome =
-            run_view({*p.scene, *p.view, *reference, renderer, *p.plan, p.cells, view_key(p), plan.seed,
-                      results.mask_threshold, plan.keep_gbuffer, folder});
+        ViewOutcome outcome = run_view({*p.scene, *p.view, *reference, renderer, *p.plan, p.cells, key,
+                                        plan.seed, results.mask_threshold, plan.keep_gbuffer, folder});
         cell_ids.emplace_back();
         for (CellRecord& cell : outcome.cells) {
             cell_ids.back().push_back(cell.id);
@@ -119,7 +124,8 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
     results.total_seconds = elapsed.count();
     results.peak_memory_mib = peak_memory_mib();
     write_results(results, folder);
-    std::filesystem::remove(folder / "results.json.incomplete");
+    if (finish) finish(folder);
+    staged.publish();
     return results;
 }
 

@@ -5,13 +5,17 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <functional>
 
 namespace aoscore {
 
-/// Runs the plan: for each view the truth, the G-buffer and every cell; writes images and results.json into
-/// `folder`. A cell that fails becomes a failed row and the rest goes on. Throws before anything is written
-/// when the plan names what does not exist or a scene that cannot be read; interrupted_error on Ctrl-C.
-Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& folder);
+/// Runs the plan: for each view the truth, the G-buffer and every cell; images and results.json land in
+/// `folder`, all at once when everything is done: a run that is stopped leaves what was there before.
+/// `finish`, when given, is called with the folder in which the results still wait, to add to them (the
+/// page). A cell that fails becomes a failed row and the rest goes on. Throws before anything is written when
+/// the plan names what does not exist or a scene that cannot be read; interrupted_error on Ctrl-C.
+Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& folder,
+                       const std::function<void(const std::filesystem::path&)>& finish = {});
 
 /// Cells with an error.
 std::size_t failed_cells(const Results& results);

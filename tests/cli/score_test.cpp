@@ -121,7 +121,8 @@ TEST(OwnMethod, ABrokenShaderFailsItsCellAndTheOthersGoOn) {
     const auto folder = output_dir();
     std::filesystem::create_directories(folder / "mine/broken");
     std::ofstream(folder / "mine/broken/method.json") << kOwnDescriptor;
-    std::ofstream(folder / "mine/broken/ao.frag") << "void main() { this is no GLSL; }\n";
+    std::ofstream(folder / "mine/broken/ao.frag")
+        << "void main() { o_visibility = p_level this is no GLSL; }\n";
     const auto run = run_aoscore(
         "score wall --size 64x48 --samples 4 --methods alchemy,broken --methods-dir mine --out page", folder);
     EXPECT_EQ(run.exit_code, 5) << run.err;

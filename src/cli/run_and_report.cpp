@@ -1,0 +1,19 @@
+#include "cli/run_and_report.h"
+
+#include "experiment/experiment.h"
+#include "report/report.h"
+
+#include <fmt/format.h>
+
+namespace aoscore {
+
+ExitCode run_and_report(const ExperimentPlan& plan, const std::filesystem::path& folder) {
+    std::filesystem::path page;
+    const Results results = run_experiment(plan, folder, [&](const std::filesystem::path& staged) {
+        page = folder / write_report(staged).filename();
+    });
+    fmt::print("{}\n", page.string());
+    return failed_cells(results) > 0 ? ExitCode::cells_failed : ExitCode::ok;
+}
+
+}  // namespace aoscore
