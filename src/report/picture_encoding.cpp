@@ -12,8 +12,8 @@ namespace {
 
 using Bytes = Image<std::uint8_t>;
 
-// Noise of the truth alone is about two of these steps; more of them cost megabytes and show nothing.
-constexpr int kErrorSteps = 63;
+// Steps of 0.025: about the noise of a truth with 64 samples. More of them cost megabytes and show nothing.
+constexpr int kErrorSteps = 41;
 constexpr int kErrorCentre = kErrorSteps / 2;
 // With the colours that are added, at most 16: four bits a pixel.
 constexpr int kMaskGrays = 12;
