@@ -35,7 +35,11 @@ void add_shell(SceneBuilder& scene, int stone, int plaster, int tiles) {
         section.push_back(section.front());
         add_frame(rings, section, kHalfX_m, kHalfZ_m);
     };
-    ring({{wall + 0.2, -0.5}, {wall + 0.2, kStep_m}, {-0.58, kStep_m}, {-0.6, kStep_m - 0.02}, {-0.6, -0.5}});
+    ring({{wall + 0.2, -0.45},
+          {wall + 0.2, kStep_m},
+          {-0.58, kStep_m},
+          {-0.6, kStep_m - 0.02},
+          {-0.6, -0.45}});
     ring({{wall + 0.2, kUpperFloor_m - 0.4},
           {wall + 0.2, kUpperFloor_m},
           {-0.5, kUpperFloor_m},
@@ -89,6 +93,7 @@ void add_arcades(SceneBuilder& scene, int stone, int plaster) {
     const int ribs = scene.mesh(gallery_rib(), plaster), vaults = scene.mesh(gallery_vault(), plaster);
     const int corner_vaults = scene.mesh(corner_vault(), plaster), piers = scene.mesh(corner_pier(), stone);
     const int pilasters = scene.mesh(pilaster(), stone), balustrades = scene.mesh(balustrade(), stone);
+    const int pedestals = scene.mesh(pedestal(), stone);
     const double middle = kWallHalf_m + kGallery_m / 2, wall = kWallHalf_m + kGallery_m;
     for (int side = 0; side < 4; ++side) {
         for (int i = 0; i < bay_count(side); ++i) {
@@ -103,6 +108,7 @@ void add_arcades(SceneBuilder& scene, int stone, int plaster) {
             if (i + 1 < bay_count(side)) {
                 scene.place(lower_columns, right);
                 scene.place(upper_columns, right);
+                scene.place(pedestals, right);
             } else {
                 scene.place(piers, right);
                 const double corner = (kWallHalf_m + kGallery_m + 0.25) / 2;

@@ -80,7 +80,7 @@ enum class Archivolts { court, both };
 MeshBuilder arch(double opening_m, double height_m, int segments, Archivolts archivolts) {
     MeshBuilder mesh;
     const Profile line = semicircular_arch(opening_m, opening_m, segments);
-    add_arched_wall(mesh, line, kBay_m / 2, height_m, kWallHalf_m);
+    add_arched_wall(mesh, line, kBay_m / 2, height_m, kWallHalf_m, Underside::open);
     const double face = kWallHalf_m;
     const Profile section{{0.03, -face - 0.035}, {0.14, -face - 0.035}, {0.17, -face - 0.06},
                           {0.22, -face - 0.06},  {0.22, -face + 0.05},  {0.03, -face + 0.05}};
@@ -132,13 +132,13 @@ MeshBuilder gallery_rib() {
     MeshBuilder mesh;
     const double half = kGallery_m / 2;
     add_arched_wall(mesh, semicircular_arch(half - 0.17, kVaultRise_m - 0.12, 10), half + 0.1,
-                    kUpperFloor_m - 0.25 - kLowerSpringing_m, kRibHalf_m);
+                    kUpperFloor_m - 0.25 - kLowerSpringing_m, kRibHalf_m, Underside::open);
     for (const double side : {-1.0, 1.0}) {
         const double low = side > 0 ? half - 0.2 : -half - 0.05, high = side > 0 ? half + 0.05 : -half + 0.2;
-        add_bevelled_box(mesh, {low, -0.16, -kRibHalf_m - 0.03}, {high, 0.02, kRibHalf_m + 0.03}, 0.02);
+        add_bevelled_box(mesh, {low, -0.16, -kRibHalf_m - 0.035}, {high, 0.02, kRibHalf_m + 0.03}, 0.02);
         const double low2 = side > 0 ? half - 0.12 : -half - 0.05,
                      high2 = side > 0 ? half + 0.05 : -half + 0.12;
-        add_bevelled_box(mesh, {low2, -0.42, -kRibHalf_m + 0.03}, {high2, -0.14, kRibHalf_m - 0.03}, 0.02);
+        add_bevelled_box(mesh, {low2, -0.42, -kRibHalf_m + 0.035}, {high2, -0.14, kRibHalf_m - 0.035}, 0.02);
     }
     return mesh;
 }
@@ -161,8 +161,8 @@ MeshBuilder corner_vault() {
 /// Against the outer wall, which is the plane z = 0 with the gallery on +z; on the lower floor.
 MeshBuilder pilaster() {
     MeshBuilder mesh;
-    add_bevelled_box(mesh, {-0.22, kStep_m - 0.05, -0.05}, {0.22, kLowerSpringing_m - 0.3, 0.1}, 0.012);
-    add_bevelled_box(mesh, {-0.27, kStep_m - 0.05, -0.05}, {0.27, kStep_m + 0.28, 0.15}, 0.02);
+    add_bevelled_box(mesh, {-0.22, kStep_m - 0.05, -0.06}, {0.22, kLowerSpringing_m - 0.3, 0.1}, 0.012);
+    add_bevelled_box(mesh, {-0.27, kStep_m - 0.06, -0.07}, {0.27, kStep_m + 0.28, 0.15}, 0.02);
     return mesh;
 }
 
@@ -170,8 +170,8 @@ MeshBuilder pilaster() {
 MeshBuilder balustrade() {
     MeshBuilder mesh;
     const double half = kBay_m / 2, foot = kUpperFloor_m, rail = kUpperFloor_m + kParapet_m;
-    add_bevelled_box(mesh, {-half + 0.15, foot - 0.04, -0.17}, {half - 0.15, foot + 0.14, 0.17}, 0.02);
-    add_bevelled_box(mesh, {-half + 0.15, rail - 0.15, -0.19}, {half - 0.15, rail - 0.01, 0.19}, 0.03);
+    add_bevelled_box(mesh, {-half + 0.2, foot - 0.04, -0.17}, {half - 0.2, foot + 0.14, 0.17}, 0.02);
+    add_bevelled_box(mesh, {-half + 0.2, rail - 0.15, -0.19}, {half - 0.2, rail - 0.01, 0.19}, 0.03);
     const double low = foot + 0.12, high = rail - 0.13;
     Profile line;
     for (const dvec2& p :
@@ -185,10 +185,14 @@ MeshBuilder balustrade() {
     for (int i = 0; i < kBalusters; ++i) {
         mesh.append(baluster, translation((i - (kBalusters - 1) / 2.0) * 0.265, 0, 0));
     }
-    // Pedestal of the column at the bay's right end.
-    MeshBuilder pedestal;
-    add_bevelled_box(pedestal, {half - 0.26, foot - 0.05, -0.26}, {half + 0.26, rail + 0.005, 0.26}, 0.02);
-    mesh.append(pedestal, glm::dmat4(1.0));
+    return mesh;
+}
+
+/// Under an upper column, between two balustrades.
+MeshBuilder pedestal() {
+    MeshBuilder mesh;
+    add_bevelled_box(mesh, {-0.26, kUpperFloor_m - 0.05, -0.26},
+                     {0.26, kUpperFloor_m + kParapet_m + 0.005, 0.26}, 0.02);
     return mesh;
 }
 

@@ -60,9 +60,9 @@ MeshBuilder door() {
         add_raised_block(mesh, {x - 0.11, foot, -0.05}, {x + 0.11, head, 0.12}, 0.02);
     }
     add_bevelled_box(mesh, {-0.8, head - 0.03, -0.05}, {0.8, head + 0.2, 0.14}, 0.02);
-    add_bevelled_box(mesh, {-0.88, head + 0.17, -0.05}, {0.88, head + 0.27, 0.2}, 0.025);
+    add_bevelled_box(mesh, {-0.88, head + 0.17, -0.06}, {0.88, head + 0.27, 0.2}, 0.025);
     for (const double x : {-0.285, 0.285}) {
-        add_raised_block(mesh, {x - 0.28, foot, -0.05}, {x + 0.28, head, 0.04}, 0.008);
+        add_raised_block(mesh, {x - 0.28, foot + 0.01, -0.05}, {x + 0.28, head - 0.01, 0.04}, 0.008);
         for (int row = 0; row < 3; ++row) {
             const double low = kStep_m + 0.18 + 0.71 * row;
             add_raised_block(mesh, {x - 0.19, low, 0.0}, {x + 0.19, low + 0.56, 0.07}, 0.025);

@@ -34,6 +34,7 @@ MeshBuilder gallery_vault();
 MeshBuilder corner_vault();
 MeshBuilder pilaster();
 MeshBuilder balustrade();
+MeshBuilder pedestal();
 
 MeshBuilder lion_head();
 MeshBuilder medallion_frame();

@@ -30,10 +30,10 @@ MeshBuilder paving() {
 MeshBuilder bench() {
     MeshBuilder mesh;
     for (const double z : {-1.3, 1.3})
-        add_bevelled_box(mesh, {-0.3, -0.03, z - 0.04}, {0.25, 0.95, z + 0.04}, 0.012);
-    add_box(mesh, {-0.2, 0.42, -1.3}, {0.22, 0.46, 1.3});
-    add_box(mesh, {-0.24, 0.3, -1.3}, {-0.19, 0.9, 1.3});
-    add_box(mesh, {-0.27, 0.62, -1.3}, {-0.24, 0.66, 1.3});
+        add_bevelled_box(mesh, {-0.3, -0.05, z - 0.04}, {0.25, 0.95, z + 0.04}, 0.012);
+    add_box(mesh, {-0.21, 0.42, -1.3}, {0.22, 0.46, 1.3});
+    add_box(mesh, {-0.24, 0.3, -1.31}, {-0.19, 0.9, 1.31});
+    add_box(mesh, {-0.27, 0.62, -1.29}, {-0.23, 0.66, 1.29});
     return mesh;
 }
 
@@ -41,8 +41,8 @@ MeshBuilder bench() {
 MeshBuilder altar() {
     MeshBuilder mesh;
     for (int step = 0; step < 3; ++step) {
-        add_bevelled_box(mesh, {-3.2 + 0.4 * step, -0.1, -3.4 + 0.12 * step},
-                         {3.4 - 0.1 * step, 0.16 * (step + 1), 3.4 - 0.12 * step}, 0.015);
+        add_bevelled_box(mesh, {-3.2 + 0.4 * step, -0.09 + 0.01 * step, -3.37 + 0.12 * step},
+                         {3.4 - 0.1 * step, 0.16 * (step + 1), 3.37 - 0.12 * step}, 0.015);
     }
     add_bevelled_box(mesh, {0.4, 0.4, -1.1}, {1.2, 1.4, 1.1}, 0.02);
     add_bevelled_box(mesh, {0.3, 1.38, -1.25}, {1.3, 1.5, 1.25}, 0.02);

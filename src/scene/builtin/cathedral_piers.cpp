@@ -35,14 +35,14 @@ MeshBuilder pier() {
     MeshBuilder mesh;
     const double top = kArcadeSpringing_m;
     MeshBuilder core;
-    add_bevelled_box(core, {-0.42, -0.1, -0.42}, {0.42, top - 0.06, 0.42}, 0.08);
+    add_bevelled_box(core, {-0.42, -0.05, -0.42}, {0.42, top - 0.06, 0.42}, 0.08);
     mesh.append(core, rotation_y(std::numbers::pi / 4));
     add_bevelled_box(mesh, {-0.72, -0.1, -0.72}, {0.72, 0.22, 0.72}, 0.04);
     for (const double side : {-1.0, 1.0}) {
         add_shaft(mesh, side * 0.43, 0, 0.2, 0.2, top - 0.1, 10);
         add_shaft(mesh, 0, side * 0.43, 0.2, 0.2, top - 0.1, 10);
         for (const double other : {-1.0, 1.0})
-            add_shaft(mesh, side * 0.34, other * 0.34, 0.1, 0.2, top - 0.1, 6);
+            add_shaft(mesh, side * 0.34, other * 0.34, 0.1, 0.19, top - 0.11, 6);
     }
     add_bevelled_box(mesh, {-0.84, top - 0.13, -0.84}, {0.84, top + 0.04, 0.84}, 0.05);
     return mesh;
@@ -51,9 +51,10 @@ MeshBuilder pier() {
 /// Three shafts on the nave's wall above a pier, up to the vault; the wall is z = 0, the nave on +z.
 MeshBuilder vaulting_shafts() {
     MeshBuilder mesh;
-    const double foot = kArcadeSpringing_m + 0.02, top = kNaveSpringing_m;
+    const double foot = kArcadeSpringing_m + 0.025, top = kNaveSpringing_m;
     add_shaft(mesh, 0, 0.1, 0.13, foot, top - 0.1, 10);
-    for (const double side : {-1.0, 1.0}) add_shaft(mesh, side * 0.24, 0.03, 0.09, foot, top - 0.1, 6);
+    for (const double side : {-1.0, 1.0})
+        add_shaft(mesh, side * 0.24, 0.03, 0.09, foot - 0.01, top - 0.11, 6);
     add_bevelled_box(mesh, {-0.42, top - 0.13, -0.1}, {0.42, top + 0.03, 0.33}, 0.04);
     return mesh;
 }
@@ -63,10 +64,10 @@ MeshBuilder respond() {
     MeshBuilder mesh;
     const double top = kArcadeSpringing_m;
     add_bevelled_box(mesh, {-0.5, -0.1, -0.1}, {0.5, 0.22, 0.42}, 0.03);
-    add_bevelled_box(mesh, {-0.33, 0.1, -0.1}, {0.33, top - 0.06, 0.1}, 0.03);
+    add_bevelled_box(mesh, {-0.33, 0.1, -0.08}, {0.33, top - 0.06, 0.1}, 0.03);
     add_shaft(mesh, 0, 0.12, 0.18, 0.2, top - 0.1, 10);
-    for (const double side : {-1.0, 1.0}) add_shaft(mesh, side * 0.3, 0.09, 0.1, 0.2, top - 0.1, 6);
-    add_bevelled_box(mesh, {-0.5, top - 0.13, -0.1}, {0.5, top + 0.04, 0.45}, 0.04);
+    for (const double side : {-1.0, 1.0}) add_shaft(mesh, side * 0.3, 0.09, 0.1, 0.19, top - 0.11, 6);
+    add_bevelled_box(mesh, {-0.5, top - 0.13, -0.11}, {0.5, top + 0.04, 0.45}, 0.04);
     return mesh;
 }
 

@@ -18,7 +18,7 @@ struct Vault {
     int segments, rows;
 
     Profile across() const { return pointed_arch(half_z_m, rise_m, segments); }
-    Profile along() const { return widened(across(), kBay_m / 2 + kEmbed_m); }
+    Profile along() const { return widened(across(), kBay_m / 2); }
 };
 
 constexpr Vault kNave{kNaveVaultHalf_m, kNaveRise_m, 12, 4};

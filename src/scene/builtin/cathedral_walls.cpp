@@ -19,7 +19,7 @@ MeshBuilder tracery(double half_width_m, double jamb_m, double rise_m) {
     MeshBuilder post;
     add_lathe(post, {{0.05, -0.05}, {0.05, jamb_m + 0.15}, {0.0, jamb_m + 0.17}}, 8);
     mesh.append(post, glm::dmat4(1.0));
-    const Profile lancet = pointed_arch(half - 0.02, 1.25 * half, 5);
+    const Profile lancet = pointed_arch(half - 0.05, 1.25 * half, 5);
     const Profile section{{-0.04, -0.07}, {0.04, -0.07}, {0.04, 0.07}, {-0.04, 0.07}};
     MeshBuilder bar;
     add_arch_moulding(bar, lancet, section);
@@ -142,10 +142,10 @@ MeshBuilder rose_window() {
 MeshBuilder portal() {
     MeshBuilder mesh;
     for (int order = 0; order < 3; ++order) {
-        const double half = 1.15 + 0.22 * order, out = 0.12 + 0.13 * order;
+        const double half = 1.15 + 0.22 * order, out = 0.12 + 0.13 * order, foot = 0.04 + 0.005 * order;
         add_arch_moulding(
             mesh, stilted(pointed_arch(half, 1.5 + 0.22 * order, 10), 2.6),
-            {{0.0, -0.05}, {0.2, -0.05}, {0.2, out - 0.05}, {0.15, out}, {0.06, out}, {0.0, out - 0.05}});
+            {{0.0, -foot}, {0.2, -foot}, {0.2, out - 0.05}, {0.15, out}, {0.06, out}, {0.0, out - 0.05}});
     }
     for (const double x : {-0.575, 0.575}) {
         MeshBuilder leaf;
@@ -158,7 +158,7 @@ MeshBuilder portal() {
         }
         mesh.append(leaf, glm::dmat4(1.0));
     }
-    add_bevelled_box(mesh, {-1.2, 2.58, -0.05}, {1.2, 2.8, 0.1}, 0.02);
+    add_bevelled_box(mesh, {-1.2, 2.58, -0.06}, {1.2, 2.8, 0.1}, 0.02);
     return mesh;
 }
 
