@@ -1,13 +1,12 @@
 #include "scene/automatic_view.h"
 
+#include "core/threads.h"
 #include "scene/depth_range.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <vector>
 
 namespace aoscore {
@@ -15,6 +14,12 @@ namespace {
 
 constexpr double kFovy = 60 * std::numbers::pi / 180;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// What a ray meets first.
+struct Sight {
+    double distance = kInfinity;
+    bool front_face = false;  ///< seen from the side that its winding calls the front
+};
 
 /// Brute force on purpose: a few hundred rays, once, in scenes without a camera. An acceleration structure
 /// lives in the reference room, which this one does not know.
@@ -24,27 +29,29 @@ class RayProbe {
         triangles_.reserve(scene.triangle_count);
         for (const Instance& instance : scene.instances) {
             const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+            // A mirroring transform turns the winding round (glTF 2.0, "Instantiation").
+            const bool mirrors = glm::determinant(glm::dmat3(instance.scene_from_mesh)) < 0;
             for (const glm::uvec3& t : mesh.triangles) {
                 const auto vertex = [&](unsigned i) {
                     return glm::dvec3(instance.scene_from_mesh * glm::dvec4(mesh.positions[i], 1));
                 };
-                const glm::dvec3 a = vertex(t.x);
-                triangles_.push_back({a, vertex(t.y) - a, vertex(t.z) - a});
+                const glm::dvec3 a = vertex(t.x), b = vertex(t.y), c = vertex(t.z);
+                triangles_.push_back(mirrors ? Triangle{a, c - a, b - a} : Triangle{a, b - a, c - a});
             }
         }
     }
 
-    /// How many rays `share` parts of the whole work may cost.
-    int rays(int share) const {
-        constexpr std::size_t kTests = 60'000'000;
-        const std::size_t per_part = kTests / (triangles_.size() * static_cast<std::size_t>(share) + 1);
-        return static_cast<int>(std::clamp<std::size_t>(per_part, 8, 64));
+    /// How many rays each of `shares` equal parts of the work may cost.
+    int rays(int shares) const {
+        constexpr std::size_t kTests = 20'000'000;
+        const std::size_t per_share = kTests / (triangles_.size() * static_cast<std::size_t>(shares) + 1);
+        return static_cast<int>(std::clamp<std::size_t>(per_share, 5, 63));
     }
 
-    /// Distance to the first surface along a unit direction, infinite for none. Moeller and Trumbore, Fast,
-    /// Minimum Storage Ray/Triangle Intersection, 1997; surfaces are two-sided.
-    double distance(const glm::dvec3& from, const glm::dvec3& direction) const {
-        double nearest = kInfinity;
+    /// The first surface along a unit direction. Moeller and Trumbore, Fast, Minimum Storage Ray/Triangle
+    /// Intersection, 1997; surfaces are two-sided.
+    Sight first_surface(const glm::dvec3& from, const glm::dvec3& direction) const {
+        Sight sight;
         for (const Triangle& t : triangles_) {
             const glm::dvec3 p = glm::cross(direction, t.edge2);
             const double determinant = glm::dot(t.edge1, p);
@@ -56,9 +63,9 @@ class RayProbe {
             const double v = glm::dot(direction, q) / determinant;
             if (v < 0 || u + v > 1) continue;
             const double along = glm::dot(t.edge2, q) / determinant;
-            if (along > 0) nearest = std::min(nearest, along);
+            if (along > 0 && along < sight.distance) sight = {along, determinant > 0};
         }
-        return nearest;
+        return sight;
     }
 
   private:
@@ -79,25 +86,23 @@ glm::dvec3 spread_direction(const glm::dvec3& axis, double least_cosine, int i, 
     return axis * cosine + (x * std::cos(angle) + y * std::sin(angle)) * sine;
 }
 
-bool encloses(const RayProbe& probe, const glm::dvec3& point, int share) {
-    const int rays = probe.rays(share);
-    int hits = 0;
+/// Whether a point is in a room rather than in the open or within a solid thing.
+bool is_room(const RayProbe& probe, const glm::dvec3& point) {
+    const int rays = probe.rays(4);
+    int fronts = 0;
     for (int i = 0; i < rays; ++i) {
-        const glm::dvec3 direction = spread_direction({0, 1, 0}, -1, i, rays);
-        if (probe.distance(point, direction) < kInfinity) ++hits;
+        if (probe.first_surface(point, spread_direction({0, 1, 0}, -1, i, rays)).front_face) ++fronts;
     }
-    return hits * 10 >= rays * 7;
+    return fronts * 10 >= rays * 7;
 }
 
-/// What a camera sees: the median distance in a cone of 30 degrees, at most `limit`.
-double median_sight(const RayProbe& probe, const glm::dvec3& from, const glm::dvec3& direction, double limit,
-                    int share) {
-    const int rays = probe.rays(share);
+/// What a camera sees: the median distance within a cone of 30 degrees, at most `limit`.
+double median_sight(const RayProbe& probe, const Camera& camera, double limit, int rays) {
     std::vector<double> distances;
     for (int i = 0; i < rays; ++i) {
-        const double distance =
-            probe.distance(from, spread_direction(direction, std::cos(kFovy / 2), i, rays));
-        distances.push_back(std::min(distance, limit));
+        const glm::dvec3 forward = camera.target - camera.position;
+        const glm::dvec3 direction = spread_direction(forward, std::cos(kFovy / 2), i, rays);
+        distances.push_back(std::min(probe.first_surface(camera.position, direction).distance, limit));
     }
     std::nth_element(distances.begin(), distances.begin() + rays / 2, distances.end());
     return distances[static_cast<std::size_t>(rays) / 2];
@@ -105,41 +110,42 @@ double median_sight(const RayProbe& probe, const glm::dvec3& from, const glm::dv
 
 Camera inside_camera(const RayProbe& probe, const Bounds& bounds) {
     const glm::dvec3 size = bounds.high - bounds.low;
-    const double eye = bounds.low.y + size.y / 3;
-    const std::array<double, 3> kAlong = {0.08, 0.25, 0.5};
-    const std::array<double, 3> kAcross = {0.35, 0.5, 0.65};
-    constexpr int kCandidates = 2 * 2 * 3 * 3;
-    Camera best;
-    double best_sight = -1;
+    std::vector<Camera> candidates;
     for (const int axis : {0, 2}) {
         for (const double sign : {1.0, -1.0}) {
-            for (const double along : kAlong) {
-                for (const double across : kAcross) {
+            for (const double along : {0.1, 0.35}) {
+                for (const double across : {0.5, 0.35, 0.65}) {
                     const int other = 2 - axis;
-                    glm::dvec3 from(0, eye, 0), forward(0.0);
-                    from[axis] = sign > 0 ? bounds.low[axis] + along * size[axis]
-                                          : bounds.high[axis] - along * size[axis];
-                    from[other] = bounds.low[other] + across * size[other];
-                    forward[axis] = sign;
-                    const double sight = median_sight(probe, from, forward, bounds.diagonal(), kCandidates);
-                    if (sight > best_sight * 1.001) {
-                        best_sight = sight;
-                        best.position = from;
-                        best.target = from + forward;
-                    }
+                    Camera camera;
+                    camera.position[axis] =
+                        (sign > 0 ? bounds.low : bounds.high)[axis] + sign * along * size[axis];
+                    camera.position[other] = bounds.low[other] + across * size[other];
+                    camera.position.y = bounds.low.y + size.y / 3;
+                    camera.target = camera.position;
+                    camera.target[axis] += sign;
+                    candidates.push_back(camera);
                 }
             }
         }
     }
-    return best;
+    const int rays = probe.rays(static_cast<int>(candidates.size()));
+    std::vector<double> sights(candidates.size());
+    parallel_for(candidates.size(), [&](std::size_t i) {
+        sights[i] = median_sight(probe, candidates[i], bounds.diagonal(), rays);
+    });
+    // The first of the best, within what rounding could swap.
+    const double best = *std::max_element(sights.begin(), sights.end());
+    const auto chosen =
+        std::find_if(sights.begin(), sights.end(), [&](double s) { return s >= best * 0.999; });
+    return candidates[static_cast<std::size_t>(chosen - sights.begin())];
 }
 
 Camera outside_camera(const Bounds& bounds) {
     Camera camera;
     const double radius = bounds.diagonal() / 2;
-    const glm::dvec3 from_centre = glm::normalize(glm::dvec3(0.8, 0.5, 1.0));
     camera.target = bounds.centre();
-    camera.position = bounds.centre() + from_centre * (radius / std::sin(kFovy / 2));
+    camera.position =
+        bounds.centre() + glm::normalize(glm::dvec3(0.8, 0.5, 1.0)) * (radius / std::sin(kFovy / 2));
     return camera;
 }
 
@@ -147,11 +153,10 @@ Camera outside_camera(const Bounds& bounds) {
 
 View automatic_view(const Scene& scene) {
     const RayProbe probe(scene);
-    constexpr int kWorkForEnclosure = 4;
     View view;
     view.id = "auto";
     view.source = "automatic";
-    const bool inside = encloses(probe, scene.bounds.centre(), kWorkForEnclosure);
+    const bool inside = is_room(probe, scene.bounds.centre());
     view.camera = inside ? inside_camera(probe, scene.bounds) : outside_camera(scene.bounds);
     view.camera.fovy_rad = kFovy;
     // Inside, a wall may be close by; outside, everything is at least this far away.

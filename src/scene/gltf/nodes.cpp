@@ -69,7 +69,7 @@ std::vector<int> root_nodes(Document& document) {
         const int chosen = std::max(model.defaultScene, 0);
         if (model.scenes.size() > 1) {
             document.warn(
-                fmt::format("scene {} of {} is drawn, the others are not", chosen, model.scenes.size()));
+                fmt::format("scenes[{}] of {} is drawn, the others are not", chosen, model.scenes.size()));
         }
         const std::vector<int>& roots = model.scenes[static_cast<std::size_t>(chosen)].nodes;
         if (roots.empty())
