@@ -23,8 +23,8 @@ struct GBufferImages {
     Image<glm::vec3> albedo;            ///< linear
 };
 
-/// What a tap outside of the picture reads: the background's depth (nothing is known, nothing occludes), or the depth
-/// of the nearest pixel.
+/// What a tap outside of the picture reads: the background's depth (nothing is known, nothing occludes), or
+/// the depth of the nearest pixel.
 enum class Border { far, clamp };
 
 /// What to run on the current G-buffer.

@@ -1,6 +1,6 @@
-// Alchemy ambient obscurance (McGuire et al. 2011; Hussain 2022, eq. 15). z is negative in front of the camera: the
-// bias z·β lifts the tangent plane toward the viewer.
+// Alchemy ambient obscurance (McGuire et al. 2011; Hussain 2022, eq. 15).
 #include "contract/ao_pass.glsl"
+#include "lib/alchemy.glsl"
 #include "lib/frame.glsl"
 #include "lib/constants.glsl"
 #include "lib/noise.glsl"
@@ -10,13 +10,9 @@ vec2 disc_radius_px(float depth) {
     return 0.75 * p_radius * p_radius / depth * u_size_px;
 }
 
-float obscurance(vec3 v, vec3 normal, float z) {
-    float distance_squared = dot(v, v);
-    if (p_reject == reject_within_radius && distance_squared > p_radius * p_radius) return 0.0;
-    if (p_reject == reject_as_printed && distance_squared > p_radius) return 0.0;
-    float height = max(0.0, dot(v, normal) + z * p_beta);
-    // Without epsilon, a tap of the pixel itself is 0/0; it obscures nothing.
-    return height > 0.0 ? height / (distance_squared + p_epsilon) : 0.0;
+bool rejected(vec3 v) {
+    if (p_reject == reject_within_radius) return dot(v, v) > p_radius * p_radius;
+    return p_reject == reject_as_printed && dot(v, v) > p_radius;
 }
 
 float visibility(vec2 image_px, vec3 position) {
@@ -27,7 +23,7 @@ float visibility(vec2 image_px, vec3 position) {
     float sum = 0.0;
     for (int i = 0; i < p_samples; ++i) {
         vec3 v = tap_position(image_px + radius_px * (turn * k_disc[i].xy)) - position;
-        sum += obscurance(v, normal, position.z);
+        sum += rejected(v) ? 0.0 : alchemy_obscurance(v, normal, position.z, p_beta, p_epsilon);
     }
     sum *= 2.0 * p_sigma / float(p_samples);
     if (p_exponent_form == exponent_form_as_printed) return max(0.0, 1.0 - pow(sum, p_kappa));

@@ -3,6 +3,7 @@
 // Half of the sphere is below a plane: it reads about one half.
 #include "contract/ao_pass.glsl"
 #include "lib/frame.glsl"
+#include "lib/point_test.glsl"
 
 // The sphere is symmetric, the kernel is not: reflecting it by a plane of its own gives each pixel other points.
 vec3 reflecting_plane(vec3 random_vector) {
@@ -10,23 +11,27 @@ vec3 reflecting_plane(vec3 random_vector) {
     return p_plane == plane_unit ? normalize(plane) : plane;
 }
 
-bool in_range(float sample_z, float position_z) {
-    if (p_range_check == range_check_none) return true;
-    float difference = position_z - sample_z;
-    return (p_range_check == range_check_absolute ? abs(difference) : difference) < p_radius;
+// How much the surface at `surface_z` may say about a point: 1 within the range.
+float validity(float surface_z, float position_z) {
+    float nearer = surface_z - position_z;
+    if (p_range_check == range_check_absolute) return abs(nearer) < p_radius ? 1.0 : 0.0;
+    if (p_range_check == range_check_as_printed) return -nearer < p_radius ? 1.0 : 0.0;
+    if (p_range_check == range_check_fade) return 1.0 - clamp(nearer / -surface_z, 0.0, 1.0);
+    return 1.0;
 }
 
 float visibility(vec2 image_px, vec3 position) {
     vec3 random_vector = vec3(tiled_noise().xy * 2.0 - 1.0, 0.0);
     mat3 view_from_tangent = basis_toward(centre_normal_geometric(), random_vector);
     vec3 plane = reflecting_plane(random_vector);
+    // An invalid surface leaves the point open, or half open where the fade is Kajalin's.
+    float unknown = p_range_check == range_check_fade ? 0.5 : 0.0;
 
     float occlusion = 0.0;
     for (int i = 0; i < p_samples; ++i) {
         vec3 point = position + view_from_tangent * reflect(k_points[i], plane) * p_radius;
-        float surface_z = -tap_linear_depth(image_of(point));
-        bool hidden = -point.z >= u_near && surface_z >= point.z + p_bias && in_range(surface_z, position.z);
-        occlusion += hidden ? 1.0 : 0.0;
+        float surface_z = surface_z_at(point);
+        occlusion += mix(unknown, hides(surface_z, point, p_bias) ? 1.0 : 0.0, validity(surface_z, position.z));
     }
     return 1.0 - occlusion / float(p_samples);
 }

@@ -1,0 +1,81 @@
+// Visibility bitmask (Therrien, Levesque and Gilet 2023): V = mean over slices of 1 - popcount/32, or of the open
+// sectors' exact cosine-weighted parts.
+#include "contract/ao_pass.glsl"
+#include "lib/limits.glsl"
+#include "lib/noise.glsl"
+#include "lib/slice.glsl"
+
+const int kSectors = 32;
+
+uint low_bits(uint count) { return count >= 32u ? 0xffffffffu : (1u << count) - 1u; }
+
+// The sectors between two places of the half circle, in [0,1].
+uint sectors_between(float low, float high) {
+    float scale = float(kSectors);
+    uint first, last;
+    if (p_rounding == rounding_nearest) {
+        first = uint(round(low * scale));
+        last = uint(round(high * scale));
+    } else {
+        first = uint(low * scale);
+        last = min(first + uint(ceil((high - low) * scale)), 32u);
+    }
+    return low_bits(last) & ~low_bits(first);
+}
+
+float count_bits(uint bits) {
+    bits -= (bits >> 1u) & 0x55555555u;
+    bits = (bits & 0x33333333u) + ((bits >> 2u) & 0x33333333u);
+    bits = (bits + (bits >> 4u)) & 0x0f0f0f0fu;
+    return float((bits * 0x01010101u) >> 24u);
+}
+
+uint hidden_sectors(vec2 image_px, vec3 position, ViewSlice slice, float side, float shift) {
+    vec2 reach_px = side * p_radius * slice.image_px;
+    float least = inversesqrt(max(dot(reach_px, reach_px), 1e-12));  // one pixel
+    float start = kHalfPi - slice.normal_angle;
+    uint hidden = 0u;
+    for (int j = 0; j < p_steps; ++j) {
+        float part = max(pow((float(j) + shift) / float(p_steps), p_step_power), least);
+        vec3 front = into_slice(tap_position(image_px + part * reach_px) - position, slice);
+        vec3 back = front - slice.view * p_thickness;
+        float front_place = clamp((side * slice_angle(front, slice) + start) / kPi, 0.0, 1.0);
+        float back_place = clamp((side * slice_angle(back, slice) + start) / kPi, 0.0, 1.0);
+        float distance_squared = dot(front, front);
+        bool counts = distance_squared > 0.0 && distance_squared < p_radius * p_radius && part <= 1.0;
+        hidden |= counts ? sectors_between(min(front_place, back_place), max(front_place, back_place)) : 0u;
+    }
+    return hidden;
+}
+
+// ∫_0^θ cos(t-γ) |sin t| dt.
+float cosine_part(float angle, float gamma) {
+    float arc = slice_arc(abs(angle), angle < 0.0 ? -gamma : gamma);
+    return angle < 0.0 ? -arc : arc;
+}
+
+float open_part(uint hidden, ViewSlice slice) {
+    if (p_weights == weights_uniform) return 1.0 - count_bits(hidden) / float(kSectors);
+    float gamma = slice.normal_angle, open = 0.0;
+    float below = cosine_part(gamma - kHalfPi, gamma);
+    for (int i = 0; i < kSectors; ++i) {
+        float above = cosine_part(gamma - kHalfPi + float(i + 1) * (kPi / float(kSectors)), gamma);
+        open += (hidden >> uint(i) & 1u) == 0u ? above - below : 0.0;
+        below = above;
+    }
+    return slice.normal_length * open;
+}
+
+float visibility(vec2 image_px, vec3 position) {
+    vec3 normal = centre_normal_geometric();
+    vec3 line_of_sight = view_ray(image_px);
+    vec4 noise = pixel_noise();
+    float sum = 0.0;
+    for (int i = 0; i < p_slices; ++i) {
+        ViewSlice slice = view_slice((float(i) + noise.x) * (kPi / float(p_slices)), position, normal, line_of_sight);
+        uint hidden = hidden_sectors(image_px, position, slice, -1.0, noise.y) |
+                      hidden_sectors(image_px, position, slice, 1.0, noise.y);
+        sum += open_part(hidden, slice);
+    }
+    return limited_visibility(sum / float(p_slices));
+}
