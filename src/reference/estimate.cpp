@@ -11,7 +11,10 @@ namespace {
 /// The weight of the tile's common law against a pixel's own spread, in degrees of freedom: keeps the errors
 /// of pixels that differ from their neighbours within 10 % in tests, while their scores become close to
 /// normal.
-constexpr double kPriorFreedom = 12;
+constexpr double kPriorFreedom = 6;
+
+/// Neighbours count the less the more their asin(sqrt(V)), in which binomial noise is even, differs.
+constexpr double kLikeness_rad = 0.1;
 
 /// The shape of the variance over visibility and sample count, up to a factor.
 double variance_shape(const PixelSpread& pixel) {
@@ -43,18 +46,26 @@ PixelSpread pixel_spread(std::span<const double> darkening_sums, int samples) {
 }
 
 std::vector<Estimate> moderated_estimates(std::span<const PixelSpread> pixels) {
-    double variance_sum = 0, shape_sum = 0;
-    for (const PixelSpread& pixel : pixels) {
-        variance_sum += pixel.freedom * pixel.variance;
-        shape_sum += pixel.freedom * variance_shape(pixel);
+    const std::size_t count = pixels.size();
+    std::vector<double> shape(count), place(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        shape[i] = variance_shape(pixels[i]);
+        place[i] = std::asin(std::sqrt(pixels[i].visibility)) / kLikeness_rad;
     }
-    const double common = shape_sum > 0 ? variance_sum / shape_sum : 0;
     std::vector<Estimate> estimates;
-    estimates.reserve(pixels.size());
-    for (const PixelSpread& pixel : pixels) {
-        const double own = pixel.freedom * pixel.variance;
+    estimates.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        double variances = 0, shapes = 0;
+        for (std::size_t j = 0; j < count; ++j) {
+            const double apart = place[i] - place[j];
+            const double weight = pixels[j].freedom / ((1 + apart * apart) * (1 + apart * apart));
+            variances += weight * pixels[j].variance;
+            shapes += weight * shape[j];
+        }
+        const PixelSpread& pixel = pixels[i];
+        const double expected = shapes > 0 ? variances / shapes * shape[i] : 0;
         const double variance =
-            (kPriorFreedom * common * variance_shape(pixel) + own) / (kPriorFreedom + pixel.freedom);
+            (kPriorFreedom * expected + pixel.freedom * pixel.variance) / (kPriorFreedom + pixel.freedom);
         const double error =
             pixel.freedom > 0 ? std::max(std::sqrt(variance), standard_error_floor(pixel.samples)) : 0.5;
         estimates.push_back({pixel.visibility, std::min(error, 0.5)});

@@ -26,9 +26,9 @@ PixelSpread pixel_spread(std::span<const double> darkening_sums, int samples);
 
 /// Standard errors of the pixels of one tile. A pixel's own spread has few degrees of freedom, so it is
 /// moderated by what its neighbours show, as Smyth (Linear Models and Empirical Bayes Methods for Assessing
-/// Differential Expression, 2004) does for genes: each variance is drawn towards c sqrt(V (1 - V) + 1/(2 N))
-/// N^-3/2, the law of stratified points at the edge of a shadow, with c common to the tile. See Truth for the
-/// floor.
+/// Differential Expression, 2004) does for genes: each variance is drawn towards the one that neighbours of
+/// like visibility have, after scaling by sqrt(V (1 - V) + 1/(2 N)) N^-3/2, the law of stratified points at
+/// the edge of a shadow. See Truth for the floor.
 std::vector<Estimate> moderated_estimates(std::span<const PixelSpread> pixels);
 
 }  // namespace aoscore

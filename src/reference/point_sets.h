@@ -1,5 +1,7 @@
 #pragma once
 
+#include "reference/truth.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -12,8 +14,8 @@ namespace aoscore {
 /// where they share a set.
 class PointSets {
   public:
-    /// Sets of at least `points` points each.
-    explicit PointSets(int points);
+    /// Sets of `points` points each.
+    PointSets(PointKind kind, int points);
 
     struct Coordinates {
         const std::uint32_t* u;  ///< fractions of 2^32

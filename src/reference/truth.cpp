@@ -120,7 +120,7 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
     truth.samples = settings.samples;
 
     const std::vector<Tile> tiles = tiles_of(width, height);
-    const PointSets points((settings.samples + kReplicates - 1) / kReplicates);
+    const PointSets points(settings.points, (settings.samples + kReplicates - 1) / kReplicates);
     Progress progress(what, tiles.size());
     std::atomic<std::uint64_t> rays{0};
     const auto start = std::chrono::steady_clock::now();

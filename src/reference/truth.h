@@ -28,10 +28,17 @@ struct TruthQuery {
     bool operator==(const TruthQuery&) const = default;
 };
 
+/// Where directions come from.
+enum class PointKind : std::uint8_t {
+    scrambled_sobol,  ///< Owen-scrambled Sobol sequence: the error falls almost as N^-3/4
+    independent,      ///< plain Monte Carlo, N^-1/2: only to measure what the others are worth
+};
+
 struct TruthSettings {
     int samples = 64;  ///< rays a pixel, >= 1
     std::uint64_t seed = 1;
     bool shading_normals = false;  ///< hemisphere about the smooth normal instead of the geometric one
+    PointKind points = PointKind::scrambled_sobol;
 };
 
 /// Independently scrambled point sets a pixel.

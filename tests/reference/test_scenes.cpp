@@ -1,5 +1,7 @@
 #include "reference/test_scenes.h"
 
+#include "core/sampling.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
@@ -65,6 +67,33 @@ Mesh sphere(const glm::dvec3& centre, double radius, int n) {
         }
     }
     return mesh;
+}
+
+Scene still_life() {
+    Scene scene = empty_scene();
+    add(scene, floor_grid(4, 3));
+    add(scene, sphere({0, 0.5, 0}, 0.5, 24));
+    add(scene, sphere({0.9, 0.25, 0.3}, 0.25, 16));
+    add(scene, quad({-1, 0, -1}, {1, 0, -1.2}, {1, 1.5, -1.2}, {-1, 1.5, -1}));
+    return scene;
+}
+
+Scene thicket() {
+    Scene scene = empty_scene();
+    add(scene, floor_grid(4, 3));
+    Mesh blades;
+    auto random = [state = std::uint64_t{1}]() mutable {
+        return static_cast<double>(mix_bits(state++) >> 11) * 0x1p-53 * 2 - 1;
+    };
+    for (unsigned i = 0; i < 300; ++i) {
+        const glm::dvec3 root(1.5 * random(), 0, 1.5 * random());
+        const glm::dvec3 tip = root + glm::dvec3(0.5 * random(), 0.7 + 0.5 * random(), 0.5 * random());
+        const glm::dvec3 width(0.02 * random(), 0, 0.02 * random());
+        for (const glm::dvec3& p : {root - width, root + width, tip}) blades.positions.emplace_back(p);
+        blades.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    add(scene, std::move(blades));
+    return scene;
 }
 
 glm::dmat4 Similarity::matrix() const {

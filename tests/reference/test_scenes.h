@@ -17,6 +17,11 @@ Mesh floor_grid(double half_size, int cells);
 /// A sphere of n x 2n facets, corners on the sphere.
 Mesh sphere(const glm::dvec3& centre, double radius, int n);
 
+/// A floor with a few spheres and a screen on it, some sky behind: something of everything.
+Scene still_life();
+/// Three hundred thin blades at random over a floor.
+Scene thicket();
+
 /// The same scene and camera moved together by a similarity: rotation, then scale, then translation.
 struct Similarity {
     double scale = 1;

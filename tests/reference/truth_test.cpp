@@ -24,16 +24,6 @@ TruthSettings with_samples(int samples, std::uint64_t seed = 1) {
     return settings;
 }
 
-/// A floor with a few spheres on it, some sky behind: something of everything.
-Scene still_life() {
-    Scene scene = testing::empty_scene();
-    testing::add(scene, testing::floor_grid(4, 3));
-    testing::add(scene, testing::sphere({0, 0.5, 0}, 0.5, 24));
-    testing::add(scene, testing::sphere({0.9, 0.25, 0.3}, 0.25, 16));
-    testing::add(scene, testing::quad({-1, 0, -1}, {1, 0, -1.2}, {1, 1.5, -1.2}, {-1, 1.5, -1}));
-    return scene;
-}
-
 const Camera kStillLifeCamera = testing::looking({2, 2, 3}, {0, 0.6, 0});
 
 Truth trace(const Scene& scene, const Camera& camera, int width, int height,
@@ -42,7 +32,7 @@ Truth trace(const Scene& scene, const Camera& camera, int width, int height,
 }
 
 TEST(Truth, IsTheSameForAnyThreadCount) {
-    const Scene scene = still_life();
+    const Scene scene = testing::still_life();
     const std::vector<TruthQuery> queries = {{Falloff::binary, 0.7, 0}, {Falloff::quadratic, 0.7, 0}};
     set_thread_count(1);
     const Truth one = trace(scene, kStillLifeCamera, 75, 53, queries, with_samples(37));
@@ -58,7 +48,7 @@ TEST(Truth, IsTheSameForAnyThreadCount) {
 }
 
 TEST(Truth, ChangesWithTheSeedOnly) {
-    const Scene scene = still_life();
+    const Scene scene = testing::still_life();
     const Truth a = trace(scene, kStillLifeCamera, 40, 30, kUnlimited, with_samples(16, 1));
     const Truth b = trace(scene, kStillLifeCamera, 40, 30, kUnlimited, with_samples(16, 1));
     const Truth c = trace(scene, kStillLifeCamera, 40, 30, kUnlimited, with_samples(16, 2));
@@ -67,7 +57,7 @@ TEST(Truth, ChangesWithTheSeedOnly) {
 }
 
 TEST(Truth, SaysNothingAboutTheBackground) {
-    const Truth truth = trace(still_life(), kStillLifeCamera, 64, 48, kUnlimited, with_samples(8));
+    const Truth truth = trace(testing::still_life(), kStillLifeCamera, 64, 48, kUnlimited, with_samples(8));
     int background = 0;
     for (std::size_t i = 0; i < truth.hits.surface.size(); ++i) {
         if (truth.hits.surface.pixels[i] != 0) {
@@ -279,7 +269,7 @@ TEST(Truth, FalloffsAgreeWithQuadrature) {
 }
 
 TEST(Truth, OneRadiusAloneEqualsThatRadiusAmongOthers) {
-    const Scene scene = still_life();
+    const Scene scene = testing::still_life();
     const Truth alone = trace(scene, kStillLifeCamera, 64, 48, {{Falloff::binary, 0.5, 0}}, with_samples(64));
     const Truth among = trace(
         scene, kStillLifeCamera, 64, 48,
@@ -306,7 +296,7 @@ TEST(Truth, ShadingNormalsTurnTheHemisphere) {
 }
 
 TEST(Truth, AnySampleCountGivesFiniteHonestNumbers) {
-    const Scene scene = still_life();
+    const Scene scene = testing::still_life();
     for (const int samples : {1, 2, 3, 5, 7, 64, 101}) {
         const Truth truth = trace(scene, kStillLifeCamera, 24, 18, kUnlimited, with_samples(samples));
         EXPECT_EQ(truth.samples, samples);
@@ -321,7 +311,7 @@ TEST(Truth, AnySampleCountGivesFiniteHonestNumbers) {
 }
 
 TEST(Truth, RefusesSettingsThatMakeNoSense) {
-    const Scene scene = still_life();
+    const Scene scene = testing::still_life();
     const auto attempt = [&](const std::vector<TruthQuery>& queries, int samples) {
         return trace(scene, kStillLifeCamera, 4, 4, queries, with_samples(samples));
     };

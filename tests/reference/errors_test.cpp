@@ -1,0 +1,169 @@
+#include "core/sampling.h"
+#include "reference/estimate.h"
+#include "reference/test_scenes.h"
+#include "reference/truth.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace aoscore {
+namespace {
+
+const CameraFrame kFrame(testing::looking({2, 2, 3}, {0, 0.5, 0}), 80, 60);
+
+/// Many runs of one picture with different seeds: the true error of each pixel, and what was stated.
+struct Runs {
+    std::vector<double> mean, true_variance, stated_variance;  // of pixels with a surface
+    double rmse() const {
+        double sum = 0;
+        for (const double v : true_variance) sum += v;
+        return std::sqrt(sum / static_cast<double>(true_variance.size()));
+    }
+};
+
+Runs run(const ReferenceScene& scene, const TruthQuery& query, TruthSettings settings, int seeds) {
+    std::vector<Truth> truths;
+    for (int s = 0; s < seeds; ++s) {
+        settings.seed = static_cast<std::uint64_t>(s) + 1;
+        truths.push_back(scene.trace(kFrame, {query}, settings, "calibration"));
+    }
+    Runs runs;
+    for (std::size_t i = 0; i < truths[0].hits.surface.size(); ++i) {
+        if (truths[0].hits.surface.pixels[i] == 0) continue;
+        double mean = 0, variance = 0, stated = 0;
+        for (const Truth& t : truths) {
+            mean += t.visibility[0].pixels[i] / seeds;
+            stated += std::pow(t.standard_error[0].pixels[i], 2) / seeds;
+        }
+        for (const Truth& t : truths) variance += std::pow(t.visibility[0].pixels[i] - mean, 2) / (seeds - 1);
+        runs.mean.push_back(mean);
+        runs.true_variance.push_back(variance);
+        runs.stated_variance.push_back(stated);
+    }
+    return runs;
+}
+
+/// Bins of visibility, but for pixels of which most runs see one kind of rays only: they state the floor,
+/// which is meant to be too large.
+void expect_calibrated(const Runs& runs, int samples) {
+    constexpr std::array kBins = {0.0, 0.02, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 0.98, 1.0};
+    const double lowest = 1.0 / samples, highest = 1 - lowest;
+    int filled = 0;
+    for (std::size_t b = 0; b + 1 < kBins.size(); ++b) {
+        double true_sum = 0, stated_sum = 0;
+        int pixels = 0;
+        for (std::size_t i = 0; i < runs.mean.size(); ++i) {
+            if (runs.mean[i] < std::max(lowest, kBins[b]) || runs.mean[i] >= std::min(highest, kBins[b + 1]))
+                continue;
+            ++pixels;
+            true_sum += runs.true_variance[i];
+            stated_sum += runs.stated_variance[i];
+        }
+        if (pixels < 60) continue;
+        ++filled;
+        const double ratio = std::sqrt(true_sum / stated_sum);
+        EXPECT_GT(ratio, 0.9) << "V from " << kBins[b] << " to " << kBins[b + 1] << ", " << pixels
+                              << " pixels";
+        EXPECT_LT(ratio, 1.1) << "V from " << kBins[b] << " to " << kBins[b + 1] << ", " << pixels
+                              << " pixels";
+    }
+    EXPECT_GE(filled, 5);
+}
+
+TEST(StandardErrors, AreCalibratedOnSmoothAndOnSharpShadows) {
+    const ReferenceScene scene(testing::still_life());
+    TruthSettings settings;
+    for (const int samples : {48, 128, 512}) {
+        SCOPED_TRACE(samples);
+        settings.samples = samples;
+        expect_calibrated(run(scene, {Falloff::binary, INFINITY, 0}, settings, 40), settings.samples);
+    }
+}
+
+TEST(StandardErrors, AreCalibratedAmongThinOccluders) {
+    const ReferenceScene scene(testing::thicket());
+    TruthSettings settings;
+    settings.samples = 128;
+    expect_calibrated(run(scene, {Falloff::binary, INFINITY, 0}, settings, 40), settings.samples);
+    expect_calibrated(run(scene, {Falloff::quadratic, 1.5, 0}, settings, 40), settings.samples);
+}
+
+TEST(StandardErrors, OfAWholePictureAreIndependentBetweenNeighbours) {
+    // The error of a mean over pixels is that of independent pixels: nothing is shared between them.
+    const ReferenceScene scene(testing::thicket());
+    TruthSettings settings;
+    settings.samples = 64;
+    constexpr int kSeeds = 100;
+    double sum = 0, squares = 0, variance = 0;
+    for (int s = 0; s < kSeeds; ++s) {
+        settings.seed = static_cast<std::uint64_t>(s) + 1000;
+        const Truth truth = scene.trace(kFrame, {{Falloff::binary, 1, 0}}, settings, "independence");
+        double picture = 0;
+        for (std::size_t i = 0; i < truth.visibility[0].size(); ++i) {
+            picture += truth.visibility[0].pixels[i];
+            variance += std::pow(truth.standard_error[0].pixels[i], 2) / kSeeds;
+        }
+        sum += picture;
+        squares += picture * picture;
+    }
+    const double seen = (squares - sum * sum / kSeeds) / (kSeeds - 1);
+    // A variance of 100 values is known to 14 %; four times that.
+    EXPECT_LT(seen / variance, 1.6);
+    EXPECT_GT(seen / variance, 0.4);
+}
+
+/// Slope of log error over log samples, by least squares.
+double slope(const ReferenceScene& scene, PointKind kind) {
+    double x_sum = 0, y_sum = 0, xx = 0, xy = 0;
+    int n = 0;
+    for (int samples = 16; samples <= 1024; samples *= 4, ++n) {
+        TruthSettings settings;
+        settings.samples = samples;
+        settings.points = kind;
+        const double x = std::log(samples),
+                     y = std::log(run(scene, {Falloff::binary, 1, 0}, settings, 6).rmse());
+        x_sum += x;
+        y_sum += y;
+        xx += x * x;
+        xy += x * y;
+    }
+    return (xy - x_sum * y_sum / n) / (xx - x_sum * x_sum / n);
+}
+
+TEST(StandardErrors, FallFasterThanMonteCarlo) {
+    const ReferenceScene scene(testing::still_life());
+    EXPECT_LT(slope(scene, PointKind::scrambled_sobol), -0.7);
+    EXPECT_NEAR(slope(scene, PointKind::independent), -0.5, 0.03);
+}
+
+TEST(Estimates, PoolSetsOfUnequalSize) {
+    // 7 rays: sets of 2, 2, 2, 1.
+    const std::array sums = {1.0, 0.0, 2.0, 1.0};
+    const PixelSpread pixel = pixel_spread(sums, 7);
+    EXPECT_DOUBLE_EQ(pixel.visibility, 3.0 / 7);
+    EXPECT_EQ(pixel.freedom, 3);
+    const double m = 4.0 / 7;
+    const double spread = 2 * (0.5 - m) * (0.5 - m) + 2 * m * m + 2 * (1 - m) * (1 - m) + (1 - m) * (1 - m);
+    EXPECT_DOUBLE_EQ(pixel.variance, spread / (3 * 7));
+}
+
+TEST(Estimates, OfALoneNoisyPixelAreItsOwn) {
+    const std::array sums = {10.0, 14.0, 9.0, 12.0};
+    const PixelSpread pixel = pixel_spread(sums, 128);
+    EXPECT_NEAR(moderated_estimates({&pixel, 1})[0].standard_error, std::sqrt(pixel.variance), 1e-15);
+}
+
+TEST(Estimates, NeverStateLessThanTheFloor) {
+    const std::array sums = {0.0, 0.0, 0.0, 0.0};
+    const PixelSpread pixel = pixel_spread(sums, 256);
+    EXPECT_EQ(moderated_estimates({&pixel, 1})[0].standard_error, standard_error_floor(256));
+    const std::array one = {1.0};
+    const PixelSpread single = pixel_spread(one, 1);
+    EXPECT_EQ(moderated_estimates({&single, 1})[0].standard_error, 0.5);
+}
+
+}  // namespace
+}  // namespace aoscore
