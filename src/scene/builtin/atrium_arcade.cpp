@@ -135,7 +135,7 @@ MeshBuilder gallery_rib() {
                     kUpperFloor_m - 0.25 - kLowerSpringing_m, kRibHalf_m, Underside::open);
     for (const double side : {-1.0, 1.0}) {
         const double low = side > 0 ? half - 0.2 : -half - 0.05, high = side > 0 ? half + 0.05 : -half + 0.2;
-        add_bevelled_box(mesh, {low, -0.16, -kRibHalf_m - 0.035}, {high, 0.02, kRibHalf_m + 0.03}, 0.02);
+        add_bevelled_box(mesh, {low, -0.16, -kRibHalf_m - 0.03}, {high, 0.02, kRibHalf_m + 0.03}, 0.02);
         const double low2 = side > 0 ? half - 0.12 : -half - 0.05,
                      high2 = side > 0 ? half + 0.05 : -half + 0.12;
         add_bevelled_box(mesh, {low2, -0.42, -kRibHalf_m + 0.035}, {high2, -0.14, kRibHalf_m - 0.035}, 0.02);
