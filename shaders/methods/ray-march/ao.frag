@@ -1,0 +1,32 @@
+// Brute force over one depth layer: V = mean over cosine-distributed rays of [no step lies behind the depth surface].
+// "Behind" is measured along the normal, above the tangent plane: on one line of sight that is the same as comparing
+// depths, and a plane cannot hide itself where a tap is read at its texel's centre.
+#include "contract/ao_pass.glsl"
+#include "lib/constants.glsl"
+#include "lib/frame.glsl"
+#include "lib/noise.glsl"
+
+bool hit(vec3 point, vec3 position, vec3 normal, float step_length) {
+    vec3 tap = tap_position(image_of(point));
+    bool behind = dot(tap - position, normal) > dot(point - position, normal) && -point.z >= u_near;
+    return behind && (p_occluders == occluders_solid || tap.z - point.z < p_thickness + step_length);
+}
+
+float visibility(vec2 image_px, vec3 position) {
+    vec3 normal = centre_normal_geometric();
+    vec4 noise = pixel_noise();
+    float angle = kTwoPi * noise.x;
+    mat3 view_from_tangent = basis_toward(normal, vec3(cos(angle), sin(angle), 0.0));
+    float step_length = p_radius / float(p_steps);
+    float open = 0.0;
+    for (int i = 0; i < p_directions; ++i) {
+        vec3 step_vector = view_from_tangent * k_rays[i] * step_length;
+        float shift = fract(noise.y + float(i) * 0.61803399);
+        bool hidden = false;
+        for (int j = 0; j < p_steps; ++j) {
+            hidden = hit(position + step_vector * (float(j) + shift), position, normal, step_length) || hidden;
+        }
+        open += hidden ? 0.0 : 1.0;
+    }
+    return open / float(p_directions);
+}
