@@ -86,7 +86,7 @@ MeshBuilder beams() {
 /// A bowl that hangs by three chains from a vault's crown (the origin).
 MeshBuilder lamp() {
     MeshBuilder mesh;
-    add_lathe(mesh, {{0.06, -0.06}, {0.06, -0.02}, {0.02, 0.03}}, 8);
+    add_lathe(mesh, {{0, -0.06}, {0.06, -0.06}, {0.06, -0.02}, {0.02, 0.03}}, 8);
     const double rim = -1.05;
     add_lathe(mesh,
               {{0, rim - 0.2},
@@ -136,7 +136,7 @@ MeshBuilder rosette() {
     add_lathe(petal, {{1, -0.5}, {1, 0}, {0.6, 0.8}, {0, 1}}, 6);
     for (int i = 0; i < 8; ++i) {
         mesh.append(petal, rotation_z(i * std::numbers::pi / 4) * translation(0.105, 0, 0.02) *
-                               scaling(0.05, 0.032, 0.03));
+                               scaling(0.05, 0.032, 0.03) * rotation_x(std::numbers::pi / 2));
     }
     return mesh;
 }
@@ -145,7 +145,7 @@ MeshBuilder rosette() {
 /// court. They end at the valleys, where the neighbouring slopes meet. z = 0 is the column axes' line, the
 /// court on -z.
 MeshBuilder roof_tiles(double half_length_m) {
-    const dvec2 eave(-0.85, kCornice_m + 0.58), ridge(kWallHalf_m + kGallery_m, kTop_m - 0.27);
+    const dvec2 eave(-0.745, kCornice_m + 0.6), ridge(kWallHalf_m + kGallery_m, kTop_m - 0.27);
     constexpr double kPitch_m = kBay_m / 9;
     const int rows = static_cast<int>((half_length_m + ridge.x) / kPitch_m);
     MeshBuilder mesh;
@@ -158,6 +158,10 @@ MeshBuilder roof_tiles(double half_length_m) {
             const double a = std::numbers::pi * u, radius = 0.1;
             const dvec2 p = glm::mix(low, ridge, v);
             return dvec3(x + radius * std::cos(a), p.y - 0.03 + radius * std::sin(a), p.x);
+        });
+        add_surface(mesh, 5, 1, [&](double u, double v) {  // the tile's closed lower end
+            const double a = std::numbers::pi * u, radius = 0.1 * v;
+            return dvec3(x + radius * std::cos(a), low.y - 0.03 + radius * std::sin(a), low.x);
         });
     }
     return mesh;

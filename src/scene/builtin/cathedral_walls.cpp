@@ -19,11 +19,11 @@ MeshBuilder tracery(double half_width_m, double jamb_m, double rise_m) {
     MeshBuilder post;
     add_lathe(post, {{0.05, -0.05}, {0.05, jamb_m + 0.15}, {0.0, jamb_m + 0.17}}, 8);
     mesh.append(post, glm::dmat4(1.0));
-    const Profile lancet = pointed_arch(half - 0.05, 1.25 * half, 5);
+    const Profile lancet = stilted(pointed_arch(half - 0.05, 1.25 * half, 5), jamb_m);
     const Profile section{{-0.04, -0.07}, {0.04, -0.07}, {0.04, 0.07}, {-0.04, 0.07}};
     MeshBuilder bar;
     add_arch_moulding(bar, lancet, section);
-    for (const double side : {-1.0, 1.0}) mesh.append(bar, translation(side * half, jamb_m - 0.05, 0));
+    for (const double side : {-1.0, 1.0}) mesh.append(bar, translation(side * half, -0.05, 0));
     MeshBuilder ring;
     add_torus(ring, 0.42 * half_width_m, 0.045, 16, 5);
     mesh.append(ring, translation(0, jamb_m + 0.56 * rise_m, 0));
@@ -82,13 +82,13 @@ MeshBuilder clerestory_bay() {
     // In (x, y) along z, turned to run along x.
     MeshBuilder run, course;
     add_run(run,
-            {{0.05, y - 0.14},
-             {0, y - 0.14},
-             {-0.05, y - 0.1},
-             {-0.08, y - 0.02},
-             {-0.13, y + 0.02},
+            {{0.05, y + 0.14},
              {-0.13, y + 0.08},
-             {0.05, y + 0.14}},
+             {-0.13, y + 0.02},
+             {-0.08, y - 0.02},
+             {-0.05, y - 0.1},
+             {0, y - 0.14},
+             {0.05, y - 0.14}},
             -kBay_m / 2, kBay_m / 2);
     course.append(run, quarter_turns_y(-1));
     mesh.append(course, translation(0, 0, face));
