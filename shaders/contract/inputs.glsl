@@ -7,6 +7,9 @@ uniform sampler2D u_linear_depth;      // metres, positive; u_far on background
 uniform sampler2D u_hardware_depth;    // window depth in [0,1]
 uniform sampler2D u_normal_geometric;  // view space, unit, turned to the camera
 uniform sampler2D u_normal_smooth;     // the same, interpolated
+uniform sampler2D u_normal_from_depth;           // view space, unit, from differences of depth
+uniform sampler2D u_normal_from_depth_accurate;  // the same, from the better side of each pixel
+uniform sampler2D u_depth_mips;        // linear depth in 6 levels; the descriptor's depth_mips says how they are made
 uniform sampler2D u_albedo;            // linear RGB
 uniform sampler2D u_noise_4x4;         // four numbers in [0,1) a texel, each a permutation of (i + ½)/16
 uniform uint u_seed;                   // of the run
@@ -22,6 +25,8 @@ ivec2 centre_texel() { return ivec2(gl_FragCoord.xy); }
 float centre_linear_depth() { return texelFetch(u_linear_depth, centre_texel(), 0).r; }
 vec3 centre_normal_geometric() { return texelFetch(u_normal_geometric, centre_texel(), 0).xyz; }
 vec3 centre_normal_smooth() { return texelFetch(u_normal_smooth, centre_texel(), 0).xyz; }
+vec3 centre_normal_from_depth() { return texelFetch(u_normal_from_depth, centre_texel(), 0).xyz; }
+vec3 centre_normal_from_depth_accurate() { return texelFetch(u_normal_from_depth_accurate, centre_texel(), 0).xyz; }
 vec4 tiled_noise() { return texelFetch(u_noise_4x4, centre_texel() & 3, 0); }
 
 bool in_picture(vec2 image_px) {
@@ -43,3 +48,16 @@ float tap_linear_depth(vec2 image_px) {
 // View-space position of the surface in the texel at an image position. It lies on the line of sight through the
 // texel's centre, so that a plane in the scene gives points on that plane.
 vec3 tap_position(vec2 image_px) { return view_position(floor(image_px) + 0.5, tap_linear_depth(image_px)); }
+
+// The same from level `mip` of the depth mips: the depth of a larger texel, on the line of sight through the full
+// picture's texel.
+const int kDepthMipLevels = 6;
+vec3 tap_mip_position(vec2 image_px, int mip) {
+    COUNT_TAP
+    ivec2 texel = ivec2(clamp(image_px, vec2(0.0), u_size_px - 1.0)) >> mip;
+    float depth = texelFetch(u_depth_mips, min(texel, textureSize(u_depth_mips, mip) - 1), mip).r;
+#if BORDER_FAR
+    depth = in_picture(image_px) ? depth : u_far;
+#endif
+    return view_position(floor(image_px) + 0.5, depth);
+}

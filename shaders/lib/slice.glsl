@@ -23,21 +23,8 @@ struct ViewSlice {
     float normal_angle;    // γ, of that part
 };
 
-// The slice at this azimuth about the view vector. Azimuths are even about it, not in the picture, so that the mean
-// over slices is that over the hemisphere away from the picture's centre too.
-ViewSlice view_slice(float azimuth, vec3 position, vec3 normal, vec3 line_of_sight) {
-    ViewSlice slice;
-    slice.view = view_vector(position);
-    mat3 basis = basis_toward(slice.view, vec3(1.0, 0.0, 0.0));
-    slice.along = basis[0] * cos(azimuth) + basis[1] * sin(azimuth);
-
-#if ORTHOGRAPHIC
-    vec2 motion = slice.along.xy;
-#else
-    vec2 motion = (slice.along.xy * -position.z + position.xy * slice.along.z) / (position.z * position.z);
-#endif
-    slice.image_px = motion / vec2(u_pixel_size.x, -u_pixel_size.y);
-
+// With view, along and image_px given.
+ViewSlice completed(ViewSlice slice, vec3 normal, vec3 line_of_sight) {
     vec3 slice_normal = cross(slice.along, slice.view);
     vec2 direction = normalize(slice.image_px);
     slice.across = slice_tangent(vec2(-direction.y, direction.x), normal, line_of_sight);
@@ -47,6 +34,32 @@ ViewSlice view_slice(float azimuth, vec3 position, vec3 normal, vec3 line_of_sig
     slice.normal_length = length(in_slice);
     slice.normal_angle = atan(dot(in_slice, slice.along), dot(in_slice, slice.view));
     return slice;
+}
+
+// The slice at this azimuth about the view vector. Azimuths are even about it, not in the picture, so that the mean
+// over slices is that over the hemisphere away from the picture's centre too.
+ViewSlice view_slice(float azimuth, vec3 position, vec3 normal, vec3 line_of_sight) {
+    ViewSlice slice;
+    slice.view = view_vector(position);
+    mat3 basis = basis_toward(slice.view, vec3(1.0, 0.0, 0.0));
+    slice.along = basis[0] * cos(azimuth) + basis[1] * sin(azimuth);
+#if ORTHOGRAPHIC
+    vec2 motion = slice.along.xy;
+#else
+    vec2 motion = (slice.along.xy * -position.z + position.xy * slice.along.z) / (position.z * position.z);
+#endif
+    slice.image_px = motion / vec2(u_pixel_size.x, -u_pixel_size.y);
+    return completed(slice, normal, line_of_sight);
+}
+
+// The slice through a direction of the picture; a metre along it is the face-on projection.
+ViewSlice screen_slice(vec2 direction, vec3 position, vec3 normal, vec3 line_of_sight) {
+    ViewSlice slice;
+    slice.view = view_vector(position);
+    vec3 along = view_of_image_direction(direction);
+    slice.along = normalize(along - slice.view * dot(along, slice.view));
+    slice.image_px = direction * pixels_per_metre(-position.z);
+    return completed(slice, normal, line_of_sight);
 }
 
 vec3 into_slice(vec3 v, ViewSlice slice) { return v - slice.across * dot(v, slice.measure); }

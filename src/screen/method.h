@@ -40,6 +40,15 @@ struct Kernel {
     std::string sequence = "random";
 };
 
+/// How the input "depth_mips" is made for a method.
+struct DepthMips {
+    /// "rotated_grid": each texel is one of the four below it (McGuire, Mara, Luebke, Scalable Ambient
+    /// Obscurance, 2012); "weighted": their mean, weighted by nearness to the farthest within the radius
+    /// (Intel, XeGTAO, 2021).
+    std::string filter = "rotated_grid";
+    std::string radius_parameter;  ///< "weighted" only
+};
+
 /// Which truth a method claims to approximate: its falloff, and which of its parameters holds the radius.
 struct OwnTruth {
     std::string falloff = "binary";
@@ -64,6 +73,7 @@ struct MethodDescriptor {
     std::map<std::string, ParameterValues> presets;     ///< by id; "default" always exists
     std::map<std::string, std::string> preset_filters;  ///< preset -> filter id, "none" where unsaid
     std::vector<Kernel> kernels;
+    DepthMips depth_mips;
     std::vector<Pass> passes;
     OwnTruth truth;
     std::filesystem::path folder;

@@ -125,6 +125,25 @@ Kernel parse_kernel(const std::string& id, StrictObject object, const MethodDesc
     return kernel;
 }
 
+DepthMips parse_depth_mips(const MethodDescriptor& method, StrictObject object) {
+    DepthMips mips;
+    mips.filter = object.text("filter");
+    if (mips.filter != "rotated_grid" && mips.filter != "weighted") {
+        throw file_error(fmt::format("is \"{}\"", mips.filter), object.where("filter"),
+                         "rotated_grid, weighted");
+    }
+    if (mips.filter == "weighted") {
+        mips.radius_parameter = object.text("radius");
+        const Parameter* p = method.find_parameter(mips.radius_parameter);
+        if (p == nullptr || p->type != Parameter::Type::real) {
+            throw file_error(fmt::format("is \"{}\"", mips.radius_parameter), object.where("radius"),
+                             "a real parameter");
+        }
+    }
+    object.finish();
+    return mips;
+}
+
 OwnTruth parse_truth(const MethodDescriptor& method, StrictObject object) {
     OwnTruth truth;
     truth.falloff = object.text_or("falloff", truth.falloff);
@@ -220,6 +239,7 @@ MethodDescriptor load_descriptor(const fs::path& folder, const std::set<std::str
             method.kernels.push_back(parse_kernel(id, StrictObject(value, kernels.where(id)), method));
         }
     }
+    if (top.has("depth_mips")) method.depth_mips = parse_depth_mips(method, top.object("depth_mips"));
     for (const StrictObject& pass : top.objects("passes"))
         method.passes.push_back(parse_pass(pass, folder, inputs));
     if (method.passes.empty()) throw file_error("is empty", top.where("passes"), "at least one pass");

@@ -120,7 +120,7 @@ bool is_sampler(GLenum type) {
 const std::set<std::string>& method_inputs() {
     static const std::set<std::string> all = [] {
         std::set<std::string> inputs = gbuffer_inputs();
-        inputs.insert("noise_4x4");
+        inputs.insert({"noise_4x4", "depth_mips", "normal_from_depth", "normal_from_depth_accurate"});
         return inputs;
     }();
     return all;

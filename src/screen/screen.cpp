@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/hash.h"
+#include "screen/derived_inputs.h"
 #include "screen/gbuffer.h"
 #include "screen/kernel.h"
 #include "screen/osmesa_context.h"
@@ -34,12 +35,45 @@ std::string gl_text(GLenum name) {
     return text == nullptr ? "unknown" : reinterpret_cast<const char*>(text);
 }
 
+// The input that is read in place of a listed one.
+std::string replaced_normal(const std::string& input, Normals normals) {
+    if (!input.starts_with("normal_")) return input;
+    switch (normals) {
+        case Normals::as_described:
+            return input;
+        case Normals::geometric:
+            return "normal_geometric";
+        case Normals::smooth:
+            return "normal_smooth";
+        case Normals::from_depth:
+            return "normal_from_depth";
+        case Normals::from_depth_accurate:
+            return "normal_from_depth_accurate";
+    }
+    return input;
+}
+
 }  // namespace
+
+std::set<std::string> needed_gbuffer_inputs(const MethodRequest& request) {
+    std::set<std::string> needed = {"linear_depth"};
+    for (const MethodDescriptor* descriptor : {request.method, request.filter}) {
+        if (descriptor == nullptr) continue;
+        for (const Pass& pass : descriptor->passes) {
+            for (const std::string& listed : pass.inputs) {
+                const std::string input = replaced_normal(listed, request.normals);
+                if (gbuffer_inputs().contains(input)) needed.insert(input);
+            }
+        }
+    }
+    return needed;
+}
 
 struct ScreenRenderer::Impl {
     GlContext context;
     std::optional<SceneGeometry> geometry;
     GBuffer gbuffer;
+    DerivedInputs derived;
     gl::VertexArray empty_vertices;  // a core context draws nothing without one
     std::map<std::string, PassProgram> programs;
     std::set<std::string> checked_inputs;
@@ -92,39 +126,53 @@ struct ScreenRenderer::Impl {
         }
     }
 
-    GLuint input_texture(const std::string& input, std::uint64_t seed) {
-        if (input == "visibility") return raw.name();
-        if (input == "noise_4x4") {
-            auto found = noise_4x4.find(seed);
-            if (found == noise_4x4.end()) {
-                const auto noise = generate_noise_4x4(seed);
-                found =
-                    noise_4x4
+    GLuint noise_texture(std::uint64_t seed) {
+        auto found = noise_4x4.find(seed);
+        if (found == noise_4x4.end()) {
+            const auto noise = generate_noise_4x4(seed);
+            found = noise_4x4
                         .emplace(seed, make_texture(kRgba32F, noise.width, noise.height, noise.pixels.data()))
                         .first;
-            }
-            return found->second.name();
         }
+        return found->second.name();
+    }
+
+    GLuint depth_mips(const PassBuild& build) {
+        const DepthMips& mips = build.method->depth_mips;
+        const double radius =
+            mips.radius_parameter.empty() ? 0 : build.parameters->at(mips.radius_parameter).get<double>();
+        return derived.depth_mips(gbuffer, mips.filter, radius);
+    }
+
+    GLuint input_texture(const std::string& listed, const PassBuild& build, Normals normals) {
+        const std::string input = replaced_normal(listed, normals);
+        if (input == "visibility") return raw.name();
+        if (input == "noise_4x4") return noise_texture(build.seed);
+        if (input == "depth_mips") return depth_mips(build);
+        if (input == "normal_from_depth") return derived.normal_from_depth(gbuffer, false);
+        if (input == "normal_from_depth_accurate") return derived.normal_from_depth(gbuffer, true);
         const GLuint texture = gbuffer.texture(input);
         if (texture == 0) throw internal_error("the G-buffer was drawn without " + input, "ScreenRenderer");
         return texture;
     }
 
-    // Background pixels keep `clear`.
-    void draw_pass(const PassBuild& build, const Pass& pass, std::initializer_list<GLuint> targets,
-                   float clear) {
+    // Background pixels keep 1 and, in a second target, 0.
+    void draw_pass(const PassBuild& build, const Pass& pass, std::initializer_list<GLuint> targets, Normals normals) {
         const PassProgram& compiled = program(build, pass);
+        // Inputs first: making one draws by itself.
+        std::vector<GLuint> inputs;
+        for (const std::string& input : compiled.samplers()) inputs.push_back(input_texture(input, build, normals));
         const gl::Framebuffer framebuffer = make_framebuffer(targets);
         gl::Viewport(0, 0, target_width, target_height);
-        const std::array<float, 4> colour = {clear, clear, clear, clear};
+        const std::array<float, 4> open = {1, 1, 1, 1};
         const std::array<float, 4> zero = {0, 0, 0, 0};
-        gl::ClearBufferfv(GL_COLOR, 0, colour.data());
+        gl::ClearBufferfv(GL_COLOR, 0, open.data());
         if (targets.size() > 1) gl::ClearBufferfv(GL_COLOR, 1, zero.data());
         compiled.program().use();
         for (std::size_t i = 0; i < compiled.samplers().size(); ++i) {
             const std::string& input = compiled.samplers()[i];
             gl::ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
-            gl::BindTexture(GL_TEXTURE_2D, input_texture(input, build.seed));
+            gl::BindTexture(GL_TEXTURE_2D, inputs[i]);
             gl::Uniform1i(compiled.program().location("u_" + input), static_cast<GLint>(i));
         }
         gl::ActiveTexture(GL_TEXTURE0);
@@ -155,10 +203,10 @@ struct ScreenRenderer::Impl {
     }
 
     void draw_method(const MethodRequest& request) {
-        draw_pass(method_build(request), request.method->passes.front(), {raw.name()}, 1.0F);
+        draw_pass(method_build(request), request.method->passes.front(), {raw.name()}, request.normals);
     }
     void draw_filter(const MethodRequest& request) {
-        draw_pass(filter_build(request), request.filter->passes.front(), {filtered.name()}, 1.0F);
+        draw_pass(filter_build(request), request.filter->passes.front(), {filtered.name()}, request.normals);
     }
 
     ImageF read(const gl::Texture& texture) const {
@@ -194,6 +242,7 @@ double ScreenRenderer::draw_gbuffer(const CameraFrame& frame, const std::set<std
     impl_->context.make_current();
     if (!impl_->geometry) throw internal_error("no scene was set", "ScreenRenderer");
     const Clock clock;
+    impl_->derived.forget();
     impl_->gbuffer.draw(*impl_->geometry, frame, inputs);
     return clock.milliseconds();
 }
@@ -235,6 +284,7 @@ ScreenRenderer::PassTimes ScreenRenderer::time(const MethodRequest& request) {
     if (request.filter != nullptr) {
         for (const Pass& pass : request.filter->passes) impl_->program(impl_->filter_build(request), pass);
     }
+    impl_->derived.forget();  // what a method has made for itself is on its bill
     gl::Finish();
     PassTimes times;
     const Clock ao;
@@ -256,7 +306,8 @@ ImageF ScreenRenderer::count_fetches(const MethodRequest& request) {
     impl_->allocate_targets();
     PassBuild build = impl_->method_build(request);
     build.count_fetches = true;
-    impl_->draw_pass(build, request.method->passes.front(), {impl_->raw.name(), impl_->fetches.name()}, 1.0F);
+    impl_->draw_pass(build, request.method->passes.front(), {impl_->raw.name(), impl_->fetches.name()},
+                     request.normals);
     return impl_->read(impl_->fetches);
 }
 

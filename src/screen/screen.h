@@ -27,6 +27,10 @@ struct GBufferImages {
 /// the depth of the nearest pixel.
 enum class Border { far, clamp };
 
+/// Where a method's normals come from: as its descriptor says, or in place of that the triangle's, the
+/// interpolated ones, or the depth buffer's (simple differences; accurate: the better side of each pixel).
+enum class Normals { as_described, geometric, smooth, from_depth, from_depth_accurate };
+
 /// What to run on the current G-buffer.
 struct MethodRequest {
     const MethodDescriptor* method = nullptr;
@@ -35,6 +39,7 @@ struct MethodRequest {
     ParameterValues filter_parameters;
     std::uint64_t seed = 1;  ///< of kernels and noise
     Border border = Border::far;
+    Normals normals = Normals::as_described;
     /// Parameters and kernels as uniforms instead of constants: the same picture, slower; for comparison.
     bool uniform_form = false;
 };
@@ -47,10 +52,14 @@ struct MethodOutput {
 /// The inputs a pass may ask for: "linear_depth", "hardware_depth", "normal_geometric", "normal_smooth",
 /// "albedo".
 const std::set<std::string>& gbuffer_inputs();
-/// What a method's pass may ask for: the G-buffer's and what the program generates ("noise_4x4").
+/// What a method's pass may ask for: the G-buffer's, what is computed from it ("depth_mips",
+/// "normal_from_depth", "normal_from_depth_accurate") and what the program generates ("noise_4x4").
 const std::set<std::string>& method_inputs();
 /// What a filter's pass may ask for: a method's inputs and "visibility", the picture to be filtered.
 const std::set<std::string>& filter_inputs();
+
+/// The G-buffer inputs that a request reads: what draw_gbuffer() must be asked for before it runs.
+std::set<std::string> needed_gbuffer_inputs(const MethodRequest& request);
 
 /// OpenGL 3.3 on OSMesa: draws one G-buffer and runs screen-space methods on it. One instance at a time a
 /// thread.

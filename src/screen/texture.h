@@ -17,10 +17,13 @@ inline constexpr TextureFormat kDepth32F{GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONE
 /// A 2-D texture without mips, unfiltered, clamped; filled from `pixels` (floats, row 0 first) where given.
 gl::Texture make_texture(TextureFormat format, int width, int height, const void* pixels = nullptr);
 
+/// A texture with `levels` levels, each half of the one before (rounded down, at least 1), unfilled.
+gl::Texture make_mipmapped_texture(TextureFormat format, int width, int height, int levels);
+
 /// Level 0 as floats, row 0 first; `pixels` must hold all of it.
 void read_texture(GLuint texture, GLenum transfer, void* pixels);
 
-/// A framebuffer that draws into these single-level textures, in order, and nothing else.
-gl::Framebuffer make_framebuffer(std::initializer_list<GLuint> textures);
+/// A framebuffer that draws into this level of these textures, in order, and nothing else. It stays bound.
+gl::Framebuffer make_framebuffer(std::initializer_list<GLuint> textures, int level = 0);
 
 }  // namespace aoscore

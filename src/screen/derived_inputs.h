@@ -1,0 +1,39 @@
+#pragma once
+
+#include "screen/gbuffer.h"
+#include "screen/method.h"
+#include "screen/shader_program.h"
+
+#include <map>
+#include <string>
+
+namespace aoscore {
+
+/// Inputs that are computed from the G-buffer when a method asks for them: depth mips and normals from depth.
+/// They are kept until forget().
+class DerivedInputs {
+  public:
+    /// Levels of "depth_mips", the full picture among them.
+    static constexpr int kMipLevels = 6;
+
+    /// The G-buffer has changed, or the clock is to see the work.
+    void forget();
+
+    /// `radius_m` is that of a "weighted" chain.
+    GLuint depth_mips(const GBuffer& gbuffer, const std::string& filter, double radius_m);
+
+    /// View-space normals from depth, unit, turned to the camera: `accurate` extrapolates from both sides and
+    /// takes the better (Wu, Accurate Normal Reconstruction from Depth Buffer, 2019), else the differences to
+    /// the right and below, as derivatives of a shader would be.
+    GLuint normal_from_depth(const GBuffer& gbuffer, bool accurate);
+
+  private:
+    const ShaderProgram& program(const GBuffer& gbuffer, const std::string& file, const std::string& macros);
+    void draw(const GBuffer& gbuffer, const ShaderProgram& program, GLuint source, GLuint target, int level);
+
+    gl::VertexArray empty_vertices_;
+    std::map<std::string, gl::Texture> textures_;
+    std::map<std::string, ShaderProgram> programs_;
+};
+
+}  // namespace aoscore
