@@ -228,6 +228,12 @@ class Runner {
             throw internal_error(fmt::format("{} pixels are NaN or infinite", record.nonfinite));
         }
         record.ranked = metrics_against(truth_.queries[0], output.visibility, valid);
+        const OcclusionMasks masks =
+            occlusion_masks({truth_.visibility[0], output.visibility, valid, nullptr}, run_.mask_threshold);
+        if (contract_.valid_count > 0) {
+            record.missing_area = masks.missing_area;
+            record.false_area = masks.false_area;
+        }
         record.own = metrics_against(cell.own, output.visibility, valid, kUnrankedMetrics);
         if (filtered) {
             std::size_t nonfinite = 0;

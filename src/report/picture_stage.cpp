@@ -96,9 +96,9 @@ void add_cell_figures(json& figures, const CellRecord& cell, const std::string& 
                                           short_text(threshold)));
     masks["keys"].push_back(key_model(
         kMissingOcclusionColour,
-        fmt::format("missing occlusion, {} % of the valid pixels", percent_text(pictures.missing_area))));
-    masks["keys"].push_back(key_model(
-        kFalseOcclusionColour, fmt::format("false occlusion, {} %", percent_text(pictures.false_area))));
+        fmt::format("missing occlusion, {} % of the valid pixels", percent_text(cell.missing_area))));
+    masks["keys"].push_back(key_model(kFalseOcclusionColour,
+                                      fmt::format("false occlusion, {} %", percent_text(cell.false_area))));
     figures.push_back(std::move(masks));
 }
 

@@ -122,8 +122,6 @@ CellPictures cell_pictures(const CellRecord& cell, const ViewRecord& view, const
     const OcclusionMasks masks =
         occlusion_masks({.truth = truth.visibility, .test = output, .valid = valid}, mask_threshold);
     pictures.masks = mask_picture(truth.visibility, masks.missing, masks.false_occlusion);
-    pictures.missing_area = masks.missing_area;
-    pictures.false_area = masks.false_area;
     pictures.blocks = block_errors(truth.visibility, output, valid);
     return pictures;
 }

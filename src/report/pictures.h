@@ -31,7 +31,6 @@ struct CellPictures {
     Picture error;  ///< output - truth, on blue_red over ±kErrorRange
     Picture masks;  ///< missing and false occlusion over the truth in gray
     Picture output_thumbnail, raw_thumbnail;
-    double missing_area = 0, false_area = 0;  ///< fractions of the valid pixels
     BlockErrors blocks;
 };
 

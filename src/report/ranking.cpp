@@ -38,20 +38,18 @@ std::vector<Column> columns(const PageSource& source) {
                         [id](const CellRecord& cell) { return metric_of(cell, id); },
                         metric.unit.empty() ? 4 : 2});
     }
-    const Pictures& pictures = source.pictures;
-    const auto area = [&pictures](double CellPictures::*member) {
-        return [&pictures, member](const CellRecord& cell) {
-            const auto found = pictures.cells.find(cell.id);
-            if (found == pictures.cells.end()) return MeasuredMetric{};
-            return MeasuredMetric{found->second.*member * 100, ""};
+    const auto area = [](std::optional<double> CellRecord::*member) {
+        return [member](const CellRecord& cell) {
+            const std::optional<double> share = cell.*member;
+            return MeasuredMetric{share ? std::optional(*share * 100) : std::nullopt, ""};
         };
     };
     const std::string threshold = short_text(source.results.mask_threshold);
     list.push_back({"", "Missing", "%",
                     "Valid pixels brighter than the truth by more than " + threshold + ".",
-                    area(&CellPictures::missing_area), 2});
+                    area(&CellRecord::missing_area), 2});
     list.push_back({"", "False", "%", "Valid pixels darker than the truth by more than " + threshold + ".",
-                    area(&CellPictures::false_area), 2});
+                    area(&CellRecord::false_area), 2});
     list.push_back({"", "Fetches", "a pixel",
                     "Texture reads of the AO pass, counted, mean over valid pixels.",
                     [](const CellRecord& cell) {

@@ -84,6 +84,8 @@ struct CellRecord {
     std::optional<double> frame_ms;           ///< G-buffer + AO + filter, medians added
     std::optional<double> fetches_per_pixel;  ///< of the AO pass, mean over valid pixels
     std::size_t nonfinite = 0;
+    std::optional<double> missing_area;  ///< share of valid pixels brighter than the truth beyond the threshold
+    std::optional<double> false_area;    ///< share of valid pixels darker than it
     std::string ranked_truth = "ranked";
     std::string own_truth;   ///< id in the view's truths
     MetricMap ranked;        ///< against the ranking's truth

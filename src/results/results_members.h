@@ -87,6 +87,8 @@ void visit_members(Visit& visit, Record& cell) {
     visit("frame_ms", cell.frame_ms);
     visit("fetches_per_pixel", cell.fetches_per_pixel);
     visit("nonfinite", cell.nonfinite);
+    visit("missing_area", cell.missing_area);
+    visit("false_area", cell.false_area);
     visit("ranked_truth", cell.ranked_truth);
     visit("own_truth", cell.own_truth);
     visit("ranked", cell.ranked);

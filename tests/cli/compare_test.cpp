@@ -1,4 +1,5 @@
 // `aoscore compare`: the JSON object, gates, and the traps that comparing tools fall into.
+#include "core/files.h"
 #include "results/image_file.h"
 #include "support/support.h"
 
@@ -6,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -108,6 +110,38 @@ TEST_F(Compare, MaskedPixelsDoNotCount) {
     EXPECT_EQ(result["metrics"]["rmse"]["value"], 0.0);
     EXPECT_EQ(result["metrics"]["max_error"]["value"], 0.0);
     EXPECT_EQ(result["valid_pixels"], kSide * kSide / 2);
+}
+
+// The values that scikit-image gives (gaussian_weights, sigma 1.5, use_sample_covariance False, data_range
+// 1).
+TEST_F(Compare, EightBitImagesReproduceTheKnownSsimAndRmse) {
+    struct Case {
+        const char* name;
+        int (*truth)(int x, int y);
+        int (*test)(int x, int y);
+        double ssim, rmse;
+    };
+    const Case cases[] = {
+        {"stripes", [](int x, int y) { return (7 * x + 13 * y) % 256; },
+         [](int x, int y) { return (7 * x + 13 * y) % 256 * 9 / 10 + 12; }, .993096247, .029195},
+        {"ramp", [](int x, int) { return 4 * x; }, [](int x, int) { return std::max(4 * x - 25, 0); },
+         .888906189, .094394},
+        {"const", [](int, int) { return 128; }, [](int, int) { return 138; }, .997177892, .039216},
+    };
+    for (const Case& c : cases) {
+        const auto write_png = [&](const char* role, int (*value)(int, int)) {
+            Image<std::uint8_t> image(kSide, kSide);
+            for (int y = 0; y < kSide; ++y) {
+                for (int x = 0; x < kSide; ++x) image.at(x, y) = static_cast<std::uint8_t>(value(x, y));
+            }
+            const std::string name = std::string(c.name) + role + ".png";
+            write_atomically(folder_ / name, encode_png_gray(image));
+            return name;
+        };
+        const json result = compare(write_png("-truth", c.truth) + " " + write_png("-test", c.test), 0);
+        EXPECT_NEAR(result["metrics"]["ssim"]["value"].get<double>(), c.ssim, 1e-6) << c.name;
+        EXPECT_NEAR(result["metrics"]["rmse"]["value"].get<double>(), c.rmse, 1e-6) << c.name;
+    }
 }
 
 TEST_F(Compare, GatesDecideTheExitCode) {

@@ -75,7 +75,9 @@ TEST(Score, PrintsThePathOfAPageAndKeepsItsResults) {
         EXPECT_GT(cell.fetches_per_pixel.value_or(0), 0) << cell.id;
         EXPECT_TRUE(std::filesystem::exists(folder / "page" / cell.image_file)) << cell.id;
     }
-    EXPECT_FALSE(std::filesystem::exists(folder / "page/results.json.incomplete"));
+    const std::string page = read_file(folder / "page/index.html");
+    ASSERT_EQ(run_aoscore("report page", folder).exit_code, 0);
+    EXPECT_EQ(read_file(folder / "page/index.html"), page) << "the page comes from the results alone";
 }
 
 constexpr const char* kOwnDescriptor = R"({

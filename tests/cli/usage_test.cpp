@@ -77,5 +77,13 @@ TEST(Usage, OutputThatCannotBeWrittenExitsWith4) {
     EXPECT_EQ(run.exit_code, 4) << run.err;
 }
 
+TEST(Usage, CtrlCEndsTheRunWith130AndLeavesNothing) {
+    const auto folder = output_dir();
+    const ProgramRun run =
+        run_aoscore("score sphere --samples 100000 --out o", folder, "timeout --preserve-status -s INT 3");
+    EXPECT_EQ(run.exit_code, 130) << run.err;
+    EXPECT_TRUE(holds_only_captures(folder)) << "a stopped run must leave nothing";
+}
+
 }  // namespace
 }  // namespace aoscore

@@ -97,6 +97,8 @@ CellRecord cell_record(const std::string& view, const MethodFacts& facts, const 
     cell.ao = {{facts.ao_ms - 1, facts.ao_ms, facts.ao_ms + 2}, facts.ao_ms, 1.0};
     if (cell.filter != "none") cell.blur = {{5, 5.5, 6}, 5.5, 0.5};
     cell.frame_ms = 11 + facts.ao_ms + cell.blur.median_ms.value_or(0);
+    cell.missing_area = 0.25;
+    cell.false_area = 0.125;
     cell.fetches_per_pixel = facts.fetches;
     cell.ranked = metric_map(facts.rmse, facts.shift);
     cell.own = metric_map(facts.rmse / 2, facts.shift / 2);

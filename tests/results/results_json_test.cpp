@@ -94,13 +94,15 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     cell.blur = {{}, std::nullopt, std::nullopt};
     cell.frame_ms = 3.25;
     cell.nonfinite = 7;
+    cell.missing_area = 0.125;
+    cell.false_area = 0.25;
     cell.own_truth = "quadratic-1";
     cell.ranked = {{"psnr", {std::nullopt, "the images are identical"}}, {"rmse", {0.0, ""}}};
     cell.image_file = "c.exr";
     results.cells = {cell};
     const CellRecord back = results_from_json(to_json(results), "results.json").cells.at(0);
     const auto& [id, view_key, method, method_label, preset, filter, parameters, error, ao, blur, frame_ms,
-                 fetches_per_pixel, nonfinite, ranked_truth, own_truth, ranked, own, raw, image_file] = back;
+                 fetches_per_pixel, nonfinite, missing_area, false_area, ranked_truth, own_truth, ranked, own, raw, image_file] = back;
     EXPECT_EQ(std::tie(id, view_key, method, method_label, preset, filter, parameters, error),
               std::tie(cell.id, cell.view_key, cell.method, cell.method_label, cell.preset, cell.filter,
                        cell.parameters, cell.error));
@@ -112,6 +114,8 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     EXPECT_EQ(frame_ms, 3.25);
     EXPECT_EQ(fetches_per_pixel, std::nullopt);
     EXPECT_EQ(nonfinite, 7U);
+    EXPECT_EQ(missing_area, 0.125);
+    EXPECT_EQ(false_area, 0.25);
     EXPECT_EQ(ranked_truth, "ranked");
     EXPECT_EQ(own_truth, cell.own_truth);
     EXPECT_EQ(ranked.at("psnr").value, std::nullopt);

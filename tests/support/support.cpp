@@ -27,10 +27,10 @@ fs::path shared_dir() {
     return fs::exists(beside) ? beside : fs::path();
 }
 
-ProgramRun run_aoscore(const std::string& arguments, const fs::path& folder) {
+ProgramRun run_aoscore(const std::string& arguments, const fs::path& folder, const std::string& prefix) {
     const fs::path out = folder / "stdout.txt", err = folder / "stderr.txt";
-    const std::string command = "cd '" + folder.string() + "' && '" AOSCORE_PROGRAM "' " + arguments + " >'" +
-                                out.string() + "' 2>'" + err.string() + "'";
+    const std::string command = "cd '" + folder.string() + "' && " + prefix + " '" AOSCORE_PROGRAM "' " +
+                                arguments + " >'" + out.string() + "' 2>'" + err.string() + "'";
     const int status = std::system(command.c_str());
     ProgramRun run;
     run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

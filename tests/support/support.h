@@ -20,8 +20,9 @@ struct ProgramRun {
     std::string out;
     std::string err;
 };
-/// Runs the built `aoscore` with these arguments, in `folder`.
-ProgramRun run_aoscore(const std::string& arguments, const std::filesystem::path& folder);
+/// Runs the built `aoscore` with these arguments, in `folder`. `prefix` is put before it: "timeout 5".
+ProgramRun run_aoscore(const std::string& arguments, const std::filesystem::path& folder,
+                       const std::string& prefix = {});
 
 }  // namespace aoscore::testing
 
