@@ -5,7 +5,9 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <string>
+#include <utility>
 
 namespace aoscore::builtin {
 
