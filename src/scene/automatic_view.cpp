@@ -26,12 +26,16 @@ struct Sight {
 class RayProbe {
   public:
     explicit RayProbe(const Scene& scene) {
-        triangles_.reserve(scene.triangle_count);
+        // Of a scene too large for that, every n-th triangle stands for all: enough to tell far from near.
+        constexpr std::size_t kMaxTriangles = 2'000'000;
+        const std::size_t step = scene.triangle_count / kMaxTriangles + 1;
+        std::size_t count = 0;
         for (const Instance& instance : scene.instances) {
             const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
             // A mirroring transform turns the winding round (glTF 2.0, "Instantiation").
             const bool mirrors = glm::determinant(glm::dmat3(instance.scene_from_mesh)) < 0;
             for (const glm::uvec3& t : mesh.triangles) {
+                if (count++ % step != 0) continue;
                 const auto vertex = [&](unsigned i) {
                     return glm::dvec3(instance.scene_from_mesh * glm::dvec4(mesh.positions[i], 1));
                 };

@@ -80,8 +80,8 @@ std::vector<std::uint32_t> read_corners(Document& document, const tinygltf::Prim
     return corners;
 }
 
-/// Moves the mesh to its own centre on the axes where it lies far off for its size. The differences are exact
-/// in float32: there, all coordinates share the centre's binade or the next, so nothing is rounded.
+/// Moves the mesh to its own centre on the axes where it lies far off for its size. Nothing is lost by that:
+/// there, the coordinates are so close to each other that float32 holds their differences.
 glm::dvec3 recentre(Mesh& mesh) {
     constexpr double kFarOff = 64;
     glm::vec3 low = mesh.positions[0], high = mesh.positions[0];
@@ -94,8 +94,7 @@ glm::dvec3 recentre(Mesh& mesh) {
     glm::dvec3 centre(0.0);
     for (int axis = 0; axis < 3; ++axis) {
         const double middle = 0.5 * (static_cast<double>(low[axis]) + static_cast<double>(high[axis]));
-        if (std::abs(middle) > kFarOff * largest)
-            centre[axis] = static_cast<double>(static_cast<float>(middle));
+        if (std::abs(middle) > kFarOff * largest) centre[axis] = middle;
     }
     if (centre != glm::dvec3(0.0)) {
         for (glm::vec3& p : mesh.positions) p = glm::vec3(glm::dvec3(p) - centre);

@@ -11,7 +11,7 @@ namespace {
 
 /// Extensions a file may require. The second group only changes colours and lights, which occlusion never
 /// sees.
-constexpr std::array<std::string_view, 21> kSupported = {"KHR_mesh_quantization",
+constexpr std::array<std::string_view, 20> kSupported = {"KHR_mesh_quantization",
                                                          "KHR_texture_transform",
                                                          "EXT_texture_webp",
                                                          "KHR_lights_punctual",
@@ -21,7 +21,6 @@ constexpr std::array<std::string_view, 21> kSupported = {"KHR_mesh_quantization"
                                                          "KHR_materials_emissive_strength",
                                                          "KHR_materials_ior",
                                                          "KHR_materials_iridescence",
-                                                         "KHR_materials_pbrSpecularGlossiness",
                                                          "KHR_materials_sheen",
                                                          "KHR_materials_specular",
                                                          "KHR_materials_transmission",

@@ -1,0 +1,84 @@
+#include "core/error.h"
+#include "core/files.h"
+#include "scene/scene.h"
+#include "support/support.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Spoils a file in one of the ways in which files get spoiled.
+std::string mutate(std::string bytes, std::mt19937& random) {
+    const auto below = [&](std::size_t n) {
+        return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
+    };
+    const std::size_t edits = 1 + below(4);
+    for (std::size_t edit = 0; edit < edits && bytes.size() > 8; ++edit) {
+        const std::size_t at = below(bytes.size());
+        switch (below(6)) {
+            case 0:
+                bytes[at] = static_cast<char>(below(256));
+                break;
+            case 1:
+                bytes[at] = static_cast<char>(bytes[at] ^ (1 << below(8)));
+                break;
+            case 2:
+                bytes.resize(at);
+                break;
+            case 3:
+                bytes.erase(at, 1 + below(16));
+                break;
+            case 4:
+                bytes.insert(at, bytes.substr(below(bytes.size()), 1 + below(16)));
+                break;
+            default: {
+                // Numbers are where the meaning is: replace a digit by another, or by a few.
+                const std::size_t digit = bytes.find_first_of("0123456789", at);
+                if (digit != std::string::npos)
+                    bytes.replace(
+                        digit, 1,
+                        std::vector<std::string>{"0", "9", "-1", "4294967295", "1e9", "0.5"}[below(6)]);
+            }
+        }
+    }
+    return bytes;
+}
+
+TEST(MutatedFiles, LoadOrAreRefusedButNeverCrash) {
+    REQUIRE_SHARED_INPUTS();
+    const fs::path crafted = aoscore::testing::shared_dir() / "hostile" / "crafted";
+    const fs::path folder = aoscore::testing::output_dir();
+    std::mt19937 random(20);
+    int loaded = 0, refused = 0;
+    for (const char* seed :
+         {"00_control_valid.glb", "00_control_valid.gltf", "sparse_valid.gltf", "mat_blend.gltf",
+          "mat_mask_texcoord_nan.gltf", "ext_quantization_required.gltf", "camera_scaled_node.gltf"}) {
+        const std::string original = aoscore::read_file(crafted / seed);
+        for (int i = 0; i < 400; ++i) {
+            const fs::path file = folder / ("mutated" + fs::path(seed).extension().string());
+            std::ofstream(file, std::ios::binary) << mutate(original, random);
+            try {
+                const aoscore::Scene scene = aoscore::load_scene(file.string());
+                ASSERT_FALSE(scene.views.empty());
+                ++loaded;
+            } catch (const aoscore::Error& error) {
+                ASSERT_EQ(error.exit_code(), aoscore::ExitCode::file_error) << error.what();
+                ASSERT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+                ++refused;
+            }
+        }
+    }
+    // The mutations are neither all harmless nor all fatal, or this would prove nothing.
+    EXPECT_GT(loaded, 100);
+    EXPECT_GT(refused, 500);
+}
+
+}  // namespace
