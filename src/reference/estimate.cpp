@@ -11,7 +11,7 @@ namespace {
 /// The weight of the tile's common law against a pixel's own spread, in degrees of freedom: keeps the errors
 /// of pixels that differ from their neighbours within 10 % in tests, while their scores become close to
 /// normal.
-constexpr double kPriorFreedom = 6;
+constexpr double kPriorFreedom = 16;
 
 /// Neighbours count the less the more their asin(sqrt(V)), in which binomial noise is even, differs.
 constexpr double kLikeness_rad = 0.1;

@@ -71,13 +71,22 @@ void TileTracer::start(std::vector<RaySource> sources) {
     }
 }
 
-void TileTracer::trace(int first, int last) {
-    if (sources_.empty()) return;
-    const int step = static_cast<int>(std::max<std::size_t>(kReplicates, kBatchRays / sources_.size()));
-    for (int from = first; from < last; from += step) {
-        const int to = std::min(last, from + step);
+void TileTracer::trace(std::span<const SampleRange> ranges) {
+    int longest = 0;
+    std::size_t active = 0;
+    for (const SampleRange& range : ranges) {
+        longest = std::max(longest, range.last - range.first);
+        active += range.last > range.first ? 1 : 0;
+    }
+    if (active == 0) return;
+    const int step = static_cast<int>(std::max<std::size_t>(kReplicates, kBatchRays / active));
+    for (int done = 0; done < longest; done += step) {
         batch_.clear();
-        for (std::size_t s = 0; s < sources_.size(); ++s) batch_.add(sources_[s], s, from, to);
+        for (std::size_t s = 0; s < ranges.size(); ++s) {
+            const int from = ranges[s].first + done;
+            const int to = std::min(ranges[s].last, from + step);
+            if (from < to) batch_.add(sources_[s], s, from, to);
+        }
         batch_.sort();
         rays_ += batch_.size();
         if (only_occlusion_) {

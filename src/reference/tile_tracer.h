@@ -9,6 +9,11 @@
 
 namespace aoscore {
 
+/// Samples [first, last) of a pixel.
+struct SampleRange {
+    int first, last;
+};
+
 /// Sums of darkening over the rays of the pixels of one tile.
 class TileTracer {
   public:
@@ -16,8 +21,8 @@ class TileTracer {
 
     /// Begins with these pixels and sums of zero.
     void start(std::vector<RaySource> sources);
-    /// Traces samples [first, last) of every source and adds to the sums.
-    void trace(int first, int last);
+    /// Traces these samples, one range a source, and adds to the sums.
+    void trace(std::span<const SampleRange> ranges);
 
     /// Darkening summed by point set: kReplicates values.
     std::span<const double> sums(std::size_t source, std::size_t query) const {

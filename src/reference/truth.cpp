@@ -3,12 +3,11 @@
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "core/progress.h"
-#include "core/sampling.h"
 #include "core/threads.h"
 #include "reference/embree_scene.h"
-#include "reference/estimate.h"
 #include "reference/flush_denormals.h"
-#include "reference/tile_tracer.h"
+#include "reference/tile.h"
+#include "reference/tile_integrator.h"
 
 #include <fmt/format.h>
 
@@ -21,26 +20,13 @@
 namespace aoscore {
 namespace {
 
-/// Pixels of a tile's side. Larger tiles make more coherent packets of more distant starts.
-constexpr int kTile = 8;
-
-struct Tile {
-    int x0, y0, x1, y1;
-};
-
-std::vector<Tile> tiles_of(int width, int height) {
-    std::vector<Tile> tiles;
-    for (int y = 0; y < height; y += kTile) {
-        for (int x = 0; x < width; x += kTile) {
-            tiles.push_back({x, y, std::min(x + kTile, width), std::min(y + kTile, height)});
-        }
-    }
-    return tiles;
-}
-
 void check(const std::vector<TruthQuery>& queries, const TruthSettings& settings) {
-    if (settings.samples < 1) {
-        throw usage_error(fmt::format("{} samples a pixel", settings.samples), "samples", "at least 1");
+    if (settings.samples < 1 || settings.samples > kMostSamples) {
+        throw usage_error(fmt::format("{} samples a pixel", settings.samples), "samples",
+                          fmt::format("1 to {}", kMostSamples));
+    }
+    if (!(settings.max_error >= 0 && settings.max_error < 1)) {
+        throw usage_error(fmt::format("error of {}", settings.max_error), "error", "0 (off) or less than 1");
     }
     if (queries.empty()) throw usage_error("no radius to trace", "radius", "at least one");
     for (const TruthQuery& query : queries) {
@@ -58,22 +44,10 @@ PrimaryHits empty_hits(int width, int height) {
     return {Mask(width, height), ImageF(width, height), Image<glm::vec3>(width, height, glm::vec3(0))};
 }
 
-/// Looks through the centre of pixel (x, y) and notes what is there.
-bool find_surface(const EmbreeScene& scene, const CameraFrame& frame, int x, int y, PrimaryHits& hits,
-                  SurfaceHit& hit) {
-    const Camera& camera = frame.camera();
-    if (!scene.first_hit(frame.ray(x + 0.5, y + 0.5), camera.near, camera.far, hit)) return false;
-    hits.surface.at(x, y) = 1;
-    hits.depth.at(x, y) = static_cast<float>(hit.depth);
-    hits.normal.at(x, y) = glm::vec3(glm::dmat3(frame.view_from_world()) * hit.normal);
-    return true;
-}
-
-RaySource ray_source(const SurfaceHit& hit, const TruthSettings& settings, int x, int y) {
-    const glm::dvec3& axis = settings.shading_normals ? hit.shading_normal : hit.normal;
-    const auto pixel = static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint32_t>(x);
-    return {glm::vec3(hit.position + hit.offset_m * hit.normal), glm::mat3(frame_about(axis)),
-            mix_bits(mix_bits(settings.seed) ^ pixel)};
+int mean_samples(const Truth& truth) {
+    std::uint64_t surfaces = 0;
+    for (const std::uint8_t s : truth.hits.surface.pixels) surfaces += s;
+    return surfaces == 0 ? 0 : static_cast<int>((truth.rays + surfaces / 2) / surfaces);
 }
 
 }  // namespace
@@ -117,46 +91,24 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
     truth.queries = queries;
     truth.visibility.assign(queries.size(), ImageF(width, height, 1.0f));
     truth.standard_error.assign(queries.size(), ImageF(width, height, 0.0f));
-    truth.samples = settings.samples;
+    truth.sample_counts = Image<std::uint32_t>(width, height, 0);
 
     const std::vector<Tile> tiles = tiles_of(width, height);
-    const PointSets points(settings.points, (settings.samples + kReplicates - 1) / kReplicates);
+    const PointSets points(settings.points, (SamplePlan(settings).most() + kReplicates - 1) / kReplicates);
     Progress progress(what, tiles.size());
     std::atomic<std::uint64_t> rays{0};
     const auto start = std::chrono::steady_clock::now();
     parallel_for(tiles.size(), [&](std::size_t i) {
         throw_if_interrupted();
         const FlushDenormals flush;
-        const Tile& tile = tiles[i];
-        std::vector<RaySource> sources;
-        std::vector<std::size_t> pixels;
-        SurfaceHit hit;
-        for (int y = tile.y0; y < tile.y1; ++y) {
-            for (int x = tile.x0; x < tile.x1; ++x) {
-                if (!find_surface(impl_->embree, frame, x, y, truth.hits, hit)) continue;
-                sources.push_back(ray_source(hit, settings, x, y));
-                pixels.push_back(truth.hits.depth.index(x, y));
-            }
-        }
-        TileTracer tracer(impl_->embree, queries, points);
-        tracer.start(std::move(sources));
-        tracer.trace(0, settings.samples);
-        std::vector<PixelSpread> spreads(pixels.size());
-        for (std::size_t q = 0; q < queries.size(); ++q) {
-            for (std::size_t p = 0; p < pixels.size(); ++p) {
-                spreads[p] = pixel_spread(tracer.sums(p, q), settings.samples);
-            }
-            const std::vector<Estimate> estimates = moderated_estimates(spreads);
-            for (std::size_t p = 0; p < pixels.size(); ++p) {
-                truth.visibility[q].pixels[pixels[p]] = static_cast<float>(estimates[p].visibility);
-                truth.standard_error[q].pixels[pixels[p]] = static_cast<float>(estimates[p].standard_error);
-            }
-        }
-        rays += tracer.rays();
+        TileIntegrator integrator(impl_->embree, frame, queries, settings, points);
+        integrator.integrate(tiles[i], truth);
+        rays += integrator.rays();
         progress.step();
     });
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     truth.rays = rays;
+    truth.samples = mean_samples(truth);
     truth.seconds = elapsed.count();
     return truth;
 }

@@ -35,7 +35,11 @@ enum class PointKind : std::uint8_t {
 };
 
 struct TruthSettings {
-    int samples = 64;  ///< rays a pixel, >= 1
+    int samples = 64;  ///< rays a pixel, >= 1; the least of them where max_error is set
+    /// 0: `samples` rays everywhere. Else every pixel gets more of them until the standard error of each
+    /// query is at most this, beginning with no fewer than 2 / max_error rays, so that an occluder that
+    /// matters at this error is not missed by a lucky start, and ending with kMostSamples.
+    double max_error = 0;
     std::uint64_t seed = 1;
     bool shading_normals = false;  ///< hemisphere about the smooth normal instead of the geometric one
     PointKind points = PointKind::scrambled_sobol;
@@ -48,6 +52,9 @@ inline constexpr int kReplicates = 4;
 constexpr double standard_error_floor(int samples) {
     return 0.5 / samples;
 }
+
+/// No pixel gets more rays than this, whatever its error.
+inline constexpr int kMostSamples = 1 << 20;
 
 /// What each pixel centre sees: the same quantities as the rasterised G-buffer, for the camera contract.
 struct PrimaryHits {
@@ -70,7 +77,8 @@ struct Truth {
     std::vector<TruthQuery> queries;
     std::vector<ImageF> visibility;      ///< one image a query, in [0,1]; 1 where there is no surface
     std::vector<ImageF> standard_error;  ///< one image a query, > 0 on surfaces; 0 where there is none
-    int samples = 0;                     ///< rays a pixel (the mean, if they differ)
+    Image<std::uint32_t> sample_counts;  ///< rays of each pixel; 0 where there is no surface
+    int samples = 0;                     ///< rays a pixel with a surface (the mean, rounded, if they differ)
     std::uint64_t rays = 0;              ///< occlusion rays traced
     double seconds = 0;                  ///< tracing only
 };

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "reference/embree_scene.h"
+#include "reference/estimate.h"
+#include "reference/sample_plan.h"
+#include "reference/tile.h"
+#include "reference/tile_tracer.h"
+#include "reference/truth.h"
+
+#include <vector>
+
+namespace aoscore {
+
+/// Looks through the centre of pixel (x, y) and notes in `hits` what is there; false for background.
+bool find_surface(const EmbreeScene& scene, const CameraFrame& frame, int x, int y, PrimaryHits& hits,
+                  SurfaceHit& hit);
+
+/// Makes the truth of one tile after another. Tiles depend on nothing but their place, so that any thread may
+/// do any of them.
+class TileIntegrator {
+  public:
+    TileIntegrator(const EmbreeScene& scene, const CameraFrame& frame, const std::vector<TruthQuery>& queries,
+                   const TruthSettings& settings, const PointSets& points);
+
+    /// Fills the tile's pixels of all images of `truth`.
+    void integrate(const Tile& tile, Truth& truth);
+    /// Of all tiles so far.
+    std::uint64_t rays() const { return tracer_.rays(); }
+
+  private:
+    std::vector<RaySource> find_sources(const Tile& tile, Truth& truth);
+    /// Estimates of all pixels for one query.
+    std::vector<Estimate> estimates(std::size_t query) const;
+    /// Traces what the plan asks for, until it asks for no more.
+    void trace_all();
+    void store(Truth& truth) const;
+
+    const EmbreeScene& scene_;
+    const CameraFrame& frame_;
+    const std::vector<TruthQuery>& queries_;
+    const TruthSettings& settings_;
+    SamplePlan plan_;
+    TileTracer tracer_;
+    std::vector<std::size_t> pixels_;  // of sources, into images
+    std::vector<int> samples_;         // of sources, traced so far
+};
+
+}  // namespace aoscore
