@@ -1,6 +1,7 @@
 // A pass that writes visibility. The method defines visibility(); main() is here: background is never shaded and
 // stays 1.
 #include "contract/inputs.glsl"
+#include "lib/upsample.glsl"
 
 layout(location = 0) out float o_visibility;
 #if COUNT_FETCHES
@@ -13,7 +14,11 @@ float visibility(vec2 image_px, vec3 position);
 void main() {
     float depth = centre_linear_depth();
     if (is_background(depth)) discard;
-    o_visibility = visibility(gl_FragCoord.xy, view_position(gl_FragCoord.xy, depth));
+#if DUAL
+    if (coarser_range() < kDualThreshold) discard;  // the coarse picture, brought up, is there already
+#endif
+    vec2 image_px = texel_centre(centre_texel());
+    o_visibility = visibility(image_px, view_position(image_px, depth));
 #if COUNT_FETCHES
     o_fetches = tap_count;
 #endif

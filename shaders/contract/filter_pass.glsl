@@ -10,6 +10,11 @@ float tap_visibility(ivec2 texel) {
     return texelFetch(u_visibility, clamp(texel, ivec2(0), ivec2(u_size_px) - 1), 0).r;
 }
 
+// Linear depth, the same.
+float filter_depth(ivec2 texel) {
+    return texelFetch(u_linear_depth, clamp(texel, ivec2(0), ivec2(u_size_px) - 1), 0).r;
+}
+
 float filtered(ivec2 texel);
 
 void main() {

@@ -14,6 +14,8 @@ uniform sampler2D u_albedo;            // linear RGB
 uniform sampler2D u_noise_4x4;         // four numbers in [0,1) a texel, each a permutation of (i + ½)/16
 uniform uint u_seed;                   // of the run
 
+uniform sampler2D u_coarser;           // visibility of the pass before, at 1/COARSER_SCALE
+
 #if COUNT_FETCHES
 float tap_count = 0.0;
 #define COUNT_TAP tap_count += 1.0;
@@ -21,23 +23,35 @@ float tap_count = 0.0;
 #define COUNT_TAP
 #endif
 
-ivec2 centre_texel() { return ivec2(gl_FragCoord.xy); }
+// The texel that is drawn, and the picture's texel that it stands for: the same, unless the pass is drawn at 1/SCALE.
+ivec2 drawn_texel() { return ivec2(gl_FragCoord.xy); }
+vec2 texel_centre(ivec2 texel) { return vec2(texel) + 0.5; }
+ivec2 centre_texel() { return min(drawn_texel() * SCALE + SCALE / 2, ivec2(u_size_px) - 1); }
 float centre_linear_depth() { return texelFetch(u_linear_depth, centre_texel(), 0).r; }
 vec3 centre_normal_geometric() { return texelFetch(u_normal_geometric, centre_texel(), 0).xyz; }
 vec3 centre_normal_smooth() { return texelFetch(u_normal_smooth, centre_texel(), 0).xyz; }
 vec3 centre_normal_from_depth() { return texelFetch(u_normal_from_depth, centre_texel(), 0).xyz; }
 vec3 centre_normal_from_depth_accurate() { return texelFetch(u_normal_from_depth_accurate, centre_texel(), 0).xyz; }
-vec4 tiled_noise() { return texelFetch(u_noise_4x4, centre_texel() & 3, 0); }
+vec4 tiled_noise() { return texelFetch(u_noise_4x4, drawn_texel() & 3, 0); }
 
 bool in_picture(vec2 image_px) {
     return all(greaterThanEqual(image_px, vec2(0.0))) && all(lessThan(image_px, u_size_px));
+}
+
+// A G-buffer of half the resolution holds the middle texel of each block of TAP_SCALE; a tap lands in the block.
+vec2 in_tap_grid(vec2 image_px) {
+#if TAP_SCALE > 1
+    return floor(image_px / float(TAP_SCALE)) * float(TAP_SCALE) + float(TAP_SCALE / 2);
+#else
+    return image_px;
+#endif
 }
 
 // Taps. What lies outside of the picture is a setting of the run: BORDER_FAR 1, the depth of the background; 0, the
 // depth of the nearest texel (clamp to edge), which stretches the picture's edge outward.
 float tap_linear_depth(vec2 image_px) {
     COUNT_TAP
-    float depth = texelFetch(u_linear_depth, ivec2(clamp(image_px, vec2(0.0), u_size_px - 1.0)), 0).r;
+    float depth = texelFetch(u_linear_depth, ivec2(clamp(in_tap_grid(image_px), vec2(0.0), u_size_px - 1.0)), 0).r;
 #if BORDER_FAR
     return in_picture(image_px) ? depth : u_far;
 #else
@@ -47,7 +61,9 @@ float tap_linear_depth(vec2 image_px) {
 
 // View-space position of the surface in the texel at an image position. It lies on the line of sight through the
 // texel's centre, so that a plane in the scene gives points on that plane.
-vec3 tap_position(vec2 image_px) { return view_position(floor(image_px) + 0.5, tap_linear_depth(image_px)); }
+vec3 tap_position(vec2 image_px) {
+    return view_position(floor(in_tap_grid(image_px)) + 0.5, tap_linear_depth(image_px));
+}
 
 // The same from level `mip` of the depth mips: the depth of a larger texel, on the line of sight through the full
 // picture's texel.

@@ -33,7 +33,7 @@ vec4 interleaved_gradient_noise(ivec2 texel) {
 
 // Four numbers in [0,1) for this pixel.
 vec4 pixel_noise() {
-    if (p_noise == noise_hash) return hash_noise(centre_texel(), 0u);
-    if (p_noise == noise_interleaved_gradient) return interleaved_gradient_noise(centre_texel());
+    if (p_noise == noise_hash) return hash_noise(drawn_texel(), 0u);
+    if (p_noise == noise_interleaved_gradient) return interleaved_gradient_noise(drawn_texel());
     return tiled_noise();
 }

@@ -23,6 +23,8 @@ class GBuffer {
     bool drawn() const { return !textures_.empty(); }
     int width() const { return width_; }
     int height() const { return height_; }
+    /// The background's linear depth.
+    float far_depth() const { return static_cast<float>(far_); }
     /// The texture of that input, 0 when it was not drawn.
     GLuint texture(const std::string& input) const;
 

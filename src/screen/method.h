@@ -59,6 +59,9 @@ struct OwnTruth {
 struct Pass {
     std::string fragment;             ///< file in the method's folder
     std::vector<std::string> inputs;  ///< contract inputs it samples: "linear_depth", "normal_geometric", …
+    /// Drawn at 1/scale of the picture's width and height. The next pass reads its result as "coarser" (a
+    /// filter's as "visibility"); the last pass has scale 1.
+    int scale = 1;
 };
 
 /// A method (or filter): a folder of shaders/methods/ (or shaders/filters/) with method.json and GLSL passes.

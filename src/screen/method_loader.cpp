@@ -173,6 +173,7 @@ Pass parse_pass(StrictObject object, const fs::path& folder, const std::set<std:
                              fmt::format("{}", fmt::join(inputs, ", ")));
         }
     }
+    pass.scale = object.integer_or("scale", 1, 1, 64);
     object.finish();
     return pass;
 }
@@ -243,6 +244,8 @@ MethodDescriptor load_descriptor(const fs::path& folder, const std::set<std::str
     for (const StrictObject& pass : top.objects("passes"))
         method.passes.push_back(parse_pass(pass, folder, inputs));
     if (method.passes.empty()) throw file_error("is empty", top.where("passes"), "at least one pass");
+    if (method.passes.back().scale != 1)
+        throw file_error("the last pass has a scale", top.where("passes"), "scale 1");
     if (!is_filter && top.has("truth")) method.truth = parse_truth(method, top.object("truth"));
     top.finish();
     check_parameters_used(method, where);

@@ -104,6 +104,21 @@ std::string kernel_block(const PassBuild& build) {
     return text;
 }
 
+std::string macro_block(const PassBuild& build) {
+    std::string text;
+    const auto define = [&](std::string_view name, int value) {
+        text += fmt::format("#define {} {}\n", name, value);
+    };
+    define("ORTHOGRAPHIC", build.orthographic ? 1 : 0);
+    define("BORDER_FAR", build.border_far ? 1 : 0);
+    define("SCALE", build.scale);
+    define("COARSER_SCALE", build.coarser_scale);
+    define("TAP_SCALE", build.tap_scale);
+    define("DUAL", build.dual ? 1 : 0);
+    define("COUNT_FETCHES", build.count_fetches ? 1 : 0);
+    return text;
+}
+
 ShaderSource screen_vertex() {
     ShaderSource source;
     const auto folder = home_dir() / "shaders" / "gbuffer";
@@ -120,7 +135,8 @@ bool is_sampler(GLenum type) {
 const std::set<std::string>& method_inputs() {
     static const std::set<std::string> all = [] {
         std::set<std::string> inputs = gbuffer_inputs();
-        inputs.insert({"noise_4x4", "depth_mips", "normal_from_depth", "normal_from_depth_accurate"});
+        inputs.insert(
+            {"coarser", "noise_4x4", "depth_mips", "normal_from_depth", "normal_from_depth_accurate"});
         return inputs;
     }();
     return all;
@@ -137,10 +153,7 @@ const std::set<std::string>& filter_inputs() {
 
 ShaderSource pass_source(const PassBuild& build, const Pass& pass) {
     ShaderSource source;
-    source.add_block(
-        "(program's macros)",
-        fmt::format("#define ORTHOGRAPHIC {}\n#define BORDER_FAR {}\n#define COUNT_FETCHES {}\n",
-                    build.orthographic ? 1 : 0, build.border_far ? 1 : 0, build.count_fetches ? 1 : 0));
+    source.add_block("(program's macros)", macro_block(build));
     source.add_block(fmt::format("({}: parameters)", build.method->id), parameter_block(build));
     source.add_block(fmt::format("({}: kernels)", build.method->id), kernel_block(build));
     source.add_file(build.method->folder / pass.fragment, build.method->folder);
@@ -154,6 +167,11 @@ PassProgram::PassProgram(const PassBuild& build, const Pass& pass, const ShaderS
         if (contract_uniforms().contains(name)) continue;
         if (is_sampler(uniform.type)) {
             const std::string input = name.starts_with("u_") ? name.substr(2) : name;
+            // The dual mode's own reading of the coarse picture is the program's, not the method's.
+            if (build.dual && input == "coarser") {
+                samplers_.push_back(input);
+                continue;
+            }
             if (std::find(pass.inputs.begin(), pass.inputs.end(), input) == pass.inputs.end()) {
                 throw file_error(fmt::format("samples {}, which is not among the pass's inputs", name), where,
                                  fmt::format("u_{}", fmt::join(pass.inputs, ", u_")));

@@ -31,6 +31,12 @@ enum class Border { far, clamp };
 /// interpolated ones, or the depth buffer's (simple differences; accurate: the better side of each pixel).
 enum class Normals { as_described, geometric, smooth, from_depth, from_depth_accurate };
 
+/// How many pixels are shaded, for any method: all; a quarter of them, brought up by nearness in depth; the
+/// same, and again in full where the coarse picture varies (Bavoil and Sainz, Multi-Layer Dual-Resolution
+/// Screen-Space Ambient Occlusion, 2009); all, with taps that read a G-buffer of half the resolution (Filion
+/// and McNaughton 2008).
+enum class Resolution { full, half, dual, half_gbuffer };
+
 /// What to run on the current G-buffer.
 struct MethodRequest {
     const MethodDescriptor* method = nullptr;
@@ -40,6 +46,7 @@ struct MethodRequest {
     std::uint64_t seed = 1;  ///< of kernels and noise
     Border border = Border::far;
     Normals normals = Normals::as_described;
+    Resolution resolution = Resolution::full;
     /// Parameters and kernels as uniforms instead of constants: the same picture, slower; for comparison.
     bool uniform_form = false;
 };

@@ -20,7 +20,7 @@ float horizon_cosine(vec2 image_px, vec3 position, ViewSlice slice, float side, 
         vec3 v = into_slice(tap_position(image_px + part * reach_px) - position, slice);
         float distance_squared = dot(v, v);
         float tap = mix(open, dot(v, slice.view) * inversesqrt(distance_squared), weight(distance_squared));
-        bool counts = distance_squared > 0.0 && part <= 1.0;
+        bool counts = side * dot(v, slice.along) > 0.0 && part <= 1.0;  // not the pixel itself
         float fallen = mix(cosine, tap, p_thickness_blend);
         cosine = counts ? (tap > cosine ? tap : fallen) : cosine;
     }

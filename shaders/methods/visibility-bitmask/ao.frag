@@ -42,7 +42,8 @@ uint hidden_sectors(vec2 image_px, vec3 position, ViewSlice slice, float side, f
         float front_place = clamp((side * slice_angle(front, slice) + start) / kPi, 0.0, 1.0);
         float back_place = clamp((side * slice_angle(back, slice) + start) / kPi, 0.0, 1.0);
         float distance_squared = dot(front, front);
-        bool counts = distance_squared > 0.0 && distance_squared < p_radius * p_radius && part <= 1.0;
+        bool ahead = side * dot(front, slice.along) > 0.0;  // not the pixel itself
+        bool counts = ahead && distance_squared < p_radius * p_radius && part <= 1.0;
         hidden |= counts ? sectors_between(min(front_place, back_place), max(front_place, back_place)) : 0u;
     }
     return hidden;

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "screen/derived_inputs.h"
+#include "screen/gbuffer.h"
+#include "screen/pass_program.h"
+#include "screen/screen.h"
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace aoscore {
+
+/// The input that a request reads in place of a listed one, where it asks for other normals.
+std::string replaced_normal(const std::string& input, Normals normals);
+
+/// Finds, or makes, the texture behind each input that a pass lists.
+class InputTextures {
+  public:
+    explicit InputTextures(const GBuffer& gbuffer) : gbuffer_(&gbuffer) {}
+
+    /// "coarser" and "visibility" are the pass before this one's: `previous`. Throws internal_error for an
+    /// input that the G-buffer was drawn without.
+    GLuint texture(const std::string& listed, const PassBuild& build, Normals normals, GLuint previous);
+
+    /// Drops what was computed from the G-buffer.
+    void forget_derived() { derived_.forget(); }
+
+  private:
+    GLuint noise(std::uint64_t seed);
+
+    const GBuffer* gbuffer_;
+    DerivedInputs derived_;
+    std::map<std::uint64_t, gl::Texture> noise_4x4_;
+};
+
+}  // namespace aoscore

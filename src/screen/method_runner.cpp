@@ -1,0 +1,249 @@
+#include "screen/method_runner.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/hash.h"
+#include "screen/texture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace aoscore {
+namespace {
+
+int scaled_size(int size, int scale) {
+    return std::max((size + scale - 1) / scale, 1);
+}
+
+}  // namespace
+
+MethodRunner::MethodRunner(const GBuffer& gbuffer)
+    : gbuffer_(&gbuffer), inputs_(gbuffer), empty_vertices_(gl::VertexArray::create()) {}
+
+PassBuild MethodRunner::base_build(const MethodRequest& request, const MethodDescriptor& descriptor,
+                                   const ParameterValues& parameters) const {
+    PassBuild build;
+    build.method = &descriptor;
+    build.parameters = &parameters;
+    build.seed = request.seed;
+    build.orthographic = gbuffer_->orthographic();
+    build.border_far = request.border == Border::far;
+    build.uniform_form = request.uniform_form;
+    return build;
+}
+
+std::vector<MethodRunner::Step> MethodRunner::method_steps(const MethodRequest& request) const {
+    const bool halved = request.resolution == Resolution::half || request.resolution == Resolution::dual;
+    std::vector<Step> steps;
+    int before = 1;
+    for (const Pass& pass : request.method->passes) {
+        Step step{&pass, base_build(request, *request.method, request.parameters)};
+        step.build.scale = pass.scale * (halved ? 2 : 1);
+        step.build.coarser_scale = before;
+        step.build.tap_scale = request.resolution == Resolution::half_gbuffer ? 2 : 1;
+        before = step.build.scale;
+        steps.push_back(step);
+    }
+    if (request.resolution == Resolution::dual) {
+        if (steps.size() > 1) {
+            throw usage_error("a method of several passes has no dual resolution", request.method->id,
+                              "full, half, half_gbuffer");
+        }
+        Step fine = steps.back();
+        fine.build.scale = 1;
+        fine.build.coarser_scale = before;
+        fine.build.dual = true;
+        steps.push_back(fine);
+    }
+    return steps;
+}
+
+std::vector<MethodRunner::Step> MethodRunner::filter_steps(const MethodRequest& request) const {
+    std::vector<Step> steps;
+    if (request.filter == nullptr) return steps;
+    for (const Pass& pass : request.filter->passes) {
+        steps.push_back({&pass, base_build(request, *request.filter, request.filter_parameters)});
+    }
+    return steps;
+}
+
+const PassProgram& MethodRunner::program(const PassBuild& build, const Pass& pass) {
+    const ShaderSource source = pass_source(build, pass);
+    const std::string key = Digest().text(source.text()).text(build.method->folder.string()).hex();
+    const auto found = programs_.find(key);
+    if (found != programs_.end()) return found->second;
+    const PassProgram& made = programs_.emplace(key, PassProgram(build, pass, source)).first->second;
+    check_listed_inputs(build, pass, made);
+    return made;
+}
+
+// A listed input that this setting does not sample may belong to another setting: only the form that leaves
+// all settings open can tell.
+void MethodRunner::check_listed_inputs(const PassBuild& build, const Pass& pass, const PassProgram& made) {
+    if (made.samplers().size() >= pass.inputs.size()) return;
+    if (!checked_inputs_.insert((build.method->folder / pass.fragment).string()).second) return;
+    PassBuild open = build;
+    open.uniform_form = true;
+    const PassProgram all(open, pass, pass_source(open, pass));
+    for (const std::string& input : pass.inputs) {
+        if (std::find(all.samplers().begin(), all.samplers().end(), input) == all.samplers().end()) {
+            throw file_error(fmt::format("lists the input \"{}\", which it never samples", input),
+                             (build.method->folder / "method.json").string() + ": " + pass.fragment);
+        }
+    }
+}
+
+void MethodRunner::allocate() {
+    if (width_ == gbuffer_->width() && height_ == gbuffer_->height()) return;
+    width_ = gbuffer_->width();
+    height_ = gbuffer_->height();
+    for (gl::Texture* target : {&raw_, &first_, &second_, &fetches_})
+        *target = make_texture(kR32F, width_, height_);
+    scaled_.clear();
+}
+
+gl::Texture& MethodRunner::scaled_target(std::size_t step, int scale) {
+    auto found = scaled_.find({step, scale});
+    if (found == scaled_.end()) {
+        gl::Texture texture = make_texture(kR32F, scaled_size(width_, scale), scaled_size(height_, scale));
+        found = scaled_.emplace(std::pair(step, scale), std::move(texture)).first;
+    }
+    return found->second;
+}
+
+// Background pixels keep 1 and, in a second target, 0. The dual mode's fine pass leaves what it does not
+// shade.
+void MethodRunner::draw(const Step& step, std::initializer_list<GLuint> targets, Normals normals,
+                        GLuint previous) {
+    const PassProgram& compiled = program(step.build, *step.pass);
+    // Inputs first: making one draws by itself.
+    std::vector<GLuint> textures;
+    for (const std::string& input : compiled.samplers()) {
+        textures.push_back(inputs_.texture(input, step.build, normals, previous));
+    }
+    const gl::Framebuffer framebuffer = make_framebuffer(targets);
+    gl::Viewport(0, 0, scaled_size(width_, step.build.scale), scaled_size(height_, step.build.scale));
+    const std::array<float, 4> open = {1, 1, 1, 1};
+    const std::array<float, 4> zero = {0, 0, 0, 0};
+    if (!step.build.dual) gl::ClearBufferfv(GL_COLOR, 0, open.data());
+    if (targets.size() > 1) gl::ClearBufferfv(GL_COLOR, 1, zero.data());
+    compiled.program().use();
+    for (std::size_t i = 0; i < textures.size(); ++i) {
+        gl::ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
+        gl::BindTexture(GL_TEXTURE_2D, textures[i]);
+        gl::Uniform1i(compiled.program().location("u_" + compiled.samplers()[i]), static_cast<GLint>(i));
+    }
+    gl::ActiveTexture(GL_TEXTURE0);
+    gbuffer_->set_view_uniforms(compiled.program());
+    gl::Uniform1ui(compiled.program().location("u_seed"), static_cast<GLuint>(step.build.seed));
+    if (step.build.uniform_form) compiled.set_parameters(step.build);
+    gl::BindVertexArray(empty_vertices_.name());
+    gl::DrawArrays(GL_TRIANGLES, 0, 3);
+    gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
+    gl::check(step.build.method->id.c_str());
+}
+
+void MethodRunner::upsample(GLuint coarse, int scale) {
+    const std::string macros = fmt::format(
+        "#define ORTHOGRAPHIC {}\n#define BORDER_FAR 1\n#define SCALE 1\n#define COARSER_SCALE {}\n#define "
+        "TAP_SCALE 1\n"
+        "#define DUAL 0\n#define COUNT_FETCHES 0\n",
+        gbuffer_->orthographic() ? 1 : 0, scale);
+    auto found = upsampling_.find(macros);
+    if (found == upsampling_.end()) {
+        const auto folder = home_dir() / "shaders" / "gbuffer";
+        ShaderSource vertex, fragment;
+        vertex.add_file(folder / "screen.vert", folder);
+        fragment.add_block("(program's macros)", macros);
+        fragment.add_file(folder / "upsample.frag", folder);
+        found = upsampling_.emplace(macros, ShaderProgram("upsampling", vertex, fragment)).first;
+    }
+    const ShaderProgram& p = found->second;
+    const gl::Framebuffer framebuffer = make_framebuffer({raw_.name()});
+    gl::Viewport(0, 0, width_, height_);
+    const std::array<float, 4> open = {1, 1, 1, 1};
+    gl::ClearBufferfv(GL_COLOR, 0, open.data());
+    p.use();
+    gbuffer_->set_view_uniforms(p);
+    gl::ActiveTexture(GL_TEXTURE1);
+    gl::BindTexture(GL_TEXTURE_2D, gbuffer_->texture("linear_depth"));
+    gl::ActiveTexture(GL_TEXTURE0);
+    gl::BindTexture(GL_TEXTURE_2D, coarse);
+    gl::Uniform1i(p.location("u_coarser"), 0);
+    gl::Uniform1i(p.location("u_linear_depth"), 1);
+    gl::BindVertexArray(empty_vertices_.name());
+    gl::DrawArrays(GL_TRIANGLES, 0, 3);
+    gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
+    gl::check("upsampling");
+}
+
+void MethodRunner::draw_method(const MethodRequest& request) {
+    allocate();
+    GLuint previous = 0;
+    const auto steps = method_steps(request);
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const int scale = steps[i].build.scale;
+        const GLuint target = scale == 1 ? raw_.name() : scaled_target(i, scale).name();
+        draw(steps[i], {target}, request.normals, previous);
+        const bool next_is_fine = i + 1 < steps.size() && steps[i + 1].build.dual;
+        if (scale > 1 && (i + 1 == steps.size() || next_is_fine)) upsample(target, scale);
+        previous = target;
+    }
+    filtered_ = &raw_;
+}
+
+void MethodRunner::draw_filter(const MethodRequest& request) {
+    filtered_ = &raw_;
+    for (const Step& step : filter_steps(request)) {
+        const gl::Texture* target = filtered_ == &first_ ? &second_ : &first_;
+        draw(step, {target->name()}, request.normals, filtered_->name());
+        filtered_ = target;
+    }
+}
+
+void MethodRunner::compile(const MethodRequest& request) {
+    for (const Step& step : method_steps(request)) program(step.build, *step.pass);
+    for (const Step& step : filter_steps(request)) program(step.build, *step.pass);
+}
+
+ImageF MethodRunner::count_fetches(const MethodRequest& request) {
+    allocate();
+    ImageF total(width_, height_, 0.0F);
+    GLuint previous = 0;
+    auto steps = method_steps(request);
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const int scale = steps[i].build.scale;
+        steps[i].build.count_fetches = true;
+        const GLuint target = scale == 1 ? raw_.name() : scaled_target(i, scale).name();
+        const int width = scaled_size(width_, scale), height = scaled_size(height_, scale);
+        const gl::Texture counts = make_texture(kR32F, width, height);
+        draw(steps[i], {target, counts.name()}, request.normals, previous);
+        ImageF counted(width, height);
+        read_texture(counts.name(), GL_RED, counted.pixels.data());
+        // A coarse pixel's taps are shared by all those that it stands for.
+        const float share = 1.0F / static_cast<float>(scale * scale);
+        for (int y = 0; y < height_; ++y) {
+            for (int x = 0; x < width_; ++x) total.at(x, y) += share * counted.at(x / scale, y / scale);
+        }
+        previous = target;
+    }
+    const ImageF depth = [&] {
+        ImageF image(width_, height_);
+        read_texture(gbuffer_->texture("linear_depth"), GL_RED, image.pixels.data());
+        return image;
+    }();
+    for (std::size_t i = 0; i < total.size(); ++i) {
+        if (depth.pixels[i] >= gbuffer_->far_depth()) total.pixels[i] = 0;
+    }
+    return total;
+}
+
+ImageF MethodRunner::read(const gl::Texture& texture) const {
+    ImageF image(width_, height_);
+    read_texture(texture.name(), GL_RED, image.pixels.data());
+    return image;
+}
+
+}  // namespace aoscore

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "core/image.h"
+#include "screen/gbuffer.h"
+#include "screen/input_textures.h"
+#include "screen/pass_program.h"
+#include "screen/screen.h"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace aoscore {
+
+/// Draws the passes of methods and filters over one G-buffer; keeps their programs and target textures.
+class MethodRunner {
+  public:
+    explicit MethodRunner(const GBuffer& gbuffer);
+
+    /// The AO passes in the request's resolution mode; the result is raw().
+    void draw_method(const MethodRequest& request);
+    /// The filter's passes over raw(); the result is filtered(), which is raw() without a filter.
+    void draw_filter(const MethodRequest& request);
+    /// Compiles all programs of the request, so that drawing does not.
+    void compile(const MethodRequest& request);
+    /// Taps a pixel of the AO passes, at the picture's resolution.
+    ImageF count_fetches(const MethodRequest& request);
+
+    ImageF raw() const { return read(raw_); }
+    ImageF filtered() const { return read(*filtered_); }
+
+    /// What was computed from the G-buffer is computed again.
+    void forget_derived() { inputs_.forget_derived(); }
+
+  private:
+    struct Step {
+        const Pass* pass = nullptr;
+        PassBuild build;
+    };
+    PassBuild base_build(const MethodRequest& request, const MethodDescriptor& descriptor,
+                         const ParameterValues& parameters) const;
+    std::vector<Step> method_steps(const MethodRequest& request) const;
+    std::vector<Step> filter_steps(const MethodRequest& request) const;
+
+    const PassProgram& program(const PassBuild& build, const Pass& pass);
+    void check_listed_inputs(const PassBuild& build, const Pass& pass, const PassProgram& made);
+
+    void allocate();
+    gl::Texture& scaled_target(std::size_t step, int scale);
+    void draw(const Step& step, std::initializer_list<GLuint> targets, Normals normals, GLuint previous);
+    void upsample(GLuint coarse, int scale);
+    ImageF read(const gl::Texture& texture) const;
+
+    const GBuffer* gbuffer_;
+    InputTextures inputs_;
+    gl::VertexArray empty_vertices_;  // a core context draws nothing without one
+    std::map<std::string, PassProgram> programs_;
+    std::map<std::string, ShaderProgram> upsampling_;
+    std::set<std::string> checked_inputs_;
+    int width_ = 0, height_ = 0;
+    gl::Texture raw_, first_, second_, fetches_;
+    const gl::Texture* filtered_ = &raw_;
+    std::map<std::pair<std::size_t, int>, gl::Texture> scaled_;
+};
+
+}  // namespace aoscore

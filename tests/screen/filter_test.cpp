@@ -1,0 +1,156 @@
+#include "hand_made.h"
+#include "support/support.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace aoscore::testing {
+namespace {
+
+class EveryFilter : public ::testing::TestWithParam<std::string> {
+  protected:
+    const MethodDescriptor& filter() const { return find_method(filters_, GetParam()); }
+    MethodOutput filtered(const std::string& method, const ParameterValues& filter_overrides = {}) {
+        MethodRequest request = request_for(find_method(methods_, method), filters_, "default");
+        request.filter = &filter();
+        request.filter_parameters = filter().values("default", filter_overrides);
+        return renderer_.run(request);
+    }
+    // Every setting of every choice, one at a time.
+    std::vector<ParameterValues> variants() const {
+        std::vector<ParameterValues> all = {{}};
+        for (const Parameter& p : filter().parameters) {
+            for (const std::string& choice : p.choices) all.push_back({{p.id, choice}});
+            if (p.type == Parameter::Type::boolean) {
+                all.push_back({{p.id, true}});
+                all.push_back({{p.id, false}});
+            }
+        }
+        return all;
+    }
+
+    std::vector<MethodDescriptor> methods_ = load_methods();
+    std::vector<MethodDescriptor> filters_ = load_filters();
+    ScreenRenderer renderer_;
+};
+
+std::vector<std::string> filter_ids() {
+    std::vector<std::string> ids;
+    for (const MethodDescriptor& f : load_filters()) ids.push_back(f.id);
+    return ids;
+}
+
+TEST_P(EveryFilter, LeavesAnOpenPlaneOpen) {
+    renderer_.set_scene(plane_scene({0, 0, -4}, glm::normalize(glm::dvec3(2, 1, 1)), 30));
+    renderer_.draw_gbuffer(CameraFrame(front_camera(), 96, 54), gbuffer_inputs());
+    for (const ParameterValues& variant : variants()) {
+        for (const float v : filtered("hbao", variant).visibility.pixels) ASSERT_NEAR(v, 1, 1e-6);
+    }
+}
+
+TEST_P(EveryFilter, TakesNoiseOffAndStaysInRange) {
+    renderer_.set_scene(corner_scene());
+    renderer_.draw_gbuffer(CameraFrame(corner_camera(), 240, 135), gbuffer_inputs());
+    const auto roughness = [](const ImageF& image) {
+        double sum = 0;
+        for (int y = 0; y < image.height; ++y) {
+            for (int x = 1; x < image.width; ++x)
+                sum += static_cast<double>(std::abs(image.at(x, y) - image.at(x - 1, y)));
+        }
+        return sum;
+    };
+    for (const ParameterValues& variant : variants()) {
+        const MethodOutput output = filtered("ssao", variant);
+        write_png((output_dir() / "filtered.png").string(), output.visibility);
+        for (const float v : output.visibility.pixels) ASSERT_TRUE(v >= 0 && v <= 1);
+        EXPECT_LT(roughness(output.visibility), 0.8 * roughness(output.raw));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, EveryFilter, ::testing::ValuesIn(filter_ids()), [](const auto& tested) {
+    std::string name = tested.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
+
+// Two planes, one behind the other: a filter that knows depth must not carry occlusion over the edge.
+TEST(GaussianDepth, KeepsOcclusionOnItsSideOfAnEdge) {
+    const auto methods = load_methods();
+    const auto filters = load_filters();
+    Scene scene = plane_scene({0, 0, -6}, {0, 0, 1}, 30);
+    add_quad(scene, {-30, -30, -3}, {30, 0, 0}, {0, 60, 0});    // nearer, on the left
+    add_quad(scene, {-0.4, -30, -3}, {0, 0, 0.4}, {0, 60, 0});  // with a thin wall on it
+    ScreenRenderer renderer;
+    renderer.set_scene(scene);
+    const CameraFrame frame(front_camera(), 192, 108);
+    renderer.draw_gbuffer(frame, gbuffer_inputs());
+    MethodRequest request = request_for(find_method(methods, "hbao"), filters, "quality", {{"radius", 0.5}});
+    for (const auto& [id, leaks] : {std::pair("gaussian-depth", false), std::pair("normal-depth", false)}) {
+        request.filter = &find_method(filters, id);
+        request.filter_parameters = request.filter->values("default");
+        const ImageF visibility = renderer.run(request).visibility;
+        for (int y = 40; y < 70; ++y) {
+            for (int x = 97; x < 110; ++x)
+                EXPECT_GT(visibility.at(x, y), leaks ? 0.0F : 0.995F) << id << " at " << x;
+        }
+    }
+}
+
+class EveryResolution : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(EveryResolution, GivesNearlyTheFullPicture) {
+    const auto methods = load_methods();
+    ScreenRenderer renderer;
+    renderer.set_scene(corner_scene());
+    renderer.draw_gbuffer(CameraFrame(corner_camera(), 321, 181), gbuffer_inputs());
+    const Mask surface = renderer.read_gbuffer().surface;
+    MethodRequest request;
+    request.method = &find_method(methods, GetParam());
+    request.parameters = request.method->values("default");
+    const ImageF full = renderer.run(request).raw;
+    const double full_fetches = mean_over(renderer.count_fetches(request), surface);
+    double before = 1;
+    for (const auto resolution : {Resolution::half, Resolution::dual, Resolution::half_gbuffer}) {
+        request.resolution = resolution;
+        const ImageF image = renderer.run(request).raw;
+        write_png((output_dir() / (std::to_string(static_cast<int>(resolution)) + ".png")).string(), image);
+        const double fetches = mean_over(renderer.count_fetches(request), surface);
+        if (resolution == Resolution::half) {
+            EXPECT_NEAR(fetches, full_fetches / 4, full_fetches / 40);
+        }
+        if (resolution == Resolution::dual) {
+            EXPECT_GT(fetches, full_fetches / 4);
+            EXPECT_LT(fetches, full_fetches * 1.26);
+        }
+        if (resolution == Resolution::half_gbuffer) {
+            EXPECT_EQ(fetches, full_fetches);
+        }
+        double squared = 0, count = 0;
+        for (std::size_t i = 0; i < image.size(); ++i) {
+            ASSERT_TRUE(image.pixels[i] >= 0 && image.pixels[i] <= 1);
+            if (surface.pixels[i] == 0) continue;
+            squared += std::pow(static_cast<double>(image.pixels[i] - full.pixels[i]), 2);
+            ++count;
+        }
+        const double error = std::sqrt(squared / count);
+        EXPECT_GT(error, 0);
+        EXPECT_LT(error, 0.12);
+        // The dual picture repairs the half one.
+        if (resolution == Resolution::dual) {
+            EXPECT_LT(error, before);
+        }
+        before = error;
+        EXPECT_NEAR(mean_over(image, surface), mean_over(full, surface), 0.02);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, EveryResolution, ::testing::Values("gtao", "alchemy-spiral", "hbao"),
+                         [](const auto& tested) {
+                             std::string name = tested.param;
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+}  // namespace
+}  // namespace aoscore::testing
