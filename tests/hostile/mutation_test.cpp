@@ -62,8 +62,9 @@ TEST(MutatedFiles, LoadOrAreRefusedButNeverCrash) {
          {"00_control_valid.glb", "00_control_valid.gltf", "sparse_valid.gltf", "mat_blend.gltf",
           "mat_mask_texcoord_nan.gltf", "ext_quantization_required.gltf", "camera_scaled_node.gltf"}) {
         const std::string original = aoscore::read_file(crafted / seed);
-        for (int i = 0; i < 400; ++i) {
-            const fs::path file = folder / ("mutated" + fs::path(seed).extension().string());
+        for (int i = 0; i < 1200; ++i) {
+            // A name of its own: a file system may wait for the disk when a file is written over.
+            const fs::path file = folder / (std::to_string(i) + fs::path(seed).extension().string());
             std::ofstream(file, std::ios::binary) << mutate(original, random);
             try {
                 const aoscore::Scene scene = aoscore::load_scene(file.string());
@@ -74,6 +75,7 @@ TEST(MutatedFiles, LoadOrAreRefusedButNeverCrash) {
                 ASSERT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
                 ++refused;
             }
+            fs::remove(file);
         }
     }
     // The mutations are neither all harmless nor all fatal, or this would prove nothing.
