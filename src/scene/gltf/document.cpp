@@ -76,7 +76,7 @@ void take_images(json& root, Document& document) {
     }
 }
 
-/// tinygltf on what is left of the JSON; it has nothing to open, and could not.
+/// tinygltf on what is left of the JSON, which it consumes; it has nothing to open, and could not.
 std::unique_ptr<tinygltf::Model> map_to_model(json& root, const std::string& where) {
     for (const char* unread : {"buffers", "images", "animations", "skins", "extensions", "extras"})
         root.erase(unread);
@@ -93,6 +93,7 @@ std::unique_ptr<tinygltf::Model> map_to_model(json& root, const std::string& whe
     loader.SetFsCallbacks(no_files);
     auto model = std::make_unique<tinygltf::Model>();
     const std::string text = root.dump();
+    root = nullptr;  // a large document need not be in memory three times
     std::string error, warning;
     bool loaded = false;
     try {

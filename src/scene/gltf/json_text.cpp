@@ -11,8 +11,8 @@ namespace aoscore::gltf {
 namespace {
 
 constexpr int kMaxDepth = 128;
-/// At most about 100 bytes of memory each.
-constexpr std::size_t kMaxValues = 8'000'000;
+/// Each may come to 300 bytes, as JSON and as tinygltf's structs.
+constexpr std::size_t kMaxValues = 4'000'000;
 
 std::string line_place(std::string_view text, std::size_t byte, const std::string& where) {
     const std::string_view before = text.substr(0, std::min(byte, text.size()));
