@@ -1,19 +1,21 @@
 #pragma once
 
+#include "core/image.h"
+#include "scene/camera.h"
+
+#include <glm/glm.hpp>
+
 #include <cstdint>
 #include <filesystem>
-#include <glm/glm.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/image.h"
-#include "scene/camera.h"
-
 namespace aoscore {
 
-/// Base-colour texels as stored (8 bits, sRGB-coded colour, linear alpha), row 0 at v = 0, with glTF's wrap modes.
+/// Base-colour texels as stored (8 bits, sRGB-coded colour, linear alpha), row 0 at v = 0, with glTF's wrap
+/// modes.
 struct Texture {
     enum class Wrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge };
     Image<glm::u8vec4> texels;
@@ -26,19 +28,19 @@ struct Material {
     std::string name;
     glm::vec4 base_color{1};  ///< linear factor
     int texture = -1;         ///< into Scene::textures, -1 for none (also when it was not needed)
-    /// Points whose alpha (factor x texture) is below this are holes, in both paths alike; 0 for solid surfaces.
-    /// MASK uses its alphaCutoff, BLEND 0.5.
+    /// Points whose alpha (factor x texture) is below this are holes, in both paths alike; 0 for solid
+    /// surfaces. MASK uses its alphaCutoff, BLEND 0.5.
     float alpha_cutoff = 0;
     bool is_cutout() const { return alpha_cutoff > 0; }
 };
 
 /// One glTF primitive: triangles of one material in mesh space.
 struct Mesh {
-    std::vector<glm::vec3> positions;    ///< finite
-    std::vector<glm::vec3> normals;      ///< unit, one a position; empty: flat, the geometric normal counts
-    std::vector<glm::vec2> texcoords;    ///< one a position; empty unless the material needs them
-    std::vector<glm::uvec3> triangles;   ///< into positions, in range
-    int material = 0;                    ///< into Scene::materials
+    std::vector<glm::vec3> positions;   ///< finite
+    std::vector<glm::vec3> normals;     ///< unit, one a position; empty: flat, the geometric normal counts
+    std::vector<glm::vec2> texcoords;   ///< one a position; empty unless the material needs them
+    std::vector<glm::uvec3> triangles;  ///< into positions, in range
+    int material = 0;                   ///< into Scene::materials
 };
 
 /// A mesh placed in the scene; meshes are shared by any number of instances.
@@ -59,25 +61,27 @@ struct View {
     std::string id;
     Camera camera;
     std::optional<double> radius_m;  ///< the ranking's one AO radius in metres, as the view file states it
-    std::string source;              ///< where it comes from: "scenes/atrium/views.json", "camera node cam_wide", "automatic"
-    std::string note;                ///< such as "unverified: …"; empty when there is nothing to say
+    std::string
+        source;  ///< where it comes from: "scenes/atrium/views.json", "camera node cam_wide", "automatic"
+    std::string note;  ///< such as "unverified: …"; empty when there is nothing to say
 };
 
-/// A scene ready for both paths. All coordinates (instances, bounds, cameras) are relative to `origin`, which is
-/// zero unless the scene lies so far from its own origin that float32 would lose its details.
+/// A scene ready for both paths. All coordinates (instances, bounds, cameras) are relative to `origin`, which
+/// is zero unless the scene lies so far from its own origin that float32 would lose its details.
 struct Scene {
-    std::string id;                    ///< the built-in's id, or the file's stem
-    std::filesystem::path file;        ///< empty for built-in scenes
+    std::string id;              ///< the built-in's id, or the file's stem
+    std::filesystem::path file;  ///< empty for built-in scenes
     std::vector<Texture> textures;
-    std::vector<Material> materials;   ///< at least one
+    std::vector<Material> materials;  ///< at least one
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
-    std::vector<View> views;           ///< at least one: the view file's, else the file's cameras, else one automatic
-    glm::dvec3 origin{0};              ///< world coordinates of this struct's zero
-    Bounds bounds;                     ///< of all instances, relative to origin
-    std::size_t triangle_count = 0;    ///< over instances
-    std::vector<std::string> warnings; ///< what was ignored or repaired, one line each
-    std::string digest;                ///< of everything that changes a picture: geometry, transforms, cut-outs
+    std::vector<View>
+        views;  ///< the view file's, then the file's cameras; one automatic where there are neither
+    glm::dvec3 origin{0};               ///< world coordinates of this struct's zero
+    Bounds bounds;                      ///< of all instances, relative to origin
+    std::size_t triangle_count = 0;     ///< over instances
+    std::vector<std::string> warnings;  ///< what was ignored or repaired, one line each
+    std::string digest;  ///< of everything that changes a picture: geometry, transforms, cut-outs
 };
 
 struct LoadOptions {
@@ -86,9 +90,10 @@ struct LoadOptions {
     bool albedo_textures = false;
 };
 
-/// A built-in scene by id, or a glTF 2.0 file (.gltf, .glb) by path. Views come from scenes/<id>/views.json where
-/// that exists for the id or for the file's stem, else from the file's cameras, else automatic.
-/// Throws usage_error for an unknown name (listing the known ones), file_error for a bad file.
+/// A built-in scene by id, or a glTF 2.0 file (.gltf, .glb) by path. Views come from scenes/<id>/views.json
+/// where that exists for the id or for the file's stem, and from the file's cameras; one is automatic where
+/// there are neither. Throws usage_error for an unknown name (listing the known ones), file_error for a bad
+/// file.
 Scene load_scene(const std::string& name_or_path, const LoadOptions& options = {});
 
 /// The view of that id. Throws usage_error listing the scene's views.
