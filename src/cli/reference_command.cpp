@@ -16,7 +16,7 @@ struct Options {
     SceneChoice choice;
     ImageSize size;
     std::vector<double> radii;
-    int samples = 64;
+    TruthEffort effort;
     bool shading_normals = false;
     std::filesystem::path out;
 };
@@ -33,7 +33,8 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
         for (const std::string& warning : warnings) log_warning(warning);
     }
     TruthSettings settings;
-    settings.samples = options.samples;
+    settings.samples = options.effort.samples;
+    settings.max_error = options.effort.max_error;
     settings.seed = global.seed;
     settings.shading_normals = options.shading_normals;
     const Truth truth =
@@ -60,7 +61,7 @@ CommandEntry add_reference_command(CLI::App& program, const GlobalOptions& globa
     add_scene_options(*app, options->choice);
     add_size_option(*app, options->size);
     add_radii_option(*app, options->radii);
-    add_samples_option(*app, options->samples);
+    add_truth_options(*app, options->effort);
     app->add_flag("--shading-normals", options->shading_normals, "Hemisphere about the smooth normal");
     app->add_option("--out", options->out, "EXR file to write")->required();
     return {app, [options, &global] { return run(*options, global); }};

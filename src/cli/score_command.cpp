@@ -18,7 +18,7 @@ struct Options {
     std::string preset = "default";
     ImageSize size;
     std::vector<double> radii;
-    int samples = 64;
+    TruthEffort effort;
     std::string filter;
     std::filesystem::path methods_dir;
     std::filesystem::path out;
@@ -55,7 +55,8 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
         view.view = view_id;
         view.width = options.size.width;
         view.height = options.size.height;
-        view.samples = options.samples;
+        view.samples = options.effort.samples;
+        view.max_error = options.effort.max_error;
         if (!options.radii.empty()) view.radius_m = options.radii[0];
         for (const std::string& method : chosen_methods(options)) {
             CellPlan cell{method, options.preset, {}, {}};
@@ -82,7 +83,7 @@ CommandEntry add_score_command(CLI::App& program, const GlobalOptions& global) {
     app->add_option("--preset", options->preset, "Which preset of each method")->capture_default_str();
     add_size_option(*app, options->size);
     add_radii_option(*app, options->radii);
-    add_samples_option(*app, options->samples);
+    add_truth_options(*app, options->effort);
     app->add_option("--filter", options->filter, "A filter (see list methods), or none [the preset's own]");
     app->add_option("--methods-dir", options->methods_dir, "A folder of methods of your own");
     app->add_option("--out", options->out, "Folder of page, results and images [reports/out/score-SCENE]");

@@ -59,10 +59,13 @@ void add_radii_option(CLI::App& app, std::vector<double>& radii) {
         ->type_name("R[,R...]");
 }
 
-void add_samples_option(CLI::App& app, int& samples) {
-    app.add_option("--samples", samples, "Truth rays a pixel")
+void add_truth_options(CLI::App& app, TruthEffort& effort) {
+    app.add_option("--samples", effort.samples, "Truth rays a pixel; with --error the fewest")
         ->check(CLI::Range(1, 1 << 20))
         ->capture_default_str();
+    app.add_option("--error", effort.max_error,
+                   "Trace until every pixel's standard error is at most this, such as 0.01")
+        ->check(CLI::Range(1e-4, 0.5));
 }
 
 void add_scene_options(CLI::App& app, SceneChoice& choice) {

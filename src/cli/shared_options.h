@@ -22,8 +22,13 @@ void add_size_option(CLI::App& app, ImageSize& size);
 /// --radius R[,R…]: metres, "inf" allowed.
 void add_radii_option(CLI::App& app, std::vector<double>& radii);
 
-/// --samples N: truth rays a pixel.
-void add_samples_option(CLI::App& app, int& samples);
+/// How finely the truth is traced.
+struct TruthEffort {
+    int samples = 64;      ///< rays a pixel; the fewest where max_error is set
+    double max_error = 0;  ///< 0, or the standard error that every pixel is traced to
+};
+/// --samples N and --error E.
+void add_truth_options(CLI::App& app, TruthEffort& effort);
 
 /// SCENE as a positional and --view.
 struct SceneChoice {

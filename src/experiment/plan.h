@@ -25,6 +25,7 @@ struct ViewPlan {
     std::string scene;  ///< built-in id or path of a glTF file
     std::string view;
     int width = 1920, height = 1080;
+    double max_error = 0;            ///< 0, or the standard error every truth pixel is traced to
     int samples = 64;                ///< truth rays a pixel
     std::optional<double> radius_m;  ///< of the ranking; empty: the view's own, else one automatic
     std::vector<CellPlan> cells;

@@ -101,9 +101,12 @@ class Runner {
         }
         TruthSettings settings;
         settings.samples = run_.plan.samples;
+        settings.max_error = run_.plan.max_error;
         settings.seed = run_.seed;
         truth_ = run_.reference.trace(frame_, queries, settings, "truth " + run_.key);
         outcome_.view.samples = truth_.samples;
+        if (run_.plan.max_error > 0) outcome_.view.max_error = run_.plan.max_error;
+        outcome_.view.open_pixels = truth_.open_pixels;
         outcome_.view.truth_seconds = truth_.seconds;
         outcome_.view.truth_rays = truth_.rays;
     }

@@ -31,13 +31,27 @@ std::string camera_text(const ViewRecord& view) {
 }
 
 std::string contract_text(const ViewRecord& view) {
-    const auto compared = static_cast<double>(view.surface_pixels) - static_cast<double>(view.edge_pixels);
+    const auto compared =
+        static_cast<double>(view.valid_pixels) + static_cast<double>(view.disagreeing_pixels);
     const auto share = ratio(static_cast<double>(view.disagreeing_pixels), compared);
     return fmt::format(
-        "{} of {} surface pixels are valid; away from the {} edge pixels {} disagree ({} %; more than 0.5 % "
-        "would fail the cells)",
+        "ray tracer and rasteriser agree on {} of {} surface pixels, which are the valid ones; away from the "
+        "{} edge "
+        "pixels {} disagree ({} %; more than 0.5 % would fail the cells)",
         count_text(view.valid_pixels), count_text(view.surface_pixels), count_text(view.edge_pixels),
         count_text(view.disagreeing_pixels), percent_text(share, 3));
+}
+
+std::string truth_cost_text(const ViewRecord& view) {
+    std::string text = fmt::format("{} samples a pixel", view.samples);
+    if (view.max_error)
+        text +=
+            fmt::format(" in the mean, as many as a standard error of {} takes", short_text(*view.max_error));
+    text += fmt::format(", {} rays in {} s", count_text(view.truth_rays), fixed_text(view.truth_seconds, 1));
+    if (view.open_pixels > 0) {
+        text += fmt::format("; {} pixels were proven open without a ray", count_text(view.open_pixels));
+    }
+    return text;
 }
 
 json view_model(const ViewRecord& view) {
@@ -48,8 +62,7 @@ json view_model(const ViewRecord& view) {
         fact("Camera contract", contract_text(view)),
         fact("Ranking radius", fmt::format("{} m, {} pixels in the median", short_text(view.radius_m),
                                            fixed_text(view.radius_px_median, 1))),
-        fact("Truth", fmt::format("{} samples a pixel, {} rays in {} s", view.samples,
-                                  count_text(view.truth_rays), fixed_text(view.truth_seconds, 1))),
+        fact("Truth", truth_cost_text(view)),
         fact("G-buffer", fmt::format("{} ms, median of {} runs", fixed_text(view.gbuffer.median_ms, 1),
                                      view.gbuffer.runs_ms.size())),
     });

@@ -63,7 +63,9 @@ struct ViewRecord {
     std::string truth_file;              ///< EXR: V0.Y…, SE0.Y…, mask.Y (1 = valid)
     std::string gbuffer_file;            ///< EXR: Z, N.X…, Ns.X…; empty when not kept
     std::vector<TruthRecord> truths;     ///< the first is the ranking's
-    int samples = 0;
+    int samples = 0;                     ///< rays a pixel (the mean where they differ)
+    std::optional<double> max_error;     ///< the standard error that every pixel was traced to
+    std::size_t open_pixels = 0;         ///< proven open without tracing a ray
     double truth_seconds = 0;
     std::uint64_t truth_rays = 0;
     Timing gbuffer;
@@ -84,8 +86,9 @@ struct CellRecord {
     std::optional<double> frame_ms;           ///< G-buffer + AO + filter, medians added
     std::optional<double> fetches_per_pixel;  ///< of the AO pass, mean over valid pixels
     std::size_t nonfinite = 0;
-    std::optional<double> missing_area;  ///< share of valid pixels brighter than the truth beyond the threshold
-    std::optional<double> false_area;    ///< share of valid pixels darker than it
+    std::optional<double>
+        missing_area;                  ///< share of valid pixels brighter than the truth beyond the threshold
+    std::optional<double> false_area;  ///< share of valid pixels darker than it
     std::string ranked_truth = "ranked";
     std::string own_truth;   ///< id in the view's truths
     MetricMap ranked;        ///< against the ranking's truth

@@ -66,6 +66,8 @@ void visit_members(Visit& visit, Record& view) {
     visit("gbuffer_file", view.gbuffer_file);
     visit("truths", view.truths);
     visit("samples", view.samples);
+    visit("max_error", view.max_error);
+    visit("open_pixels", view.open_pixels);
     visit("truth_seconds", view.truth_seconds);
     visit("truth_rays", view.truth_rays);
     visit("gbuffer", view.gbuffer);

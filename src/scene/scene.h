@@ -61,9 +61,8 @@ struct View {
     std::string id;
     Camera camera;
     std::optional<double> radius_m;  ///< the ranking's one AO radius in metres, as the view file states it
-    std::string
-        source;  ///< where it comes from: "scenes/atrium/views.json", "camera node cam_wide", "automatic"
-    std::string note;  ///< such as "unverified: …"; empty when there is nothing to say
+    std::string source;              ///< "scenes/atrium/views.json", "camera node cam_wide" or "automatic"
+    std::string note;                ///< such as "unverified: …"; empty when there is nothing to say
 };
 
 /// A scene ready for both paths. All coordinates (instances, bounds, cameras) are relative to `origin`, which
@@ -75,8 +74,7 @@ struct Scene {
     std::vector<Material> materials;  ///< at least one
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
-    std::vector<View>
-        views;  ///< the view file's, then the file's cameras; one automatic where there are neither
+    std::vector<View> views;            ///< the view file's, then the file's cameras, else one automatic
     glm::dvec3 origin{0};               ///< world coordinates of this struct's zero
     Bounds bounds;                      ///< of all instances, relative to origin
     std::size_t triangle_count = 0;     ///< over instances
