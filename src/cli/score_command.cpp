@@ -1,4 +1,5 @@
 #include "cli/command.h"
+#include "cli/method_options.h"
 #include "cli/run_and_report.h"
 #include "cli/shared_options.h"
 #include "core/files.h"
@@ -15,21 +16,20 @@ namespace {
 struct Options {
     SceneChoice choice;
     std::vector<std::string> methods;
-    std::string preset = "default";
+    MethodOptions method_options;
     ImageSize size;
     std::vector<double> radii;
     TruthEffort effort;
-    std::string filter;
     std::filesystem::path methods_dir;
     std::filesystem::path out;
 };
 
-std::vector<std::string> chosen_methods(const Options& options) {
-    if (!options.methods.empty() && options.methods != std::vector<std::string>{"all"})
-        return options.methods;
-    std::vector<std::string> ids;
-    for (const MethodDescriptor& method : load_methods(options.methods_dir)) ids.push_back(method.id);
-    return ids;
+std::vector<MethodDescriptor> chosen_methods(const Options& options) {
+    std::vector<MethodDescriptor> known = load_methods(options.methods_dir);
+    if (options.methods.empty() || options.methods == std::vector<std::string>{"all"}) return known;
+    std::vector<MethodDescriptor> chosen;
+    for (const std::string& id : options.methods) chosen.push_back(find_method(known, id));
+    return chosen;
 }
 
 // The scene is loaded here only to know its views; it is small work beside the rest, and a bad file ends the
@@ -49,6 +49,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     plan.seed = global.seed;
     plan.methods_dir = options.methods_dir;
     plan.command = global.command_line;
+    const std::vector<CellPlan> cells = plan_cells(chosen_methods(options), options.method_options);
     for (const std::string& view_id : chosen_views(options.choice)) {
         ViewPlan view;
         view.scene = options.choice.scene;
@@ -58,11 +59,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
         view.samples = options.effort.samples;
         view.max_error = options.effort.max_error;
         if (!options.radii.empty()) view.radius_m = options.radii[0];
-        for (const std::string& method : chosen_methods(options)) {
-            CellPlan cell{method, options.preset, {}, {}};
-            if (!options.filter.empty()) cell.filter = options.filter;
-            view.cells.push_back(std::move(cell));
-        }
+        view.cells = cells;
         plan.views.push_back(std::move(view));
     }
     const std::string stem = std::filesystem::path(options.choice.scene).stem().string();
@@ -80,11 +77,10 @@ CommandEntry add_score_command(CLI::App& program, const GlobalOptions& global) {
     add_scene_options(*app, options->choice);
     app->add_option("--methods", options->methods, "Methods to score (see list methods) [all]")
         ->delimiter(',');
-    app->add_option("--preset", options->preset, "Which preset of each method")->capture_default_str();
+    add_method_options(*app, options->method_options);
     add_size_option(*app, options->size);
     add_radii_option(*app, options->radii);
     add_truth_options(*app, options->effort);
-    app->add_option("--filter", options->filter, "A filter (see list methods), or none [the preset's own]");
     app->add_option("--methods-dir", options->methods_dir, "A folder of methods of your own");
     app->add_option("--out", options->out, "Folder of page, results and images [reports/out/score-SCENE]");
     return {app, [options, &global] { return run(*options, global); }};

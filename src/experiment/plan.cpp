@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <tuple>
 #include <utility>
 
@@ -74,10 +75,6 @@ bool same_picture(const ViewPlan& a, const ViewPlan& b) {
            a.radius_m == b.radius_m;
 }
 
-bool same_cell(const CellPlan& a, const CellPlan& b) {
-    return a.method == b.method && a.preset == b.preset && a.overrides == b.overrides && a.filter == b.filter;
-}
-
 template <class T, class Same>
 std::size_t find_or_add(std::vector<T>& items, T item, Same same) {
     const auto found =
@@ -109,7 +106,7 @@ void add_report(ExperimentPlan& plan, const ReportDefinition& report) {
     ViewPlan& shared = plan.views[table.view_index];
     shared.samples = std::max(shared.samples, samples);
     for (StrictObject& row : rows) {
-        table.cell_indices.push_back(find_or_add(shared.cells, read_row(row), same_cell));
+        table.cell_indices.push_back(find_or_add(shared.cells, read_row(row), std::equal_to<>()));
     }
     plan.tables.push_back(std::move(table));
 }

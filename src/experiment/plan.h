@@ -1,6 +1,6 @@
 #pragma once
 
-#include "screen/method.h"
+#include "screen/screen.h"
 
 #include <nlohmann/json.hpp>
 
@@ -18,6 +18,10 @@ struct CellPlan {
     std::string preset = "default";
     ParameterValues overrides;
     std::optional<std::string> filter;  ///< "none" or a filter's id; empty: the preset's own
+    Border border = Border::far;
+    Normals normals = Normals::as_described;
+    Resolution resolution = Resolution::full;
+    bool operator==(const CellPlan&) const = default;
 };
 
 /// One view of a scene and everything that is run on it.

@@ -2,12 +2,14 @@
 
 #include "core/error.h"
 #include "core/interrupt.h"
-#include "core/progress.h"
 #include "experiment/camera_contract.h"
+#include "experiment/cell_timing.h"
 #include "experiment/experiment.h"
 #include "experiment/image_output.h"
 #include "experiment/own_truth.h"
+#include "experiment/run_modes.h"
 #include "experiment/timing.h"
+#include "experiment/view_description.h"
 #include "metrics/evaluate.h"
 #include "metrics/metric.h"
 #include "metrics/noise.h"
@@ -31,10 +33,6 @@ std::string file_name(std::string id) {
     return id;
 }
 
-std::vector<double> numbers(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
-
 double mean_over(const ImageF& image, const Mask& valid) {
     double sum = 0;
     std::size_t count = 0;
@@ -52,7 +50,9 @@ class Runner {
         : run_(run), frame_(run.view.camera, run.plan.width, run.plan.height) {}
 
     ViewOutcome measure() {
-        describe_view();
+        outcome_.view = describe_view(run_.scene, run_.view, frame_, run_.key);
+        outcome_.view.radius_m =
+            ranking_radius(run_.plan.radius_m, run_.view, run_.scene, outcome_.view.warnings);
         trace_truth();
         draw_gbuffer();
         check_contract();
@@ -62,36 +62,11 @@ class Runner {
             outcome_.cells.push_back(describe_cell(run_.cells[i]));
             run_guarded(i, [&] { measure_cell(i); });
         }
-        time_cells();
+        record_times();
         return std::move(outcome_);
     }
 
   private:
-    void describe_view() {
-        ViewRecord& v = outcome_.view;
-        const Camera& camera = run_.view.camera;
-        v.key = run_.key;
-        v.scene = run_.scene.id;
-        v.view = run_.view.id;
-        v.scene_digest = run_.scene.digest;
-        v.view_source = run_.view.source;
-        v.view_note = run_.view.note;
-        v.triangles = run_.scene.triangle_count;
-        v.width = frame_.width();
-        v.height = frame_.height();
-        v.position_m = numbers(camera.position + run_.scene.origin);
-        v.target_m = numbers(camera.target + run_.scene.origin);
-        v.up = numbers(camera.up);
-        const bool perspective = camera.projection == Camera::Projection::perspective;
-        v.projection = perspective ? "perspective" : "orthographic";
-        v.fovy_deg = perspective ? glm::degrees(camera.fovy_rad) : 0;
-        v.half_height_m = perspective ? 0 : camera.half_height;
-        v.near_m = camera.near;
-        v.far_m = camera.far;
-        v.warnings = run_.scene.warnings;
-        v.radius_m = ranking_radius(run_.plan.radius_m, run_.view, run_.scene, v.warnings);
-    }
-
     // All truths of the view come from the same rays: the ranking's first, then every method's own.
     void trace_truth() {
         std::vector<TruthQuery> queries{{Falloff::binary, outcome_.view.radius_m, 0}};
@@ -112,19 +87,8 @@ class Runner {
     }
 
     void draw_gbuffer() {
-        std::set<std::string> inputs{"normal_geometric"};
-        const auto add = [&](const MethodDescriptor* descriptor) {
-            if (descriptor == nullptr) return;
-            for (const Pass& pass : descriptor->passes) {
-                for (const std::string& input : pass.inputs) {
-                    if (gbuffer_inputs().contains(input)) inputs.insert(input);
-                }
-            }
-        };
-        for (const ResolvedCell& cell : run_.cells) {
-            add(cell.request.method);
-            add(cell.request.filter);
-        }
+        std::set<std::string> inputs;
+        for (const ResolvedCell& cell : run_.cells) inputs.merge(needed_gbuffer_inputs(cell.request));
         const int runs = timed_runs(run_.renderer.draw_gbuffer(frame_, inputs));
         std::vector<double> runs_ms;
         for (int i = 0; i < runs; ++i) runs_ms.push_back(run_.renderer.draw_gbuffer(frame_, inputs));
@@ -179,6 +143,12 @@ class Runner {
         record.preset = cell.plan.preset;
         record.filter = cell.filter;
         record.parameters = cell.request.parameters;
+        const auto note_mode = [&](const char* mode, const std::string& name, const std::string& usual) {
+            if (name != usual) record.parameters[mode] = name;
+        };
+        note_mode("border", name_of(border_names(), cell.plan.border), "far");
+        note_mode("normals", name_of(normals_names(), cell.plan.normals), "as-described");
+        note_mode("resolution", name_of(resolution_names(), cell.plan.resolution), "full");
         const auto& queries = truth_.queries;
         const auto own = std::find(queries.begin(), queries.end(), cell.own);
         record.own_truth = outcome_.view.truths[static_cast<std::size_t>(own - queries.begin())].id;
@@ -247,44 +217,19 @@ class Runner {
         record.fetches_per_pixel = mean_over(run_.renderer.count_fetches(cell.request), contract_.valid);
     }
 
-    void time_cells() {
-        struct Clock {
-            int left = 0;
-            std::vector<double> ao_ms, filter_ms;
-        };
-        std::vector<Clock> clocks(run_.cells.size());
-        for (std::size_t i = 0; i < clocks.size(); ++i) {
-            run_guarded(i, [&] {
-                const ScreenRenderer::PassTimes warm_up = run_.renderer.time(run_.cells[i].request);
-                clocks[i].left = timed_runs(warm_up.ao_ms);
-            });
-        }
-        std::size_t total = 0;
-        for (const Clock& clock : clocks) total += static_cast<std::size_t>(clock.left);
-        Progress progress("timing " + run_.key, total);
-        for (bool more = true; more;) {
-            more = false;
-            for (std::size_t i = 0; i < clocks.size(); ++i) {
-                throw_if_interrupted();
-                if (clocks[i].left == 0 || !outcome_.cells[i].error.empty()) continue;
-                run_guarded(i, [&] {
-                    const ScreenRenderer::PassTimes times = run_.renderer.time(run_.cells[i].request);
-                    clocks[i].ao_ms.push_back(times.ao_ms);
-                    if (times.filter_ms) clocks[i].filter_ms.push_back(*times.filter_ms);
-                });
-                --clocks[i].left;
-                more = true;
-                progress.step();
-            }
-        }
-        for (std::size_t i = 0; i < clocks.size(); ++i) {
+    void record_times() {
+        std::vector<bool> wanted;
+        for (const CellRecord& record : outcome_.cells) wanted.push_back(record.error.empty());
+        const std::vector<CellTimes> times =
+            time_cells(run_.renderer, run_.cells, wanted, "timing " + run_.key);
+        const std::optional<double> gbuffer_ms = outcome_.view.gbuffer.median_ms;
+        for (std::size_t i = 0; i < times.size(); ++i) {
             CellRecord& record = outcome_.cells[i];
-            record.ao = summarize(std::move(clocks[i].ao_ms));
-            record.blur = summarize(std::move(clocks[i].filter_ms));
-            const Timing& gbuffer = outcome_.view.gbuffer;
-            if (record.ao.median_ms && gbuffer.median_ms) {
-                record.frame_ms =
-                    *gbuffer.median_ms + *record.ao.median_ms + record.blur.median_ms.value_or(0);
+            if (record.error.empty()) record.error = times[i].error;
+            record.ao = summarize(times[i].ao_ms);
+            record.blur = summarize(times[i].filter_ms);
+            if (record.ao.median_ms && gbuffer_ms) {
+                record.frame_ms = *gbuffer_ms + *record.ao.median_ms + record.blur.median_ms.value_or(0);
             }
         }
     }

@@ -134,6 +134,25 @@ TEST(OwnMethod, ABrokenShaderFailsItsCellAndTheOthersGoOn) {
     EXPECT_THAT(read_file(folder / "page/index.html"), HasSubstr("failed"));
 }
 
+TEST(Score, ModesAndParametersAreTakenAndRecorded) {
+    const auto folder = output_dir();
+    const auto run = run_aoscore(
+        "score wall --view oblique --methods alchemy,gtao --set radius=0.25 --normals from-depth-accurate "
+        "--resolution half --border clamp --filter none --error 0.05 --size 96x64 --out page",
+        folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Results results = read_results(folder / "page");
+    ASSERT_EQ(results.cells.size(), 2u);
+    for (const CellRecord& cell : results.cells) {
+        EXPECT_EQ(cell.parameters.at("radius"), 0.25) << cell.id;
+        EXPECT_EQ(cell.parameters.at("normals"), "from-depth-accurate") << cell.id;
+        EXPECT_EQ(cell.parameters.at("resolution"), "half") << cell.id;
+        EXPECT_EQ(cell.parameters.at("border"), "clamp") << cell.id;
+        EXPECT_EQ(cell.filter, "none") << cell.id;
+    }
+    EXPECT_EQ(results.views.at(0).max_error, 0.05);
+}
+
 class RealScene : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(RealScene, GivesAPageWithEveryMethodScored) {

@@ -24,13 +24,29 @@ bool holds_only_captures(const std::filesystem::path& folder) {
 
 TEST(Usage, WrongUsageExitsWith64) {
     const auto folder = output_dir();
-    for (const char* arguments :
-         {"", "nonsense", "score", "score plane --size 12", "score plane --samples 0", "reference plane",
-          "list nonsense", "compare one", "bench nonsense", "score plane --radius -1 --out o",
-          "score plane --radius 0.5,1 --out o", "compare a b --fail rmse",
-          "score plane --view nonsense --out o", "score nonsense --out o",
-          "score plane --methods nonsense --out o", "score plane --preset nonsense --out o",
-          "score plane --filter nonsense --out o", "run nonsense --out o"}) {
+    for (const char* arguments : {"",
+                                  "nonsense",
+                                  "score",
+                                  "score plane --size 12",
+                                  "score plane --samples 0",
+                                  "reference plane",
+                                  "list nonsense",
+                                  "compare one",
+                                  "bench nonsense",
+                                  "score plane --radius -1 --out o",
+                                  "score plane --radius 0.5,1 --out o",
+                                  "compare a b --fail rmse",
+                                  "score plane --view nonsense --out o",
+                                  "score nonsense --out o",
+                                  "score plane --methods nonsense --out o",
+                                  "score plane --preset nonsense --out o",
+                                  "score plane --filter nonsense --out o",
+                                  "score plane --set nonsense=1 --out o",
+                                  "score plane --set radius --out o",
+                                  "score plane --set radius=-1 --out o",
+                                  "score plane --border nonsense --out o",
+                                  "score plane --error 2 --out o",
+                                  "run nonsense --out o"}) {
         const ProgramRun run = run_aoscore(arguments, folder);
         EXPECT_EQ(run.exit_code, 64) << arguments << "\n" << run.err;
         EXPECT_FALSE(run.err.empty()) << arguments;
