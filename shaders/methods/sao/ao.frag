@@ -1,4 +1,4 @@
-// Scalable ambient obscurance (McGuire, Mara and Luebke 2012).
+// Scalable ambient obscurance (McGuire, Mara and Luebke 2012). R^6 is divided out of the sum, for small radii's sake.
 #include "contract/ao_pass.glsl"
 #include "lib/constants.glsl"
 #include "lib/limits.glsl"
@@ -7,7 +7,7 @@
 
 float obscurance(vec3 v, vec3 normal) {
     float distance_squared = dot(v, v);
-    float within = max(p_radius * p_radius - distance_squared, 0.0);
+    float within = max(1.0 - distance_squared / (p_radius * p_radius), 0.0);
     float height = max(dot(v, normal) - p_beta, 0.0);
     // Without epsilon and beta, a tap of the pixel itself is 0/0; it obscures nothing.
     return height > 0.0 ? within * within * within * height / (distance_squared + p_epsilon) : 0.0;
@@ -24,6 +24,5 @@ float visibility(vec2 image_px, vec3 position) {
         int mip = clamp(int(floor(log2(tap_radius_px))) - p_full_radius_log2, 0, kDepthMipLevels - 1);
         sum += obscurance(tap_mip_position(image_px + offset_px, mip) - position, normal);
     }
-    float radius_cubed = p_radius * p_radius * p_radius;
-    return limited_visibility(1.0 - 5.0 * p_intensity / (float(p_samples) * radius_cubed * radius_cubed) * sum);
+    return limited_visibility(1.0 - 5.0 * p_intensity / float(p_samples) * sum);
 }
