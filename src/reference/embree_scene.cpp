@@ -198,6 +198,57 @@ void EmbreeScene::add_instance(const TraceGeometry& geometry, RTCScene shared, c
     placements_.push_back({&geometry, rounded(transform), true});
 }
 
+RTCIntersectContext EmbreeScene::packet_context() const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    if (shared_.empty()) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    return context;
+}
+
+TraceTriangle EmbreeScene::triangle(const Placement& placement, unsigned index) const {
+    const TraceGeometry& geometry = *placement.geometry;
+    const glm::uvec3 corner = geometry.triangles[index];
+    const auto vertex = [&](unsigned i) {
+        return transformed(placement.trace_from_geometry, glm::dvec3(geometry.vertices[i]));
+    };
+    return {{vertex(corner.x), vertex(corner.y), vertex(corner.z)}};
+}
+
+bool EmbreeScene::triangles_near(const glm::dvec3& centre, double radius_m, std::size_t limit,
+                                 std::vector<TraceTriangle>& triangles) const {
+    struct Search {
+        const EmbreeScene* scene;
+        std::size_t limit;
+        std::vector<TraceTriangle>* found;
+        bool complete = true;
+    };
+    triangles.clear();
+    Search search{this, limit, &triangles};
+    const glm::vec3 c(centre);
+    // Rounded outwards, so that nothing within the radius is missed.
+    const double rounding_m = glm::distance(centre, glm::dvec3(c));
+    RTCPointQuery query{};
+    query.x = c.x;
+    query.y = c.y;
+    query.z = c.z;
+    query.radius = static_cast<float>((radius_m + rounding_m) * (1 + 1e-5));
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    const auto visit = [](RTCPointQueryFunctionArguments* args) {
+        auto& s = *static_cast<Search*>(args->userPtr);
+        if (s.found->size() == s.limit) {
+            s.complete = false;
+            args->query->radius = 0;  // ends the search
+            return true;
+        }
+        const unsigned id = args->context->instStackSize > 0 ? args->context->instID[0] : args->geomID;
+        s.found->push_back(s.scene->triangle(s.scene->placements_[id], args->primID));
+        return false;
+    };
+    rtcPointQuery(scene_.get(), &query, &context, visit, &search);
+    return search.complete;
+}
+
 bool EmbreeScene::first_hit(const CameraFrame::Ray& ray, double near, double far, SurfaceHit& hit) const {
     const glm::dvec3 origin = ray.origin - centre_;
     const glm::vec3 o(origin), d(ray.direction);
@@ -216,10 +267,7 @@ bool EmbreeScene::first_hit(const CameraFrame::Ray& ray, double near, double far
     const Placement& placement = placements_[id];
     const TraceGeometry& geometry = *placement.geometry;
     const glm::uvec3 corner = geometry.triangles[query.hit.primID];
-    const auto vertex = [&](unsigned i) {
-        return transformed(placement.trace_from_geometry, glm::dvec3(geometry.vertices[i]));
-    };
-    const glm::dvec3 a = vertex(corner.x), b = vertex(corner.y), c = vertex(corner.z);
+    const auto [a, b, c] = triangle(placement, query.hit.primID).corners;
     const double u = query.hit.u, v = query.hit.v;
 
     hit.normal = triangle_normal(a, b, c);

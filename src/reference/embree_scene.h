@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <deque>
@@ -21,6 +22,11 @@ struct TraceGeometry {
     std::vector<glm::vec2> texcoords;       ///< one a vertex; cut-outs only
     const Material* material = nullptr;     ///< cut-outs only
     const Scene* cutouts = nullptr;         ///< textures of the cut-outs
+};
+
+/// One triangle in trace space.
+struct TraceTriangle {
+    std::array<glm::dvec3, 3> corners;
 };
 
 /// The point of a triangle that a pixel sees, in trace space and double precision.
@@ -45,9 +51,17 @@ class EmbreeScene {
     RTCScene handle() const { return scene_.get(); }
     const glm::dvec3& centre() const { return centre_; }
     std::size_t peak_bytes() const { return memory_.peak; }
+    /// A context for packets of rays of similar direction. Embree 3.13.5 may never return from coherent
+    /// packets that enter an instance, so that scenes with instances are traced as if packets were not.
+    RTCIntersectContext packet_context() const;
 
     /// What the ray (scene space, unnormalised: t is view depth) meets first with t in [near, far].
     bool first_hit(const CameraFrame::Ray& ray, double near, double far, SurfaceHit& hit) const;
+
+    /// All triangles whose boxes come within `radius_m` (infinity allowed) of a point of trace space, and
+    /// maybe some more; false when there are more than `limit` of them.
+    bool triangles_near(const glm::dvec3& centre, double radius_m, std::size_t limit,
+                        std::vector<TraceTriangle>& triangles) const;
 
   private:
     struct Placement {
@@ -55,6 +69,7 @@ class EmbreeScene {
         glm::dmat4 trace_from_geometry{1.0};
         bool is_instance = false;
     };
+    TraceTriangle triangle(const Placement& placement, unsigned index) const;
     struct Memory {
         std::atomic<std::ptrdiff_t> current{0};
         std::atomic<std::size_t> peak{0};

@@ -11,11 +11,11 @@ namespace {
 /// much, as tests over many seeds show.
 constexpr double kStoppingAllowance = 1.06;
 
-RaySource ray_source(const SurfaceHit& hit, const TruthSettings& settings, int x, int y) {
-    const glm::dvec3& axis = settings.shading_normals ? hit.shading_normal : hit.normal;
-    const auto pixel = static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint32_t>(x);
-    return {glm::vec3(hit.position + hit.offset_m * hit.normal), glm::mat3(frame_about(axis)),
-            mix_bits(mix_bits(settings.seed) ^ pixel)};
+/// Below this many rays a pixel, to prove it open costs more than to trace it.
+constexpr int kLeastSamplesToSkip = 32;
+
+glm::dvec3 ray_origin(const SurfaceHit& hit) {
+    return hit.position + hit.offset_m * hit.normal;
 }
 
 }  // namespace
@@ -38,27 +38,64 @@ TileIntegrator::TileIntegrator(const EmbreeScene& scene, const CameraFrame& fram
       queries_(queries),
       settings_(settings),
       plan_(settings),
-      tracer_(scene, queries, points) {}
+      tracer_(scene, queries, points),
+      open_space_(scene) {
+    for (const TruthQuery& query : queries) reach_m_ = std::max(reach_m_, query.radius_m);
+}
 
 void TileIntegrator::integrate(const Tile& tile, Truth& truth) {
-    std::vector<RaySource> sources = find_sources(tile, truth);
-    if (sources.empty()) return;
-    tracer_.start(std::move(sources));
+    find_surfaces(tile, truth.hits);
+    // About a smooth normal, rays may also go below the tangent plane.
+    if (settings_.skip_open && !settings_.shading_normals && plan_.first() >= kLeastSamplesToSkip)
+        skip_open(truth);
+    if (surfaces_.empty()) return;
+    tracer_.start(ray_sources());
     samples_.assign(pixels_.size(), 0);
     trace_all();
     store(truth);
 }
 
-std::vector<RaySource> TileIntegrator::find_sources(const Tile& tile, Truth& truth) {
-    std::vector<RaySource> sources;
+void TileIntegrator::find_surfaces(const Tile& tile, PrimaryHits& hits) {
+    surfaces_.clear();
     pixels_.clear();
     SurfaceHit hit;
     for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1; ++x) {
-            if (!find_surface(scene_, frame_, x, y, truth.hits, hit)) continue;
-            sources.push_back(ray_source(hit, settings_, x, y));
-            pixels_.push_back(truth.hits.depth.index(x, y));
+            if (!find_surface(scene_, frame_, x, y, hits, hit)) continue;
+            surfaces_.push_back(hit);
+            pixels_.push_back(hits.depth.index(x, y));
         }
+    }
+}
+
+void TileIntegrator::skip_open(Truth& truth) {
+    std::vector<UpwardPoint> points;
+    points.reserve(surfaces_.size());
+    for (const SurfaceHit& hit : surfaces_) points.push_back({ray_origin(hit), hit.normal, hit.offset_m / 2});
+    const std::vector<char> open = open_space_.prove(points, reach_m_);
+    std::size_t kept = 0;
+    for (std::size_t p = 0; p < pixels_.size(); ++p) {
+        if (open[p] == 0) {
+            surfaces_[kept] = surfaces_[p];
+            pixels_[kept++] = pixels_[p];
+            continue;
+        }
+        for (ImageF& error : truth.standard_error) error.pixels[pixels_[p]] = kProvenError;
+    }
+    open_pixels_ += pixels_.size() - kept;
+    surfaces_.resize(kept);
+    pixels_.resize(kept);
+}
+
+std::vector<RaySource> TileIntegrator::ray_sources() const {
+    std::vector<RaySource> sources;
+    sources.reserve(surfaces_.size());
+    for (std::size_t p = 0; p < surfaces_.size(); ++p) {
+        const SurfaceHit& hit = surfaces_[p];
+        sources.push_back(
+            {glm::vec3(ray_origin(hit)),
+             glm::mat3(frame_about(settings_.shading_normals ? hit.shading_normal : hit.normal)),
+             mix_bits(mix_bits(settings_.seed) ^ pixels_[p])});
     }
     return sources;
 }

@@ -2,6 +2,7 @@
 
 #include "reference/embree_scene.h"
 #include "reference/estimate.h"
+#include "reference/open_space.h"
 #include "reference/sample_plan.h"
 #include "reference/tile.h"
 #include "reference/tile_tracer.h"
@@ -26,9 +27,14 @@ class TileIntegrator {
     void integrate(const Tile& tile, Truth& truth);
     /// Of all tiles so far.
     std::uint64_t rays() const { return tracer_.rays(); }
+    std::uint64_t open_pixels() const { return open_pixels_; }
 
   private:
-    std::vector<RaySource> find_sources(const Tile& tile, Truth& truth);
+    /// Where the tile's surfaces lie; also into truth.hits.
+    void find_surfaces(const Tile& tile, PrimaryHits& hits);
+    /// Takes the pixels that are proven open out of the list and stores them.
+    void skip_open(Truth& truth);
+    std::vector<RaySource> ray_sources() const;
     /// Estimates of all pixels for one query.
     std::vector<Estimate> estimates(std::size_t query) const;
     /// Traces what the plan asks for, until it asks for no more.
@@ -41,8 +47,12 @@ class TileIntegrator {
     const TruthSettings& settings_;
     SamplePlan plan_;
     TileTracer tracer_;
-    std::vector<std::size_t> pixels_;  // of sources, into images
-    std::vector<int> samples_;         // of sources, traced so far
+    OpenSpace open_space_;
+    double reach_m_ = 0;
+    std::uint64_t open_pixels_ = 0;
+    std::vector<SurfaceHit> surfaces_;
+    std::vector<std::size_t> pixels_;  // of surfaces, into images
+    std::vector<int> samples_;         // of surfaces, traced so far
 };
 
 }  // namespace aoscore

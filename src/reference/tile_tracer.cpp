@@ -98,9 +98,7 @@ void TileTracer::trace(std::span<const SampleRange> ranges) {
 }
 
 void TileTracer::trace_occlusion() {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    RTCIntersectContext context = scene_.packet_context();
     RTCRay16 ray;
     fill_constants(ray);
     PacketDirections directions;
@@ -118,9 +116,7 @@ void TileTracer::trace_occlusion() {
 }
 
 void TileTracer::trace_distance() {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    RTCIntersectContext context = scene_.packet_context();
     RTCRayHit16 query;
     fill_constants(query.ray);
     PacketDirections directions;

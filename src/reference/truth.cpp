@@ -45,9 +45,10 @@ PrimaryHits empty_hits(int width, int height) {
 }
 
 int mean_samples(const Truth& truth) {
-    std::uint64_t surfaces = 0;
+    std::uint64_t surfaces = 0, samples = 0;
     for (const std::uint8_t s : truth.hits.surface.pixels) surfaces += s;
-    return surfaces == 0 ? 0 : static_cast<int>((truth.rays + surfaces / 2) / surfaces);
+    for (const std::uint32_t n : truth.sample_counts.pixels) samples += n;
+    return surfaces == 0 ? 0 : static_cast<int>((samples + surfaces / 2) / surfaces);
 }
 
 }  // namespace
@@ -96,7 +97,7 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
     const std::vector<Tile> tiles = tiles_of(width, height);
     const PointSets points(settings.points, (SamplePlan(settings).most() + kReplicates - 1) / kReplicates);
     Progress progress(what, tiles.size());
-    std::atomic<std::uint64_t> rays{0};
+    std::atomic<std::uint64_t> rays{0}, open_pixels{0};
     const auto start = std::chrono::steady_clock::now();
     parallel_for(tiles.size(), [&](std::size_t i) {
         throw_if_interrupted();
@@ -104,11 +105,13 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
         TileIntegrator integrator(impl_->embree, frame, queries, settings, points);
         integrator.integrate(tiles[i], truth);
         rays += integrator.rays();
+        open_pixels += integrator.open_pixels();
         progress.step();
     });
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     truth.rays = rays;
-    truth.samples = mean_samples(truth);
+    truth.open_pixels = open_pixels;
+    truth.samples = settings.max_error > 0 ? mean_samples(truth) : settings.samples;
     truth.seconds = elapsed.count();
     return truth;
 }

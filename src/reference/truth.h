@@ -43,6 +43,8 @@ struct TruthSettings {
     std::uint64_t seed = 1;
     bool shading_normals = false;  ///< hemisphere about the smooth normal instead of the geometric one
     PointKind points = PointKind::scrambled_sobol;
+    /// Pixels with nothing above their tangent plane within reach are proven open instead of traced.
+    bool skip_open = true;
 };
 
 /// Independently scrambled point sets a pixel.
@@ -52,6 +54,9 @@ inline constexpr int kReplicates = 4;
 constexpr double standard_error_floor(int samples) {
     return 0.5 / samples;
 }
+
+/// The standard error of a pixel that is proven open: float32's rounding of 1.
+inline constexpr float kProvenError = 0x1p-24f;
 
 /// No pixel gets more rays than this, whatever its error.
 inline constexpr int kMostSamples = 1 << 20;
@@ -77,9 +82,10 @@ struct Truth {
     std::vector<TruthQuery> queries;
     std::vector<ImageF> visibility;      ///< one image a query, in [0,1]; 1 where there is no surface
     std::vector<ImageF> standard_error;  ///< one image a query, > 0 on surfaces; 0 where there is none
-    Image<std::uint32_t> sample_counts;  ///< rays of each pixel; 0 where there is no surface
+    Image<std::uint32_t> sample_counts;  ///< rays of each pixel; 0 where none were needed
     int samples = 0;                     ///< rays a pixel with a surface (the mean, rounded, if they differ)
     std::uint64_t rays = 0;              ///< occlusion rays traced
+    std::uint64_t open_pixels = 0;       ///< proven open without a ray
     double seconds = 0;                  ///< tracing only
 };
 

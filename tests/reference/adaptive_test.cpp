@@ -59,7 +59,9 @@ TEST(AdaptiveTracing, ReachesTheErrorInEveryPixelWithoutBias) {
 TEST(AdaptiveTracing, SpendsRaysWhereTheErrorIs) {
     const ReferenceScene reference(testing::still_life());
     const CameraFrame frame(testing::looking({2, 2, 3}, {0, 0.6, 0}), 64, 48);
-    const Truth truth = reference.trace(frame, kOneMetre, up_to(0.01), "adaptive");
+    TruthSettings settings = up_to(0.01);
+    settings.skip_open = false;
+    const Truth truth = reference.trace(frame, kOneMetre, settings, "adaptive");
     const auto& counts = truth.sample_counts.pixels;
     const std::uint32_t most = *std::max_element(counts.begin(), counts.end());
     std::uint32_t least = most;

@@ -10,6 +10,14 @@
 namespace aoscore {
 namespace {
 
+/// Every ray is traced: what is proven open would show nothing here.
+TruthSettings every_ray(int samples) {
+    TruthSettings settings;
+    settings.samples = samples;
+    settings.skip_open = false;
+    return settings;
+}
+
 /// Pixels of a lone plane that are not exactly open, over tilts from facing to grazing.
 int darkened_pixels(double half_size, int cells, double radius_m, double scale,
                     const glm::dvec3& translation) {
@@ -25,7 +33,8 @@ int darkened_pixels(double half_size, int cells, double radius_m, double scale,
                                          translation};
             const ReferenceScene reference(testing::moved(scene, by));
             const CameraFrame frame(testing::moved(camera, by), 40, 30);
-            const Truth truth = reference.trace(frame, {{Falloff::binary, radius_m * scale, 0}}, {}, "plane");
+            const Truth truth =
+                reference.trace(frame, {{Falloff::binary, radius_m * scale, 0}}, every_ray(64), "plane");
             EXPECT_GT(std::count(truth.hits.surface.pixels.begin(), truth.hits.surface.pixels.end(), 1), 100);
             darkened += static_cast<int>(std::count_if(truth.visibility[0].pixels.begin(),
                                                        truth.visibility[0].pixels.end(),
@@ -57,7 +66,7 @@ TEST(Plane, ConvexBodyIsOpenOutside) {
     testing::add(scene, testing::sphere({0.3, -0.2, 0.1}, 1, 96));
     const ReferenceScene reference(scene);
     const CameraFrame frame(testing::looking({2, 2, 2}, {0, 0, 0}), 96, 96);
-    const Truth truth = reference.trace(frame, {{Falloff::binary, INFINITY, 0}}, {}, "sphere");
+    const Truth truth = reference.trace(frame, {{Falloff::binary, INFINITY, 0}}, every_ray(64), "sphere");
     const float least =
         *std::min_element(truth.visibility[0].pixels.begin(), truth.visibility[0].pixels.end());
     EXPECT_EQ(least, 1.0f);
@@ -68,9 +77,7 @@ TEST(Plane, ClosedBoxLetsNoLightThroughItsEdges) {
     testing::add(scene, testing::sphere({10.3, -7.2, 3.1}, 2, 24));
     const ReferenceScene reference(scene);
     const CameraFrame frame(testing::looking({10.3, -7.2, 3.1}, {11.3, -8.9, 3.2}, 2.0), 64, 64);
-    TruthSettings settings;
-    settings.samples = 256;
-    const Truth truth = reference.trace(frame, {{Falloff::binary, INFINITY, 0}}, settings, "inside");
+    const Truth truth = reference.trace(frame, {{Falloff::binary, INFINITY, 0}}, every_ray(256), "inside");
     const float most =
         *std::max_element(truth.visibility[0].pixels.begin(), truth.visibility[0].pixels.end());
     EXPECT_EQ(most, 0.0f);
