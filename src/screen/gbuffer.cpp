@@ -146,6 +146,7 @@ void GBuffer::draw(const SceneGeometry& geometry, const CameraFrame& frame,
         if (!gbuffer_inputs().contains(input))
             throw internal_error("no such G-buffer input: " + input, "draw_gbuffer");
     }
+    frame_ = frame;
     width_ = frame.width();
     height_ = frame.height();
     orthographic_ = frame.camera().projection == Camera::Projection::orthographic;

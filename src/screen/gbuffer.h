@@ -7,6 +7,7 @@
 #include "screen/shader_program.h"
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -33,6 +34,7 @@ class GBuffer {
 
     /// The camera's uniforms of shaders/contract/view.glsl, for this G-buffer or any pass over it.
     void set_view_uniforms(const ShaderProgram& program) const;
+    const CameraFrame& frame() const { return *frame_; }
     /// ORTHOGRAPHIC of shaders/contract/view.glsl.
     bool orthographic() const { return orthographic_; }
 
@@ -43,6 +45,7 @@ class GBuffer {
                    const ShaderProgram& program) const;
 
     int width_ = 0, height_ = 0;
+    std::optional<CameraFrame> frame_;
     glm::dvec2 pixel_size_{0};
     double near_ = 0, far_ = 0;
     bool orthographic_ = false;

@@ -2,6 +2,7 @@
 #include "core/files.h"
 #include "core/strict_json.h"
 #include "screen/kernel.h"
+#include "screen/line_sweep.h"
 #include "screen/method.h"
 #include "screen/screen.h"
 #include "screen/shader_source.h"
@@ -161,8 +162,12 @@ OwnTruth parse_truth(const MethodDescriptor& method, StrictObject object) {
 
 Pass parse_pass(StrictObject object, const fs::path& folder, const std::set<std::string>& inputs) {
     Pass pass;
-    pass.fragment = object.text("fragment");
-    if (!fs::is_regular_file(folder / pass.fragment)) {
+    pass.processor = object.text_or("processor", "");
+    if (!pass.processor.empty() && pass.processor != "line_sweep") {
+        throw file_error(fmt::format("is \"{}\"", pass.processor), object.where("processor"), "line_sweep");
+    }
+    if (pass.processor.empty()) pass.fragment = object.text("fragment");
+    if (pass.processor.empty() && !fs::is_regular_file(folder / pass.fragment)) {
         throw file_error(fmt::format("\"{}\" is not there", pass.fragment), object.where("fragment"),
                          "a file of the folder");
     }
@@ -181,8 +186,19 @@ Pass parse_pass(StrictObject object, const fs::path& folder, const std::set<std:
 // Every parameter must have an effect: some pass or kernel names it.
 void check_parameters_used(const MethodDescriptor& method, const std::string& where) {
     std::string text;
-    for (const Pass& pass : method.passes)
-        text += expanded_text(method.folder / pass.fragment, method.folder);
+    std::set<std::string> processed;
+    for (const Pass& pass : method.passes) {
+        if (pass.processor.empty()) {
+            text += expanded_text(method.folder / pass.fragment, method.folder);
+        } else {
+            processed = line_sweep_parameters();
+        }
+    }
+    for (const std::string& id : processed) {
+        if (method.find_parameter(id) == nullptr) {
+            throw file_error("the processor needs the parameter " + id, where + ": parameters");
+        }
+    }
     for (const Parameter& p : method.parameters) {
         const std::string reference = "@" + p.id;
         const bool in_kernel =
@@ -190,7 +206,7 @@ void check_parameters_used(const MethodDescriptor& method, const std::string& wh
                 return k.size == reference || k.directions == reference || k.radii == reference ||
                        k.scale == reference || k.sequence == reference;
             });
-        if (!in_kernel && !mentions(text, "p_" + p.id)) {
+        if (!in_kernel && !processed.contains(p.id) && !mentions(text, "p_" + p.id)) {
             throw file_error(fmt::format("no pass uses the parameter (as p_{})", p.id),
                              where + ": parameters." + p.id);
         }

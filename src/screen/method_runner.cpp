@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/hash.h"
+#include "screen/line_sweep.h"
 #include "screen/texture.h"
 
 #include <fmt/format.h>
@@ -34,7 +35,21 @@ PassBuild MethodRunner::base_build(const MethodRequest& request, const MethodDes
     return build;
 }
 
+void MethodRunner::check_resolution(const MethodRequest& request) const {
+    const std::vector<Pass>& passes = request.method->passes;
+    const bool processed =
+        std::any_of(passes.begin(), passes.end(), [](const Pass& p) { return !p.processor.empty(); });
+    if (processed && request.resolution != Resolution::full) {
+        throw usage_error("a method of the processor has one resolution", request.method->id, "full");
+    }
+    if (passes.size() > 1 && request.resolution == Resolution::dual) {
+        throw usage_error("a method of several passes has no dual resolution", request.method->id,
+                          "full, half, half_gbuffer");
+    }
+}
+
 std::vector<MethodRunner::Step> MethodRunner::method_steps(const MethodRequest& request) const {
+    check_resolution(request);
     const bool halved = request.resolution == Resolution::half || request.resolution == Resolution::dual;
     std::vector<Step> steps;
     int before = 1;
@@ -47,10 +62,6 @@ std::vector<MethodRunner::Step> MethodRunner::method_steps(const MethodRequest& 
         steps.push_back(step);
     }
     if (request.resolution == Resolution::dual) {
-        if (steps.size() > 1) {
-            throw usage_error("a method of several passes has no dual resolution", request.method->id,
-                              "full, half, half_gbuffer");
-        }
         Step fine = steps.back();
         fine.build.scale = 1;
         fine.build.coarser_scale = before;
@@ -117,6 +128,10 @@ gl::Texture& MethodRunner::scaled_target(std::size_t step, int scale) {
 // shade.
 void MethodRunner::draw(const Step& step, std::initializer_list<GLuint> targets, Normals normals,
                         GLuint previous) {
+    if (!step.pass->processor.empty()) {
+        process(step, *targets.begin(), normals);
+        return;
+    }
     const PassProgram& compiled = program(step.build, *step.pass);
     // Inputs first: making one draws by itself.
     std::vector<GLuint> textures;
@@ -143,6 +158,20 @@ void MethodRunner::draw(const Step& step, std::initializer_list<GLuint> targets,
     gl::DrawArrays(GL_TRIANGLES, 0, 3);
     gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
     gl::check(step.build.method->id.c_str());
+}
+
+void MethodRunner::process(const Step& step, GLuint target, Normals normals) {
+    ImageF depth(width_, height_);
+    Image<glm::vec4> normal(width_, height_);
+    read_texture(inputs_.texture("linear_depth", step.build, normals, 0), GL_RED, depth.pixels.data());
+    read_texture(inputs_.texture("normal_geometric", step.build, normals, 0), GL_RGBA, normal.pixels.data());
+    const SweepInput input{&gbuffer_->frame(), &depth, &normal, gbuffer_->far_depth()};
+    const ImageF result = line_sweep(input, *step.build.parameters);
+    gl::BindTexture(GL_TEXTURE_2D, target);
+    gl::PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl::TexImage2D(GL_TEXTURE_2D, 0, kR32F.internal, width_, height_, 0, kR32F.transfer, GL_FLOAT,
+                   result.pixels.data());
+    gl::check("uploading a processed pass");
 }
 
 void MethodRunner::upsample(GLuint coarse, int scale) {
@@ -204,7 +233,9 @@ void MethodRunner::draw_filter(const MethodRequest& request) {
 }
 
 void MethodRunner::compile(const MethodRequest& request) {
-    for (const Step& step : method_steps(request)) program(step.build, *step.pass);
+    for (const Step& step : method_steps(request)) {
+        if (step.pass->processor.empty()) program(step.build, *step.pass);
+    }
     for (const Step& step : filter_steps(request)) program(step.build, *step.pass);
 }
 
@@ -217,6 +248,13 @@ ImageF MethodRunner::count_fetches(const MethodRequest& request) {
         const int scale = steps[i].build.scale;
         steps[i].build.count_fetches = true;
         const GLuint target = scale == 1 ? raw_.name() : scaled_target(i, scale).name();
+        if (!steps[i].pass->processor.empty()) {
+            // A sweep reads the two pixels beside its line at every step.
+            const float taps = 2 * steps[i].build.parameters->at("directions").get<float>();
+            for (float& count : total.pixels) count += taps;
+            draw(steps[i], {target}, request.normals, previous);
+            continue;
+        }
         const int width = scaled_size(width_, scale), height = scaled_size(height_, scale);
         const gl::Texture counts = make_texture(kR32F, width, height);
         draw(steps[i], {target, counts.name()}, request.normals, previous);

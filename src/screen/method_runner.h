@@ -38,6 +38,8 @@ class MethodRunner {
         const Pass* pass = nullptr;
         PassBuild build;
     };
+    /// Throws usage_error where the method has no such resolution.
+    void check_resolution(const MethodRequest& request) const;
     PassBuild base_build(const MethodRequest& request, const MethodDescriptor& descriptor,
                          const ParameterValues& parameters) const;
     std::vector<Step> method_steps(const MethodRequest& request) const;
@@ -49,6 +51,7 @@ class MethodRunner {
     void allocate();
     gl::Texture& scaled_target(std::size_t step, int scale);
     void draw(const Step& step, std::initializer_list<GLuint> targets, Normals normals, GLuint previous);
+    void process(const Step& step, GLuint target, Normals normals);
     void upsample(GLuint coarse, int scale);
     ImageF read(const gl::Texture& texture) const;
 

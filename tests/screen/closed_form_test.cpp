@@ -122,6 +122,15 @@ TEST_F(SeenAlongTheNormal, WallIsExactToTheRayMarch) {
     }
 }
 
+TEST_F(SeenAlongTheNormal, PitIsExactToTheLineSweep) {
+    for (const double h : {30.0, 60.0}) {
+        const double rim = h * kPi / 180;
+        const double got = in_pit(rim, "line-sweep", {{"directions", 64}});
+        std::printf("pit %.0f: line-sweep %.4f, expected %.4f\n", h, got, closed_form::pit_visibility(rim));
+        EXPECT_NEAR(got, closed_form::pit_visibility(rim), 0.015);
+    }
+}
+
 // HBAO weights the hemisphere uniformly: 1 - atan(k)/π.
 TEST_F(SeenAlongTheNormal, WallReadsTheUniformHemisphereToHbao) {
     for (const double k : {0.5, 1.0, 2.0}) {

@@ -1,4 +1,5 @@
 #include "core/error.h"
+#include "core/files.h"
 #include "hand_made.h"
 #include "support/support.h"
 
@@ -92,6 +93,29 @@ TEST(UsersMethod, OfTwoTextFilesAppearsAndRuns) {
             ASSERT_EQ(result.at(x, y), edge ? 0.0F : 1.0F);
         }
     }
+}
+
+// The walk-through of shaders/README.md: copy a method, change its function.
+TEST(UsersMethod, CopiedFromAnExistingOneAndChangedRuns) {
+    const fs::path folder = output_dir();
+    fs::copy(find_method(load_methods(), "crytek-ssao").folder, folder / "my-ssao",
+             fs::copy_options::recursive);
+    const auto copied = load_methods(folder);
+    ScreenRenderer renderer;
+    renderer.set_scene(corner_scene());
+    renderer.draw_gbuffer(CameraFrame(corner_camera(), 160, 90), gbuffer_inputs());
+    const auto filters = load_filters();
+    const auto run = [&](const std::vector<MethodDescriptor>& methods, const char* id) {
+        return renderer.run(request_for(find_method(methods, id), filters, "default")).raw.pixels;
+    };
+    EXPECT_EQ(run(copied, "my-ssao"), run(copied, "crytek-ssao"));
+
+    const fs::path fragment = folder / "my-ssao" / "ao.frag";
+    write(fragment, replaced(read_file(fragment), "return 1.0 - occlusion", "return 1.0 - 0.5 * occlusion"));
+    const auto changed = run(load_methods(folder), "my-ssao");
+    const auto original = run(copied, "crytek-ssao");
+    for (std::size_t i = 0; i < changed.size(); ++i)
+        ASSERT_NEAR(1 - changed[i], 0.5F * (1 - original[i]), 1e-6);
 }
 
 TEST(UsersMethod, WithAnIdThatExistsIsAnError) {
