@@ -3,6 +3,7 @@
 // Half of the sphere is below a plane: it reads about one half.
 #include "contract/ao_pass.glsl"
 #include "lib/frame.glsl"
+#include "lib/noise.glsl"
 #include "lib/point_test.glsl"
 
 // The sphere is symmetric, the kernel is not: reflecting it by a plane of its own gives each pixel other points.
@@ -21,7 +22,7 @@ float validity(float surface_z, float position_z) {
 }
 
 float visibility(vec2 image_px, vec3 position) {
-    vec3 random_vector = vec3(tiled_noise().xy * 2.0 - 1.0, 0.0);
+    vec3 random_vector = vec3(pixel_noise().xy * 2.0 - 1.0, 0.0);
     mat3 view_from_tangent = basis_toward(centre_normal_geometric(), random_vector);
     vec3 plane = reflecting_plane(random_vector);
     // An invalid surface leaves the point open, or half open where the fade is Kajalin's.

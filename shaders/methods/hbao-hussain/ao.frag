@@ -4,6 +4,7 @@
 #include "contract/ao_pass.glsl"
 #include "lib/frame.glsl"
 #include "lib/horizon.glsl"
+#include "lib/noise.glsl"
 
 // Twice the first two channels less 1: a vector in the square, whose angle turns the directions.
 mat2 direction_rotation(vec2 vector) {
@@ -19,7 +20,7 @@ float tangent_angle(vec2 direction, vec3 tangent, vec3 normal) {
 float visibility(vec2 image_px, vec3 position) {
     vec3 normal = centre_normal_geometric();
     vec3 line_of_sight = view_ray(image_px);
-    vec4 noise = tiled_noise();
+    vec4 noise = pixel_noise();
     mat2 turn = direction_rotation(noise.xy * 2.0 - 1.0);
     vec2 step_px = p_step_uv * (p_aspect == aspect_corrected ? u_size_px.yy : u_size_px);
     float first = p_jitter ? 1.0 + noise.z : 1.0;

@@ -1,10 +1,11 @@
 // Hemispherical SSAO (Whinham 2017, B.1): V = 1/N sum of [the surface does not hide the point], points on the shell.
 #include "contract/ao_pass.glsl"
 #include "lib/frame.glsl"
+#include "lib/noise.glsl"
 #include "lib/point_test.glsl"
 
 float visibility(vec2 image_px, vec3 position) {
-    vec3 rotation_vector = vec3(tiled_noise().xy * 2.0 - 1.0, 0.0);
+    vec3 rotation_vector = vec3(pixel_noise().xy * 2.0 - 1.0, 0.0);
     mat3 view_from_tangent = basis_toward(centre_normal_geometric(), rotation_vector);
     float occlusion = 0.0;
     for (int i = 0; i < p_samples; ++i) {

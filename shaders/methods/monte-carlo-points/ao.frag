@@ -2,10 +2,11 @@
 #include "contract/ao_pass.glsl"
 #include "lib/constants.glsl"
 #include "lib/frame.glsl"
+#include "lib/noise.glsl"
 #include "lib/point_test.glsl"
 
 float visibility(vec2 image_px, vec3 position) {
-    float angle = kTwoPi * tiled_noise().x;
+    float angle = kTwoPi * pixel_noise().x;
     mat3 view_from_tangent = basis_toward(centre_normal_geometric(), vec3(cos(angle), sin(angle), 0.0));
     float occlusion = 0.0, cosines = 0.0;
     for (int i = 0; i < p_samples; ++i) {

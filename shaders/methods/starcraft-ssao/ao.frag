@@ -2,6 +2,7 @@
 #include "contract/ao_pass.glsl"
 #include "lib/constants.glsl"
 #include "lib/frame.glsl"
+#include "lib/noise.glsl"
 #include "lib/point_test.glsl"
 
 // Uniform random directions: a plane's normal in each pixel mirrors the whole kernel.
@@ -19,7 +20,7 @@ vec3 into_hemisphere(vec3 offset, vec3 normal) {
 
 float visibility(vec2 image_px, vec3 position) {
     vec3 normal = centre_normal_geometric();
-    vec3 mirror = mirror_normal(tiled_noise());
+    vec3 mirror = mirror_normal(pixel_noise());
     float occlusion = 0.0;
     for (int i = 0; i < p_samples; ++i) {
         vec3 point = position + into_hemisphere(reflect(k_points[i], mirror), normal) * p_radius;
