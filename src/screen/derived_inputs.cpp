@@ -27,10 +27,10 @@ const ShaderProgram& DerivedInputs::program(const GBuffer& gbuffer, const std::s
     return programs_.emplace(file + all, ShaderProgram(file, vertex, fragment)).first->second;
 }
 
-void DerivedInputs::draw(const GBuffer& gbuffer, const ShaderProgram& p, GLuint source, GLuint target,
-                         int level) {
+void DerivedInputs::draw(const GBuffer& gbuffer, const ShaderProgram& p, GLuint source,
+                         std::initializer_list<GLuint> targets, int level) {
     if (!empty_vertices_) empty_vertices_ = gl::VertexArray::create();
-    const gl::Framebuffer framebuffer = make_framebuffer({target}, level);
+    const gl::Framebuffer framebuffer = make_framebuffer(targets, level);
     gl::Viewport(0, 0, std::max(gbuffer.width() >> level, 1), std::max(gbuffer.height() >> level, 1));
     gl::ActiveTexture(GL_TEXTURE0);
     gl::BindTexture(GL_TEXTURE_2D, source);
@@ -40,8 +40,9 @@ void DerivedInputs::draw(const GBuffer& gbuffer, const ShaderProgram& p, GLuint 
     gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-GLuint DerivedInputs::depth_mips(const GBuffer& gbuffer, const std::string& filter, double radius_m) {
-    const std::string key = fmt::format("depth_mips {} {}", filter, radius_m);
+GLuint DerivedInputs::depth_mips(const GBuffer& gbuffer, GLuint linear_depth, const std::string& filter,
+                                 double radius_m) {
+    const std::string key = fmt::format("depth_mips {} {} {}", linear_depth, filter, radius_m);
     if (const auto found = textures_.find(key); found != textures_.end()) return found->second.name();
     gl::Texture mips = make_mipmapped_texture(kR32F, gbuffer.width(), gbuffer.height(), kMipLevels);
     const ShaderProgram& p = program(gbuffer, "depth_mip.frag",
@@ -51,14 +52,14 @@ GLuint DerivedInputs::depth_mips(const GBuffer& gbuffer, const std::string& filt
     gl::Uniform1f(p.location("u_radius"), static_cast<float>(radius_m));
     for (int level = 0; level < kMipLevels; ++level) {
         gl::Uniform1i(p.location("u_source_level"), level - 1);
-        const GLuint source = level == 0 ? gbuffer.texture("linear_depth") : mips.name();
+        const GLuint source = level == 0 ? linear_depth : mips.name();
         if (level > 0) {
             // A level may be read while another is drawn only when the drawn one is out of the sampler's
             // reach.
             gl::BindTexture(GL_TEXTURE_2D, mips.name());
             gl::TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, level - 1);
         }
-        draw(gbuffer, p, source, mips.name(), level);
+        draw(gbuffer, p, source, {mips.name()}, level);
     }
     gl::BindTexture(GL_TEXTURE_2D, mips.name());
     gl::TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, kMipLevels - 1);
@@ -74,9 +75,30 @@ GLuint DerivedInputs::normal_from_depth(const GBuffer& gbuffer, bool accurate) {
         program(gbuffer, "normal_from_depth.frag", fmt::format("#define ACCURATE {}\n", accurate ? 1 : 0));
     p.use();
     gl::Uniform1i(p.location("u_linear_depth"), 0);
-    draw(gbuffer, p, gbuffer.texture("linear_depth"), normals.name(), 0);
+    draw(gbuffer, p, gbuffer.texture("linear_depth"), {normals.name()}, 0);
     gl::check("making normals from depth");
     return textures_.emplace(key, std::move(normals)).first->second.name();
+}
+
+DerivedInputs::Packed DerivedInputs::packed(const GBuffer& gbuffer, GLuint normal) {
+    const std::string key = fmt::format("packed {}", normal);
+    if (const auto found = textures_.find(key); found != textures_.end()) {
+        return {found->second.name(), textures_.at(key + " normal").name()};
+    }
+    gl::Texture depth = make_texture(kR32F, gbuffer.width(), gbuffer.height());
+    gl::Texture normals = make_texture(kRgba32F, gbuffer.width(), gbuffer.height());
+    const ShaderProgram& p = program(gbuffer, "packed.frag", "");
+    p.use();
+    gl::Uniform1i(p.location("u_linear_depth"), 0);
+    gl::Uniform1i(p.location("u_normal"), 1);
+    gl::ActiveTexture(GL_TEXTURE1);
+    gl::BindTexture(GL_TEXTURE_2D, normal);
+    draw(gbuffer, p, gbuffer.texture("linear_depth"), {depth.name(), normals.name()}, 0);
+    gl::check("packing the G-buffer");
+    const Packed result{depth.name(), normals.name()};
+    textures_.emplace(key, std::move(depth));
+    textures_.emplace(key + " normal", std::move(normals));
+    return result;
 }
 
 }  // namespace aoscore

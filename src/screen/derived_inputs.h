@@ -20,16 +20,25 @@ class DerivedInputs {
     void forget();
 
     /// `radius_m` is that of a "weighted" chain.
-    GLuint depth_mips(const GBuffer& gbuffer, const std::string& filter, double radius_m);
+    /// `linear_depth` is the texture that they are made of.
+    GLuint depth_mips(const GBuffer& gbuffer, GLuint linear_depth, const std::string& filter,
+                      double radius_m);
 
     /// View-space normals from depth, unit, turned to the camera: `accurate` extrapolates from both sides and
     /// takes the better (Wu, Accurate Normal Reconstruction from Depth Buffer, 2019), else the differences to
     /// the right and below, as derivatives of a shader would be.
     GLuint normal_from_depth(const GBuffer& gbuffer, bool accurate);
 
+    struct Packed {
+        GLuint linear_depth = 0, normal = 0;
+    };
+    /// What an RGBA8 texture keeps of depth and this normal (Precision::packed_rgba8).
+    Packed packed(const GBuffer& gbuffer, GLuint normal);
+
   private:
     const ShaderProgram& program(const GBuffer& gbuffer, const std::string& file, const std::string& macros);
-    void draw(const GBuffer& gbuffer, const ShaderProgram& program, GLuint source, GLuint target, int level);
+    void draw(const GBuffer& gbuffer, const ShaderProgram& program, GLuint source,
+              std::initializer_list<GLuint> targets, int level);
 
     gl::VertexArray empty_vertices_;
     std::map<std::string, gl::Texture> textures_;

@@ -47,17 +47,33 @@ GLuint InputTextures::noise(std::uint64_t seed) {
     return found->second.name();
 }
 
-GLuint InputTextures::texture(const std::string& listed, const PassBuild& build, Normals normals,
-                              GLuint previous) {
-    const std::string input = replaced_normal(listed, normals);
+GLuint InputTextures::texture(const std::string& listed, const PassBuild& build,
+                              const InputSettings& settings, GLuint previous) {
+    const std::string input = replaced_normal(listed, settings.normals);
+    const bool normal = input.starts_with("normal_");
+    if (settings.precision == Precision::full ||
+        (input != "linear_depth" && input != "depth_mips" && !normal)) {
+        if (input == "depth_mips") return depth_mips(build, gbuffer_->texture("linear_depth"));
+        return unpacked(input, build, previous);
+    }
+    // Without a normal of the method's own the triangle's is packed along, if there is one: depth does not
+    // care.
+    const GLuint normal_texture = unpacked(normal ? input : "linear_depth", build, previous);
+    const DerivedInputs::Packed packed = derived_.packed(*gbuffer_, normal_texture);
+    if (input == "depth_mips") return depth_mips(build, packed.linear_depth);
+    return normal ? packed.normal : packed.linear_depth;
+}
+
+GLuint InputTextures::depth_mips(const PassBuild& build, GLuint linear_depth) {
+    const DepthMips& mips = build.method->depth_mips;
+    const bool has_radius = !mips.radius_parameter.empty();
+    const double radius = has_radius ? build.parameters->at(mips.radius_parameter).get<double>() : 0;
+    return derived_.depth_mips(*gbuffer_, linear_depth, mips.filter, radius);
+}
+
+GLuint InputTextures::unpacked(const std::string& input, const PassBuild& build, GLuint previous) {
     if (input == "visibility" || input == "coarser") return previous;
     if (input == "noise_4x4") return noise(build.seed);
-    if (input == "depth_mips") {
-        const DepthMips& mips = build.method->depth_mips;
-        const bool has_radius = !mips.radius_parameter.empty();
-        const double radius = has_radius ? build.parameters->at(mips.radius_parameter).get<double>() : 0;
-        return derived_.depth_mips(*gbuffer_, mips.filter, radius);
-    }
     if (input == "normal_from_depth") return derived_.normal_from_depth(*gbuffer_, false);
     if (input == "normal_from_depth_accurate") return derived_.normal_from_depth(*gbuffer_, true);
     const GLuint texture = gbuffer_->texture(input);

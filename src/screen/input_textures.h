@@ -11,6 +11,12 @@
 
 namespace aoscore {
 
+/// Which of a request's settings decide what an input is.
+struct InputSettings {
+    Normals normals = Normals::as_described;
+    Precision precision = Precision::full;
+};
+
 /// The input that a request reads in place of a listed one, where it asks for other normals.
 std::string replaced_normal(const std::string& input, Normals normals);
 
@@ -21,13 +27,16 @@ class InputTextures {
 
     /// "coarser" and "visibility" are the pass before this one's: `previous`. Throws internal_error for an
     /// input that the G-buffer was drawn without.
-    GLuint texture(const std::string& listed, const PassBuild& build, Normals normals, GLuint previous);
+    GLuint texture(const std::string& listed, const PassBuild& build, const InputSettings& settings,
+                   GLuint previous);
 
     /// Drops what was computed from the G-buffer.
     void forget_derived() { derived_.forget(); }
 
   private:
     GLuint noise(std::uint64_t seed);
+    GLuint depth_mips(const PassBuild& build, GLuint linear_depth);
+    GLuint unpacked(const std::string& input, const PassBuild& build, GLuint previous);
 
     const GBuffer* gbuffer_;
     DerivedInputs derived_;

@@ -126,17 +126,17 @@ gl::Texture& MethodRunner::scaled_target(std::size_t step, int scale) {
 
 // Background pixels keep 1 and, in a second target, 0. The dual mode's fine pass leaves what it does not
 // shade.
-void MethodRunner::draw(const Step& step, std::initializer_list<GLuint> targets, Normals normals,
-                        GLuint previous) {
+void MethodRunner::draw(const Step& step, std::initializer_list<GLuint> targets,
+                        const InputSettings& settings, GLuint previous) {
     if (!step.pass->processor.empty()) {
-        process(step, *targets.begin(), normals);
+        process(step, *targets.begin(), settings);
         return;
     }
     const PassProgram& compiled = program(step.build, *step.pass);
     // Inputs first: making one draws by itself.
     std::vector<GLuint> textures;
     for (const std::string& input : compiled.samplers()) {
-        textures.push_back(inputs_.texture(input, step.build, normals, previous));
+        textures.push_back(inputs_.texture(input, step.build, settings, previous));
     }
     const gl::Framebuffer framebuffer = make_framebuffer(targets);
     gl::Viewport(0, 0, scaled_size(width_, step.build.scale), scaled_size(height_, step.build.scale));
@@ -160,11 +160,11 @@ void MethodRunner::draw(const Step& step, std::initializer_list<GLuint> targets,
     gl::check(step.build.method->id.c_str());
 }
 
-void MethodRunner::process(const Step& step, GLuint target, Normals normals) {
+void MethodRunner::process(const Step& step, GLuint target, const InputSettings& settings) {
     ImageF depth(width_, height_);
     Image<glm::vec4> normal(width_, height_);
-    read_texture(inputs_.texture("linear_depth", step.build, normals, 0), GL_RED, depth.pixels.data());
-    read_texture(inputs_.texture("normal_geometric", step.build, normals, 0), GL_RGBA, normal.pixels.data());
+    read_texture(inputs_.texture("linear_depth", step.build, settings, 0), GL_RED, depth.pixels.data());
+    read_texture(inputs_.texture("normal_geometric", step.build, settings, 0), GL_RGBA, normal.pixels.data());
     const SweepInput input{&gbuffer_->frame(), &depth, &normal, gbuffer_->far_depth()};
     const ImageF result = line_sweep(input, *step.build.parameters);
     gl::BindTexture(GL_TEXTURE_2D, target);
@@ -215,7 +215,7 @@ void MethodRunner::draw_method(const MethodRequest& request) {
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const int scale = steps[i].build.scale;
         const GLuint target = scale == 1 ? raw_.name() : scaled_target(i, scale).name();
-        draw(steps[i], {target}, request.normals, previous);
+        draw(steps[i], {target}, {request.normals, request.precision}, previous);
         const bool next_is_fine = i + 1 < steps.size() && steps[i + 1].build.dual;
         if (scale > 1 && (i + 1 == steps.size() || next_is_fine)) upsample(target, scale);
         previous = target;
@@ -227,7 +227,7 @@ void MethodRunner::draw_filter(const MethodRequest& request) {
     filtered_ = &raw_;
     for (const Step& step : filter_steps(request)) {
         const gl::Texture* target = filtered_ == &first_ ? &second_ : &first_;
-        draw(step, {target->name()}, request.normals, filtered_->name());
+        draw(step, {target->name()}, {request.normals, request.precision}, filtered_->name());
         filtered_ = target;
     }
 }
@@ -252,12 +252,12 @@ ImageF MethodRunner::count_fetches(const MethodRequest& request) {
             // A sweep reads the two pixels beside its line at every step.
             const float taps = 2 * steps[i].build.parameters->at("directions").get<float>();
             for (float& count : total.pixels) count += taps;
-            draw(steps[i], {target}, request.normals, previous);
+            draw(steps[i], {target}, {request.normals, request.precision}, previous);
             continue;
         }
         const int width = scaled_size(width_, scale), height = scaled_size(height_, scale);
         const gl::Texture counts = make_texture(kR32F, width, height);
-        draw(steps[i], {target, counts.name()}, request.normals, previous);
+        draw(steps[i], {target, counts.name()}, {request.normals, request.precision}, previous);
         ImageF counted(width, height);
         read_texture(counts.name(), GL_RED, counted.pixels.data());
         // A coarse pixel's taps are shared by all those that it stands for.

@@ -50,8 +50,9 @@ class MethodRunner {
 
     void allocate();
     gl::Texture& scaled_target(std::size_t step, int scale);
-    void draw(const Step& step, std::initializer_list<GLuint> targets, Normals normals, GLuint previous);
-    void process(const Step& step, GLuint target, Normals normals);
+    void draw(const Step& step, std::initializer_list<GLuint> targets, const InputSettings& settings,
+              GLuint previous);
+    void process(const Step& step, GLuint target, const InputSettings& settings);
     void upsample(GLuint coarse, int scale);
     ImageF read(const gl::Texture& texture) const;
 

@@ -31,6 +31,11 @@ enum class Border { far, clamp };
 /// interpolated ones, or the depth buffer's (simple differences; accurate: the better side of each pixel).
 enum class Normals { as_described, geometric, smooth, from_depth, from_depth_accurate };
 
+/// How exactly linear depth and the normal are stored: 32-bit floats, or one RGBA8 texture (Gravås,
+/// Image-space Ambient Obscurance in WebGL, 2013, section 3.1): 16 bits of linear depth between the camera's
+/// near and far plane, a normal of two components.
+enum class Precision { full, packed_rgba8 };
+
 /// How many pixels are shaded, for any method: all; a quarter of them, brought up by nearness in depth; the
 /// same, and again in full where the coarse picture varies (Bavoil and Sainz, Multi-Layer Dual-Resolution
 /// Screen-Space Ambient Occlusion, 2009); all, with taps that read a G-buffer of half the resolution (Filion
@@ -47,6 +52,7 @@ struct MethodRequest {
     Border border = Border::far;
     Normals normals = Normals::as_described;
     Resolution resolution = Resolution::full;
+    Precision precision = Precision::full;
     /// Parameters and kernels as uniforms instead of constants: the same picture, slower; for comparison.
     bool uniform_form = false;
 };

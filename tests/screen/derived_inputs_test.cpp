@@ -72,6 +72,31 @@ TEST(Normals, OfARequestReplaceTheDescribedOnes) {
     EXPECT_LT(difference / static_cast<double>(geometric.size()), 0.01);
 }
 
+// 16 bits between near and far, two components of the normal: close, not equal.
+TEST(PackedPrecision, GivesNearlyTheSameImage) {
+    const auto methods = load_methods();
+    const auto filters = load_filters();
+    ScreenRenderer renderer;
+    renderer.set_scene(corner_scene());
+    renderer.draw_gbuffer(CameraFrame(corner_camera(), 240, 135), gbuffer_inputs());
+    const std::string before = renderer.gbuffer_digest();
+    for (const char* id : {"alchemy-spiral", "gtao", "sao", "volumetric-sphere"}) {
+        MethodRequest request = request_for(find_method(methods, id), filters, "default");
+        request.filter = nullptr;
+        const ImageF full = renderer.run(request).raw;
+        request.precision = Precision::packed_rgba8;
+        const ImageF packed = renderer.run(request).raw;
+        double difference = 0;
+        for (std::size_t i = 0; i < full.size(); ++i) {
+            ASSERT_TRUE(packed.pixels[i] >= 0 && packed.pixels[i] <= 1);
+            difference += static_cast<double>(std::abs(full.pixels[i] - packed.pixels[i]));
+        }
+        EXPECT_GT(difference, 0) << id;
+        EXPECT_LT(difference / static_cast<double>(full.size()), 0.02) << id;
+    }
+    EXPECT_EQ(renderer.gbuffer_digest(), before);
+}
+
 // A method that shows level 3 of the depth mips on a facing plane must read the plane's depth, on corners one
 // of the depths below the texel.
 TEST(DepthMips, OfTheRotatedGridHoldDepthsOfThePicture) {
