@@ -41,6 +41,8 @@ class RayBatch {
     void sort();
 
     std::size_t size() const { return size_; }
+    /// The direction of ray `i` in the order of add().
+    glm::vec3 direction(std::size_t i) const { return {x_[i], y_[i], z_[i]}; }
     /// The rays at places [first, first + kPacket) of the sorted order; past the end the last ray is
     /// repeated.
     void packet(std::size_t first, PacketDirections& directions) const;

@@ -30,6 +30,12 @@ bool find_surface(const EmbreeScene& scene, const CameraFrame& frame, int x, int
     return true;
 }
 
+RaySource ray_source(const SurfaceHit& hit, const TruthSettings& settings, std::size_t pixel) {
+    return {glm::vec3(ray_origin(hit)),
+            glm::mat3(frame_about(settings.shading_normals ? hit.shading_normal : hit.normal)),
+            mix_bits(mix_bits(settings.seed) ^ pixel)};
+}
+
 TileIntegrator::TileIntegrator(const EmbreeScene& scene, const CameraFrame& frame,
                                const std::vector<TruthQuery>& queries, const TruthSettings& settings,
                                const PointSets& points)
@@ -49,7 +55,12 @@ void TileIntegrator::integrate(const Tile& tile, Truth& truth) {
     if (settings_.skip_open && !settings_.shading_normals && plan_.first() >= kLeastSamplesToSkip)
         skip_open(truth);
     if (surfaces_.empty()) return;
-    tracer_.start(ray_sources());
+    std::vector<RaySource> sources;
+    sources.reserve(surfaces_.size());
+    for (std::size_t p = 0; p < surfaces_.size(); ++p) {
+        sources.push_back(ray_source(surfaces_[p], settings_, pixels_[p]));
+    }
+    tracer_.start(std::move(sources));
     samples_.assign(pixels_.size(), 0);
     trace_all();
     store(truth);
@@ -85,19 +96,6 @@ void TileIntegrator::skip_open(Truth& truth) {
     open_pixels_ += pixels_.size() - kept;
     surfaces_.resize(kept);
     pixels_.resize(kept);
-}
-
-std::vector<RaySource> TileIntegrator::ray_sources() const {
-    std::vector<RaySource> sources;
-    sources.reserve(surfaces_.size());
-    for (std::size_t p = 0; p < surfaces_.size(); ++p) {
-        const SurfaceHit& hit = surfaces_[p];
-        sources.push_back(
-            {glm::vec3(ray_origin(hit)),
-             glm::mat3(frame_about(settings_.shading_normals ? hit.shading_normal : hit.normal)),
-             mix_bits(mix_bits(settings_.seed) ^ pixels_[p])});
-    }
-    return sources;
 }
 
 std::vector<Estimate> TileIntegrator::estimates(std::size_t query) const {

@@ -16,6 +16,9 @@ namespace aoscore {
 bool find_surface(const EmbreeScene& scene, const CameraFrame& frame, int x, int y, PrimaryHits& hits,
                   SurfaceHit& hit);
 
+/// The rays of pixel number `pixel` of the image, which sees `hit`.
+RaySource ray_source(const SurfaceHit& hit, const TruthSettings& settings, std::size_t pixel);
+
 /// Makes the truth of one tile after another. Tiles depend on nothing but their place, so that any thread may
 /// do any of them.
 class TileIntegrator {
@@ -34,7 +37,6 @@ class TileIntegrator {
     void find_surfaces(const Tile& tile, PrimaryHits& hits);
     /// Takes the pixels that are proven open out of the list and stores them.
     void skip_open(Truth& truth);
-    std::vector<RaySource> ray_sources() const;
     /// Estimates of all pixels for one query.
     std::vector<Estimate> estimates(std::size_t query) const;
     /// Traces what the plan asks for, until it asks for no more.

@@ -1,0 +1,220 @@
+#include "reference/benchmark.h"
+
+#include "core/threads.h"
+#include "reference/replay.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <utility>
+
+namespace aoscore {
+namespace {
+
+constexpr int kSlopeWidth = 96, kSlopeHeight = 54;
+constexpr int kSlopeSeeds = 6;
+
+double seconds_of(const std::function<void()>& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+struct Means {
+    double error = 0;      // standard error
+    double deviation = 0;  // sqrt(V (1 - V)), the standard deviation of one independent ray
+    std::uint64_t pixels = 0;
+};
+
+Means means_of(const Truth& truth) {
+    Means means;
+    for (std::size_t i = 0; i < truth.hits.surface.size(); ++i) {
+        if (truth.hits.surface.pixels[i] == 0) continue;
+        const double v = truth.visibility[0].pixels[i];
+        means.error += truth.standard_error[0].pixels[i];
+        means.deviation += std::sqrt(v * (1 - v));
+        ++means.pixels;
+    }
+    means.error /= static_cast<double>(means.pixels);
+    means.deviation /= static_cast<double>(means.pixels);
+    return means;
+}
+
+TruthSettings with_samples(int samples) {
+    TruthSettings settings;
+    settings.samples = samples;
+    return settings;
+}
+
+std::vector<TruthQuery> binary(double radius_m) {
+    return {{Falloff::binary, radius_m, 0}};
+}
+
+/// The next count of the form 2^k or 3 * 2^k.
+int next_count(int samples) {
+    return (samples & (samples - 1)) == 0 ? samples * 3 / 2 : samples / 3 * 4;
+}
+
+/// Traces with more and more rays a pixel until the mean standard error is reached.
+void print_time_to_error(const ReferenceScene& reference, const Camera& camera,
+                         const ReferenceBenchmark& benchmark, double radius_m, double single_rate) {
+    const CameraFrame pilot(camera, benchmark.width / 4, benchmark.height / 4);
+    const CameraFrame frame(camera, benchmark.width, benchmark.height);
+    int samples = 64;
+    while (means_of(reference.trace(pilot, binary(radius_m), with_samples(samples), "pilot")).error >
+           benchmark.target_error) {
+        samples = next_count(samples);
+    }
+    Truth truth;
+    Means means;
+    double seconds = 0;
+    while (true) {
+        seconds = seconds_of(
+            [&] { truth = reference.trace(frame, binary(radius_m), with_samples(samples), "truth"); });
+        means = means_of(truth);
+        if (means.error <= benchmark.target_error) break;
+        samples = next_count(samples);
+    }
+    const double plain_samples = std::pow(means.deviation / benchmark.target_error, 2);
+    const double plain_seconds = plain_samples * static_cast<double>(means.pixels) / (single_rate * 1e6);
+    fmt::print(
+        "R {:>6} m: {} samples, {:.1f} s to a mean standard error of {:.5f} ({:.0f} M rays, {:.1f} % of "
+        "pixels "
+        "proven open)\n",
+        radius_m, samples, seconds, means.error, static_cast<double>(truth.rays) / 1e6,
+        100.0 * static_cast<double>(truth.open_pixels) / static_cast<double>(means.pixels));
+    fmt::print(
+        "            plain Monte Carlo by rtcOccluded1: {:.0f} samples, {:.0f} s; {:.1f} times as long\n",
+        plain_samples, plain_seconds, plain_seconds / seconds);
+    TruthSettings adaptive = with_samples(16);
+    adaptive.max_error = benchmark.target_error;
+    seconds = seconds_of([&] { truth = reference.trace(frame, binary(radius_m), adaptive, "adaptive"); });
+    fmt::print(
+        "            every pixel to {}: {} samples in the mean, {:.1f} s, mean standard error {:.5f}\n",
+        benchmark.target_error, truth.samples, seconds, means_of(truth).error);
+}
+
+double mean_square_error(const ReferenceScene& reference, const CameraFrame& frame, double radius_m,
+                         int samples, PointKind kind) {
+    std::vector<Truth> truths;
+    for (int seed = 1; seed <= kSlopeSeeds; ++seed) {
+        TruthSettings settings = with_samples(samples);
+        settings.seed = static_cast<std::uint64_t>(seed);
+        settings.points = kind;
+        truths.push_back(reference.trace(frame, binary(radius_m), settings, "slope"));
+    }
+    double sum = 0, pixels = 0;
+    for (std::size_t i = 0; i < truths[0].hits.surface.size(); ++i) {
+        if (truths[0].hits.surface.pixels[i] == 0) continue;
+        double mean = 0;
+        for (const Truth& t : truths) mean += t.visibility[0].pixels[i] / kSlopeSeeds;
+        for (const Truth& t : truths)
+            sum += std::pow(t.visibility[0].pixels[i] - mean, 2) / (kSlopeSeeds - 1);
+        ++pixels;
+    }
+    return sum / pixels;
+}
+
+void print_slopes(const ReferenceScene& reference, const Camera& camera, double radius_m) {
+    const CameraFrame frame(camera, kSlopeWidth, kSlopeHeight);
+    for (const auto& [kind, name] : {std::pair{PointKind::scrambled_sobol, "scrambled Sobol"},
+                                     std::pair{PointKind::independent, "independent    "}}) {
+        fmt::print("R {:>6} m, {}:", radius_m, name);
+        double first = 0, last = 0;
+        for (int samples = 16; samples <= 4096; samples *= 4) {
+            last = std::sqrt(mean_square_error(reference, frame, radius_m, samples, kind));
+            if (samples == 16) first = last;
+            fmt::print(" {:.5f}", last);
+        }
+        fmt::print("  slope {:.2f}\n", std::log(last / first) / std::log(4096.0 / 16));
+    }
+}
+
+/// Every triangle cut into four at the middles of its edges.
+Scene refined(Scene scene) {
+    for (Mesh& mesh : scene.meshes) {
+        Mesh fine;
+        fine.material = mesh.material;
+        for (const glm::uvec3& t : mesh.triangles) {
+            const auto first = static_cast<unsigned>(fine.positions.size());
+            const auto add = [&](unsigned i, unsigned j) {
+                fine.positions.push_back((mesh.positions[i] + mesh.positions[j]) * 0.5f);
+                if (!mesh.texcoords.empty())
+                    fine.texcoords.push_back((mesh.texcoords[i] + mesh.texcoords[j]) * 0.5f);
+            };
+            add(t.x, t.x), add(t.y, t.y), add(t.z, t.z), add(t.x, t.y), add(t.y, t.z), add(t.z, t.x);
+            for (const glm::uvec3& part :
+                 {glm::uvec3(0, 3, 5), glm::uvec3(3, 1, 4), glm::uvec3(5, 4, 2), glm::uvec3(3, 4, 5)}) {
+                fine.triangles.push_back(part + first);
+            }
+        }
+        mesh = std::move(fine);
+    }
+    return scene;
+}
+
+void print_growth(const Scene& scene, const ReferenceScene& reference, const Camera& camera,
+                  const ReferenceBenchmark& benchmark, double radius_m) {
+    fmt::print("Growth with pixels, 64 samples, R {} m:", radius_m);
+    for (const int part : {4, 2, 1}) {
+        const CameraFrame frame(camera, benchmark.width / part, benchmark.height / part);
+        const double seconds =
+            seconds_of([&] { reference.trace(frame, binary(radius_m), with_samples(64), "growth"); });
+        fmt::print(" {}x{} {:.2f} s ({:.2f} us a pixel)", frame.width(), frame.height(), seconds,
+                   seconds * 1e6 / frame.width() / frame.height());
+    }
+    fmt::print("\nGrowth with triangles, 64 samples, R {} m:", radius_m);
+    const CameraFrame frame(camera, benchmark.width / 2, benchmark.height / 2);
+    Scene fine = scene;
+    std::size_t triangles = 0;
+    for (const Instance& i : scene.instances)
+        triangles += scene.meshes[static_cast<std::size_t>(i.mesh)].triangles.size();
+    for (int level = 0; level < 3; ++level, triangles *= 4) {
+        if (level > 0) fine = refined(std::move(fine));
+        const ReferenceScene finer(fine, TraceBuild{100'000'000});
+        const double seconds =
+            seconds_of([&] { finer.trace(frame, binary(radius_m), with_samples(64), "growth"); });
+        fmt::print(" {} {:.2f} s", triangles, seconds);
+    }
+    fmt::print("\n");
+}
+
+}  // namespace
+
+void reference_benchmark(const Scene& scene, const View& view, const ReferenceBenchmark& benchmark) {
+    const auto start = std::chrono::steady_clock::now();
+    const ReferenceScene reference(scene);
+    const double build_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const EmbreeScene embree(scene, {});
+    fmt::print("{}/{}: {} triangles, {}x{}, {} threads; built in {:.2f} s, {} MB in Embree\n", scene.id,
+               view.id, scene.triangle_count, benchmark.width, benchmark.height, thread_count(), build_s,
+               reference.peak_bytes() / 1'000'000);
+    const CameraFrame frame(view.camera, benchmark.width, benchmark.height);
+    fmt::print("Million rays a second, {} rays a pixel, {} random tiles:\n", benchmark.samples,
+               benchmark.tiles);
+    std::vector<double> single_rates;
+    for (const double radius_m : benchmark.radii_m) {
+        const ReplayRates rates = replay_rates(embree, frame, radius_m, benchmark.samples, benchmark.tiles);
+        single_rates.push_back(rates.single);
+        fmt::print(
+            "R {:>6} m: traced {:.1f} | replays: rtcOccluded1 {:.1f}, 16 of a pixel {:.1f}, 16 of a block "
+            "{:.1f}, "
+            "16 as traced {:.1f} | traced / best replay {:.3f}\n",
+            radius_m, rates.traced, rates.single, rates.pixel, rates.block, rates.sorted,
+            rates.traced / rates.best());
+        std::fflush(stdout);
+    }
+    fmt::print("Time to the error:\n");
+    for (std::size_t i = 0; i < benchmark.radii_m.size(); ++i) {
+        print_time_to_error(reference, view.camera, benchmark, benchmark.radii_m[i], single_rates[i]);
+        std::fflush(stdout);
+    }
+    fmt::print("Root-mean-square error at 16, 64, 256, 1024, 4096 samples:\n");
+    for (const double radius_m : benchmark.radii_m) print_slopes(reference, view.camera, radius_m);
+    if (benchmark.growth) print_growth(scene, reference, view.camera, benchmark, benchmark.radii_m.front());
+}
+
+}  // namespace aoscore

@@ -1,0 +1,178 @@
+#include "reference/replay.h"
+
+#include "core/sampling.h"
+#include "core/threads.h"
+#include "reference/flush_denormals.h"
+#include "reference/tile_integrator.h"
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+
+namespace aoscore {
+namespace {
+
+constexpr int kRuns = 3;
+constexpr int kBlockSide = 4;
+
+struct RecordedTile {
+    std::vector<RaySource> sources;
+    std::vector<RTCRay> singles;
+    std::vector<RTCRay16> by_pixel, by_block, sorted;
+};
+
+RTCRay single_ray(const glm::vec3& origin, const glm::vec3& direction, float tfar) {
+    return {origin.x, origin.y, origin.z, 0, direction.x, direction.y, direction.z, 0, tfar, ~0u, 0, 0};
+}
+
+/// Appends to the last packet; the caller sees to it that packets are full.
+class PacketWriter {
+  public:
+    explicit PacketWriter(std::vector<RTCRay16>& packets) : packets_(packets) {}
+    void add(const RTCRay& ray) {
+        if (lane_ == 0) packets_.emplace_back();
+        RTCRay16& p = packets_.back();
+        p.org_x[lane_] = ray.org_x;
+        p.org_y[lane_] = ray.org_y;
+        p.org_z[lane_] = ray.org_z;
+        p.tnear[lane_] = ray.tnear;
+        p.dir_x[lane_] = ray.dir_x;
+        p.dir_y[lane_] = ray.dir_y;
+        p.dir_z[lane_] = ray.dir_z;
+        p.time[lane_] = ray.time;
+        p.tfar[lane_] = ray.tfar;
+        p.mask[lane_] = ray.mask;
+        p.id[lane_] = ray.id;
+        p.flags[lane_] = ray.flags;
+        lane_ = (lane_ + 1) % kPacket;
+    }
+
+  private:
+    std::vector<RTCRay16>& packets_;
+    std::size_t lane_ = 0;
+};
+
+/// A tile all of whose pixels see a surface, its rays in all orders; empty for any other tile.
+RecordedTile record(const EmbreeScene& scene, const CameraFrame& frame, const Tile& tile,
+                    const PointSets& points, int samples, float tfar) {
+    RecordedTile recorded;
+    PrimaryHits hits{Mask(frame.width(), frame.height()), ImageF(frame.width(), frame.height()),
+                     Image<glm::vec3>(frame.width(), frame.height())};
+    SurfaceHit hit;
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        for (int x = tile.x0; x < tile.x1; ++x) {
+            if (!find_surface(scene, frame, x, y, hits, hit)) return {};
+            recorded.sources.push_back(ray_source(hit, {}, hits.depth.index(x, y)));
+        }
+    }
+    if (recorded.sources.size() != std::size_t{kTileSide} * kTileSide) return {};
+    const auto rays_of_pixel = static_cast<std::size_t>(samples);
+    RayBatch all(points);
+    for (std::size_t s = 0; s < recorded.sources.size(); ++s) all.add(recorded.sources[s], s, 0, samples);
+    all.sort();
+    const auto ray = [&](std::size_t source, std::size_t k) {
+        return single_ray(recorded.sources[source].origin, all.direction(source * rays_of_pixel + k), tfar);
+    };
+
+    PacketDirections d;
+    PacketWriter sorted(recorded.sorted), by_pixel(recorded.by_pixel), by_block(recorded.by_block);
+    for (std::size_t first = 0; first < all.size(); first += kPacket) {
+        all.packet(first, d);
+        for (std::size_t lane = 0; lane < kPacket; ++lane) {
+            sorted.add(single_ray(recorded.sources[d.owner[lane] / kReplicates].origin,
+                                  {d.x[lane], d.y[lane], d.z[lane]}, tfar));
+        }
+    }
+    for (std::size_t s = 0; s < recorded.sources.size(); ++s) {
+        RayBatch one(points);
+        one.add(recorded.sources[s], 0, 0, samples);
+        one.sort();
+        for (std::size_t first = 0; first < one.size(); first += kPacket) {
+            one.packet(first, d);
+            for (std::size_t lane = 0; lane < kPacket; ++lane) {
+                by_pixel.add(single_ray(recorded.sources[s].origin, {d.x[lane], d.y[lane], d.z[lane]}, tfar));
+            }
+        }
+        for (std::size_t k = 0; k < rays_of_pixel; ++k) recorded.singles.push_back(ray(s, k));
+    }
+    for (int block_y = 0; block_y < kTileSide; block_y += kBlockSide) {
+        for (int block_x = 0; block_x < kTileSide; block_x += kBlockSide) {
+            for (std::size_t k = 0; k < rays_of_pixel; ++k) {
+                for (int lane = 0; lane < kBlockSide * kBlockSide; ++lane) {
+                    const int x = block_x + lane % kBlockSide, y = block_y + lane / kBlockSide;
+                    by_block.add(ray(static_cast<std::size_t>(y * kTileSide + x), k));
+                }
+            }
+        }
+    }
+    return recorded;
+}
+
+void replay_packets(const EmbreeScene& scene, const std::vector<RTCRay16>& packets) {
+    const FlushDenormals flush;
+    RTCIntersectContext context = scene.packet_context();
+    alignas(64) int valid[kPacket];
+    std::fill_n(valid, kPacket, -1);
+    for (const RTCRay16& packet : packets) {
+        RTCRay16 ray = packet;
+        rtcOccluded16(valid, scene.handle(), &context, &ray);
+    }
+}
+
+void replay_singles(const EmbreeScene& scene, const std::vector<RTCRay>& rays) {
+    const FlushDenormals flush;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    for (const RTCRay& recorded : rays) {
+        RTCRay ray = recorded;
+        rtcOccluded1(scene.handle(), &context, &ray);
+    }
+}
+
+}  // namespace
+
+double ReplayRates::best() const {
+    return std::max({single, pixel, block, sorted});
+}
+
+ReplayRates replay_rates(const EmbreeScene& scene, const CameraFrame& frame, double radius_m, int samples,
+                         int tiles) {
+    const PointSets points(PointKind::scrambled_sobol, (samples + kReplicates - 1) / kReplicates);
+    std::vector<Tile> all = tiles_of(frame.width(), frame.height());
+    std::sort(all.begin(), all.end(), [](const Tile& a, const Tile& b) {
+        const auto key = [](const Tile& t) {
+            return mix_bits(static_cast<std::uint64_t>(t.y0) << 32 | static_cast<std::uint32_t>(t.x0));
+        };
+        return key(a) < key(b);
+    });
+    all.resize(std::min(all.size(), static_cast<std::size_t>(tiles)));
+    std::vector<RecordedTile> recorded(all.size());
+    parallel_for(all.size(), [&](std::size_t i) {
+        recorded[i] = record(scene, frame, all[i], points, samples, static_cast<float>(radius_m));
+    });
+    ReplayRates rates;
+    for (const RecordedTile& tile : recorded) rates.rays += tile.singles.size();
+
+    const std::vector<TruthQuery> queries = {{Falloff::binary, radius_m, 0}};
+    const auto time = [&](double& best, const std::function<void(const RecordedTile&)>& work) {
+        const auto start = std::chrono::steady_clock::now();
+        parallel_for(recorded.size(), [&](std::size_t i) { work(recorded[i]); });
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+        best = std::max(best, static_cast<double>(rates.rays) / seconds.count() / 1e6);
+    };
+    for (int run = 0; run < kRuns; ++run) {
+        time(rates.traced, [&](const RecordedTile& tile) {
+            const FlushDenormals flush;
+            TileTracer tracer(scene, queries, points);
+            tracer.start(tile.sources);
+            tracer.trace(std::vector<SampleRange>(tile.sources.size(), {0, samples}));
+        });
+        time(rates.sorted, [&](const RecordedTile& tile) { replay_packets(scene, tile.sorted); });
+        time(rates.pixel, [&](const RecordedTile& tile) { replay_packets(scene, tile.by_pixel); });
+        time(rates.block, [&](const RecordedTile& tile) { replay_packets(scene, tile.by_block); });
+        time(rates.single, [&](const RecordedTile& tile) { replay_singles(scene, tile.singles); });
+    }
+    return rates;
+}
+
+}  // namespace aoscore
