@@ -3,21 +3,12 @@
 #include "core/error.h"
 #include "experiment/run_modes.h"
 
-#include <map>
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace aoscore {
 namespace {
-
-template <class Value>
-void add_choice(CLI::App& app, const char* name, Value& value, const std::map<std::string, Value>& choices,
-                const char* meaning) {
-    std::vector<std::string> names;
-    for (const auto& [choice, meant] : choices) names.push_back(choice);
-    app.add_option_function<std::string>(
-           name, [&value, &choices](const std::string& choice) { value = choices.at(choice); }, meaning)
-        ->check(CLI::IsMember(names));
-}
 
 std::pair<std::string, nlohmann::json> parse_assignment(const std::string& text) {
     const auto equals = text.find('=');
@@ -38,11 +29,13 @@ void add_method_options(CLI::App& app, MethodOptions& options) {
     app.add_option("--filter", options.filter, "A filter (see list methods), or none [the preset's own]");
     app.add_option("--set", options.assignments,
                    "A parameter of the methods that have it, over the preset: radius=0.5");
-    add_choice(app, "--border", options.border, border_names(),
-               "What a tap outside of the picture reads: the far plane, or the nearest pixel [far]");
-    add_choice(app, "--normals", options.normals, normals_names(), "Where normals come from [as-described]");
-    add_choice(app, "--resolution", options.resolution, resolution_names(),
-               "Which pixels are shaded, from which G-buffer [full]");
+    for (const RunModeOption& mode : run_mode_options()) {
+        app.add_option_function<std::string>(
+               fmt::format("--{}", mode.id),
+               [&options, &mode](const std::string& choice) { mode.choose(options.modes, choice); },
+               fmt::format("{} [{}]", mode.meaning, mode.choices.front()))
+            ->check(CLI::IsMember(mode.choices));
+    }
 }
 
 std::vector<CellPlan> plan_cells(const std::vector<MethodDescriptor>& methods, const MethodOptions& options) {
@@ -52,9 +45,7 @@ std::vector<CellPlan> plan_cells(const std::vector<MethodDescriptor>& methods, c
         cell.method = method.id;
         cell.preset = options.preset;
         if (!options.filter.empty()) cell.filter = options.filter;
-        cell.border = options.border;
-        cell.normals = options.normals;
-        cell.resolution = options.resolution;
+        cell.modes = options.modes;
         cells.push_back(std::move(cell));
     }
     for (const std::string& text : options.assignments) {

@@ -15,12 +15,10 @@ struct MethodOptions {
     std::string preset = "default";
     std::string filter;                    ///< empty: the preset's own
     std::vector<std::string> assignments;  ///< "radius=0.5"
-    Border border = Border::far;
-    Normals normals = Normals::as_described;
-    Resolution resolution = Resolution::full;
+    RunModes modes;
 };
 
-/// --preset, --filter, --set, --border, --normals, --resolution.
+/// --preset, --filter, --set, and one option for each of run_mode_options().
 void add_method_options(CLI::App& app, MethodOptions& options);
 
 /// One cell for each of the methods; an assignment goes to those that have the parameter. Throws usage_error

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "screen/screen.h"
+#include "experiment/run_modes.h"
 
 #include <nlohmann/json.hpp>
 
@@ -18,9 +18,7 @@ struct CellPlan {
     std::string preset = "default";
     ParameterValues overrides;
     std::optional<std::string> filter;  ///< "none" or a filter's id; empty: the preset's own
-    Border border = Border::far;
-    Normals normals = Normals::as_described;
-    Resolution resolution = Resolution::full;
+    RunModes modes;
     bool operator==(const CellPlan&) const = default;
 };
 

@@ -15,9 +15,7 @@ ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64
     cell.request.method = &method;
     cell.request.parameters = method.values(plan.preset, plan.overrides);
     cell.request.seed = seed;
-    cell.request.border = plan.border;
-    cell.request.normals = plan.normals;
-    cell.request.resolution = plan.resolution;
+    plan.modes.apply_to(cell.request);
     if (plan.filter) {
         cell.filter = *plan.filter;
     } else if (const auto own = method.preset_filters.find(plan.preset); own != method.preset_filters.end()) {

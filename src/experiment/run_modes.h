@@ -2,23 +2,37 @@
 
 #include "screen/screen.h"
 
+#include <functional>
 #include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace aoscore {
 
-/// The names, on the command line and in results, of the modes that any method can be run in.
-const std::map<std::string, Border>& border_names();
-const std::map<std::string, Normals>& normals_names();
-const std::map<std::string, Resolution>& resolution_names();
+/// How a method is run, whatever the method: the choices of MethodRequest that its descriptor does not make.
+struct RunModes {
+    Border border = Border::far;
+    Normals normals = Normals::as_described;
+    Resolution resolution = Resolution::full;
+    Precision precision = Precision::full;
+    bool operator==(const RunModes&) const = default;
 
-/// The name of a mode; `names` has every value.
-template <class Mode>
-std::string name_of(const std::map<std::string, Mode>& names, Mode mode) {
-    for (const auto& [name, value] : names) {
-        if (value == mode) return name;
-    }
-    return {};
-}
+    void apply_to(MethodRequest& request) const;
+};
+
+/// One of the modes as the command line and the results know it.
+struct RunModeOption {
+    std::string_view id;  ///< "resolution"
+    std::string_view meaning;
+    std::vector<std::string> choices;  ///< the usual one first
+    std::function<void(RunModes&, const std::string& choice)> choose;
+    std::function<std::string(const RunModes&)> chosen;
+};
+/// The one table of modes.
+const std::vector<RunModeOption>& run_mode_options();
+
+/// The modes that are not the usual ones, by id.
+std::map<std::string, std::string> unusual_modes(const RunModes& modes);
 
 }  // namespace aoscore

@@ -143,12 +143,7 @@ class Runner {
         record.preset = cell.plan.preset;
         record.filter = cell.filter;
         record.parameters = cell.request.parameters;
-        const auto note_mode = [&](const char* mode, const std::string& name, const std::string& usual) {
-            if (name != usual) record.parameters[mode] = name;
-        };
-        note_mode("border", name_of(border_names(), cell.plan.border), "far");
-        note_mode("normals", name_of(normals_names(), cell.plan.normals), "as-described");
-        note_mode("resolution", name_of(resolution_names(), cell.plan.resolution), "full");
+        for (const auto& [mode, choice] : unusual_modes(cell.plan.modes)) record.parameters[mode] = choice;
         const auto& queries = truth_.queries;
         const auto own = std::find(queries.begin(), queries.end(), cell.own);
         record.own_truth = outcome_.view.truths[static_cast<std::size_t>(own - queries.begin())].id;

@@ -138,7 +138,8 @@ TEST(Score, ModesAndParametersAreTakenAndRecorded) {
     const auto folder = output_dir();
     const auto run = run_aoscore(
         "score wall --view oblique --methods alchemy,gtao --set radius=0.25 --normals from-depth-accurate "
-        "--resolution half --border clamp --filter none --error 0.05 --size 96x64 --out page",
+        "--resolution half --precision packed-rgba8 --border clamp --filter none --error 0.05 --size 96x64 "
+        "--out page",
         folder);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const Results results = read_results(folder / "page");
