@@ -156,6 +156,14 @@ ShaderSource pass_source(const PassBuild& build, const Pass& pass) {
     source.add_block("(program's macros)", macro_block(build));
     source.add_block(fmt::format("({}: parameters)", build.method->id), parameter_block(build));
     source.add_block(fmt::format("({}: kernels)", build.method->id), kernel_block(build));
+    if (!build.uniform_form) {
+        std::map<std::string, int> counts;
+        for (const Parameter& p : build.method->parameters) {
+            if (p.type == Parameter::Type::integer)
+                counts["p_" + p.id] = static_cast<int>(build.parameters->at(p.id).get<double>());
+        }
+        source.unroll(std::move(counts));
+    }
     source.add_file(build.method->folder / pass.fragment, build.method->folder);
     return source;
 }

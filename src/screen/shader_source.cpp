@@ -64,9 +64,33 @@ std::size_t ShaderSource::add_part(std::string name, std::string_view text) {
     return parts_.size() - 1;
 }
 
+void ShaderSource::add_text(const std::string& line, Origin origin) {
+    text_ += line + "\n";
+    origins_.push_back(origin);
+}
+
 void ShaderSource::add_line(std::size_t part, std::size_t index) {
-    text_ += parts_[part].lines[index] + "\n";
-    origins_.push_back({part, index + 1});
+    add_text(parts_[part].lines[index], {part, index + 1});
+}
+
+// The loop that begins at this line, as often as it runs; returns the line after it, or `index` where the
+// loop is none of those that can be written out.
+std::size_t ShaderSource::add_unrolled(std::size_t part, std::size_t index) {
+    static const std::regex head(R"rx(^(\s*)for \(int (\w+) = 0; \2 < (\w+); \+\+\2\) \{$)rx");
+    const std::vector<std::string>& lines = parts_[part].lines;
+    std::smatch match;
+    if (index >= lines.size() || !std::regex_match(lines[index], match, head)) return index;
+    const auto count = loop_counts_.find(match[3]);
+    if (count == loop_counts_.end() || count->second > kMostUnrolled) return index;
+    std::size_t end = index + 1;
+    while (end < lines.size() && lines[end] != match[1].str() + "}") ++end;
+    if (end == lines.size()) return index;
+    for (int i = 0; i < count->second; ++i) {
+        add_text(fmt::format("{}{{ const int {} = {};", match[1].str(), match[2].str(), i),
+                 {part, index + 1});
+        for (std::size_t line = index + 1; line <= end; ++line) add_line(part, line);
+    }
+    return end + 1;
 }
 
 void ShaderSource::add_block(std::string name, std::string_view text) {
@@ -81,7 +105,10 @@ void ShaderSource::add_file(const fs::path& file, const fs::path& folder) {
     for (std::size_t i = 0; i < parts_[part].lines.size(); ++i) {
         std::smatch match;
         const std::string line = parts_[part].lines[i];  // a copy: parts_ grows below
-        if (std::regex_match(line, match, include)) {
+        if (line.find("#pragma unroll") != std::string::npos) {
+            const std::size_t next = add_unrolled(part, i + 1);
+            if (next > i + 1) i = next - 1;
+        } else if (std::regex_match(line, match, include)) {
             add_file(find_include(match[1], folder, fmt::format("{}:{}", file.string(), i + 1)), folder);
         } else {
             add_line(part, i);

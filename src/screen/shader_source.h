@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -14,6 +15,12 @@ class ShaderSource {
   public:
     /// Begins with `#version 330 core`.
     ShaderSource();
+
+    /// From here on, loops that follow a line `#pragma unroll` and count from 0 to one of these names are
+    /// written out, up to kMostUnrolled times: constants of a table then stand in the code itself, which no
+    /// compiler here does for long loops. Such a loop has no `break` or `continue`.
+    void unroll(std::map<std::string, int> counts) { loop_counts_ = std::move(counts); }
+    static constexpr int kMostUnrolled = 64;
 
     /// Appends generated text under a name for messages, such as "(parameters)".
     void add_block(std::string name, std::string_view text);
@@ -39,8 +46,11 @@ class ShaderSource {
     };
     std::size_t add_part(std::string name, std::string_view text);
     void add_line(std::size_t part, std::size_t index);
+    void add_text(const std::string& line, Origin origin);
+    std::size_t add_unrolled(std::size_t part, std::size_t index);
 
     std::string text_;
+    std::map<std::string, int> loop_counts_;
     std::vector<Part> parts_;
     std::vector<Origin> origins_;  // of each line of text_ after the first
     std::set<std::filesystem::path> entered_;

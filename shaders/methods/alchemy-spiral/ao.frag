@@ -14,6 +14,7 @@ float visibility(vec2 image_px, vec3 position) {
     vec2 radius_px = spiral_radius_px(-position.z);
     float turn = dot(image_px, vec2(2.3734372915, 3.58540627421));
     float sum = 0.0;
+#pragma unroll
     for (int i = 0; i < p_samples; ++i) {
         vec3 v = tap_position(image_px + radius_px * spiral_tap(i, p_samples, 1.0, turn)) - position;
         sum += alchemy_obscurance(v, normal, position.z, p_beta, p_epsilon);

@@ -21,6 +21,7 @@ float visibility(vec2 image_px, vec3 position) {
     mat2 turn = rotation(kTwoPi * pixel_noise().x);
 
     float sum = 0.0;
+#pragma unroll
     for (int i = 0; i < p_samples; ++i) {
         vec3 v = tap_position(image_px + radius_px * (turn * k_disc[i].xy)) - position;
         sum += rejected(v) ? 0.0 : alchemy_obscurance(v, normal, position.z, p_beta, p_epsilon);

@@ -18,6 +18,7 @@ float visibility(vec2 image_px, vec3 position) {
     float radius_px = p_radius * pixels_per_metre(-position.z);
     mat2 turn = rotation(kTwoPi * pixel_noise().x);
     vec2 sum = vec2(0.0);
+#pragma unroll
     for (int i = 0; i < p_pairs; ++i) {
         vec2 offset_px = radius_px * (turn * k_disc[i].xy);
         sum += weighed(tap_position(image_px + offset_px) - position, normal);

@@ -29,6 +29,7 @@ float visibility(vec2 image_px, vec3 position) {
     float unknown = p_range_check == range_check_fade ? 0.5 : 0.0;
 
     float occlusion = 0.0;
+#pragma unroll
     for (int i = 0; i < p_samples; ++i) {
         vec3 point = position + view_from_tangent * reflect(k_points[i], plane) * p_radius;
         float surface_z = surface_z_at(point);

@@ -8,6 +8,7 @@ float visibility(vec2 image_px, vec3 position) {
     vec3 rotation_vector = vec3(pixel_noise().xy * 2.0 - 1.0, 0.0);
     mat3 view_from_tangent = basis_toward(centre_normal_geometric(), rotation_vector);
     float occlusion = 0.0;
+#pragma unroll
     for (int i = 0; i < p_samples; ++i) {
         vec3 point = position + view_from_tangent * k_points[i] * p_radius;
         float surface_z = surface_z_at(point);

@@ -9,6 +9,7 @@ float visibility(vec2 image_px, vec3 position) {
     float angle = kTwoPi * pixel_noise().x;
     mat3 view_from_tangent = basis_toward(centre_normal_geometric(), vec3(cos(angle), sin(angle), 0.0));
     float occlusion = 0.0, cosines = 0.0;
+#pragma unroll
     for (int i = 0; i < p_samples; ++i) {
         vec3 offset = k_points[i];
         float distance_squared = dot(offset, offset);

@@ -12,6 +12,7 @@ float visibility(vec2 image_px, vec3 position) {
     float angle = kTwoPi * noise.x;
     mat3 view_from_tangent = basis_toward(centre_normal_geometric(), vec3(cos(angle), sin(angle), 0.0));
     float occlusion = 0.0;
+#pragma unroll
     for (int i = 0; i < p_samples; ++i) {
         // Golden-ratio steps keep the distances apart from the directions, which come in another sequence.
         float part = fract((float(i) + 0.5) * 0.61803399 + noise.y);

@@ -18,6 +18,7 @@ float visibility(vec2 image_px, vec3 position) {
     float radius_px = p_radius * pixels_per_metre(-position.z);
     float turn = kTwoPi * pixel_noise().x;
     float sum = 0.0;
+#pragma unroll
     for (int i = 0; i < p_samples; ++i) {
         vec2 offset_px = radius_px * spiral_tap(i, p_samples, float(p_turns), turn);
         float tap_radius_px = max(length(offset_px), 1.0);

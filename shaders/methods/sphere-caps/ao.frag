@@ -11,6 +11,7 @@ float visibility(vec2 image_px, vec3 position) {
     float radius_px = p_radius * pixels_per_metre(-position.z);
     mat2 turn = rotation(kTwoPi * pixel_noise().x);
     float sum = 0.0;
+#pragma unroll
     for (int i = 0; i < p_samples; ++i) {
         vec3 tap = tap_position(image_px + radius_px * (turn * k_disc[i].xy));
         vec3 v = tap - position;

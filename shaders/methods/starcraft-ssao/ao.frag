@@ -22,6 +22,7 @@ float visibility(vec2 image_px, vec3 position) {
     vec3 normal = centre_normal_geometric();
     vec3 mirror = mirror_normal(pixel_noise());
     float occlusion = 0.0;
+#pragma unroll
     for (int i = 0; i < p_samples; ++i) {
         vec3 point = position + into_hemisphere(reflect(k_points[i], mirror), normal) * p_radius;
         float surface_z = surface_z_at(point);

@@ -12,6 +12,7 @@ float visibility(vec2 image_px, vec3 position) {
     vec3 centre = position + normal * radius;
     mat2 turn = rotation(kTwoPi * pixel_noise().x);
     float open = 0.0, whole = 0.0;
+#pragma unroll
     for (int i = 0; i < p_samples; ++i) {
         vec2 offset = turn * k_disc[i].xy;
         vec3 line = centre + vec3(radius * offset, 0.0);

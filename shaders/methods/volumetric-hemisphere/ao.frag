@@ -11,6 +11,7 @@ float visibility(vec2 image_px, vec3 position) {
     float radius_px = p_radius * pixels_per_metre(-position.z);
     mat2 turn = rotation(kTwoPi * pixel_noise().x);
     float open = 0.0, whole = 0.0;
+#pragma unroll
     for (int i = 0; i < p_samples; ++i) {
         vec2 tap_px = image_px + radius_px * (turn * k_disc[i].xy);
         LineSample line = line_sample(image_px, tap_px, position, normal, p_radius);
