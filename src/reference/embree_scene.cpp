@@ -34,17 +34,18 @@ struct Box {
         low = glm::min(low, p);
         high = glm::max(high, p);
     }
+    double diagonal() const { return low.x <= high.x ? glm::distance(low, high) : 0; }
     glm::dvec3 centre() const { return low.x <= high.x ? (low + high) / 2.0 : glm::dvec3(0); }
 };
 
-glm::dvec3 centre_of(const Scene& scene) {
+Box box_of(const Scene& scene) {
     Box box;
     for (const Instance& instance : scene.instances) {
         for (const glm::vec3& p : scene.meshes[static_cast<std::size_t>(instance.mesh)].positions) {
             box.include(transformed(instance.scene_from_mesh, p));
         }
     }
-    return box.centre();
+    return box;
 }
 
 glm::dvec3 centre_of(const Mesh& mesh) {
@@ -86,16 +87,17 @@ EmbreeScene::EmbreeScene(const Scene& scene, const TraceBuild& build) : device_(
     check_embree(device_.get(), "starting Embree");
     rtcSetDeviceMemoryMonitorFunction(device_.get(), count_memory, &memory_);
     copy_cutouts(scene);
-    centre_ = centre_of(scene);
+    const Box box = box_of(scene);
+    centre_ = box.centre();
+    diagonal_m_ = box.diagonal();
 
     std::vector<int> uses(scene.meshes.size());
-    std::size_t triangles = 0;
     for (const Instance& instance : scene.instances) {
         const auto mesh = static_cast<std::size_t>(instance.mesh);
         ++uses[mesh];
-        triangles += scene.meshes[mesh].triangles.size();
+        triangle_count_ += scene.meshes[mesh].triangles.size();
     }
-    const bool bake_all = triangles <= build.baked_triangles_at_most;
+    const bool bake_all = triangle_count_ <= build.baked_triangles_at_most;
 
     const auto new_scene = [&] {
         SceneHandle handle(rtcNewScene(device_.get()));

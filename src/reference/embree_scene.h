@@ -50,6 +50,8 @@ class EmbreeScene {
 
     RTCScene handle() const { return scene_.get(); }
     const glm::dvec3& centre() const { return centre_; }
+    double diagonal_m() const { return diagonal_m_; }
+    std::size_t triangle_count() const { return triangle_count_; }  ///< over instances
     std::size_t peak_bytes() const { return memory_.peak; }
     /// A context for packets of rays of similar direction. Embree 3.13.5 may never return from coherent
     /// packets that enter an instance, so that scenes with instances are traced as if packets were not.
@@ -88,6 +90,8 @@ class EmbreeScene {
     std::deque<TraceGeometry> geometries_;
     std::vector<Placement> placements_;  // by geometry id in scene_
     glm::dvec3 centre_{0};
+    double diagonal_m_ = 0;
+    std::size_t triangle_count_ = 0;
     RTCBuildQuality quality_ = RTC_BUILD_QUALITY_HIGH;
 };
 

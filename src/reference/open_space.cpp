@@ -25,7 +25,9 @@ bool OpenSpace::blocks(std::size_t triangle, const UpwardPoint& point, double re
 
 std::vector<char> OpenSpace::prove(const std::vector<UpwardPoint>& points, double reach_m) {
     std::vector<char> open(points.size(), 0);
-    if (points.empty()) return open;
+    // Rays that reach through half of the scene have all of it around them.
+    const bool too_far = reach_m > scene_.diagonal_m() / 2 && scene_.triangle_count() > kMostTriangles;
+    if (points.empty() || too_far) return open;
     glm::dvec3 low = points[0].position, high = low;
     double margin_m = 0;
     for (const UpwardPoint& p : points) {

@@ -40,37 +40,27 @@ inline std::uint16_t direction_cell(float x, float y, float z) {
 AOSCORE_VECTORISE
 void make_directions(const std::uint32_t* __restrict u, const std::uint32_t* __restrict v, std::size_t count,
                      std::uint32_t shift_u, std::uint32_t shift_v, const glm::mat3& frame,
-                     float* __restrict x, float* __restrict y, float* __restrict z,
-                     std::uint16_t* __restrict cell) {
+                     std::uint32_t owner, DirectedRay* __restrict rays, std::uint16_t* __restrict cell) {
     const glm::vec3 s = frame[0], t = frame[1], n = frame[2];
     for (std::size_t i = 0; i < count; ++i) {
         const glm::vec3 d = cosine_hemisphere(unit_interval(u[i] ^ shift_u), unit_interval(v[i] ^ shift_v));
-        x[i] = s.x * d.x + t.x * d.y + n.x * d.z;
-        y[i] = s.y * d.x + t.y * d.y + n.y * d.z;
-        z[i] = s.z * d.x + t.z * d.y + n.z * d.z;
-        cell[i] = direction_cell(x[i], y[i], z[i]);
+        const float x = s.x * d.x + t.x * d.y + n.x * d.z;
+        const float y = s.y * d.x + t.y * d.y + n.y * d.z;
+        const float z = s.z * d.x + t.z * d.y + n.z * d.z;
+        rays[i].x = x;
+        rays[i].y = y;
+        rays[i].z = z;
+        rays[i].owner = owner;
+        cell[i] = direction_cell(x, y, z);
     }
-}
-
-AOSCORE_VECTORISE
-void gather(const std::uint32_t* __restrict order, const float* __restrict x, const float* __restrict y,
-            const float* __restrict z, const std::uint32_t* __restrict owner,
-            PacketDirections& __restrict d) {
-    for (std::size_t lane = 0; lane < kPacket; ++lane) d.x[lane] = x[order[lane]];
-    for (std::size_t lane = 0; lane < kPacket; ++lane) d.y[lane] = y[order[lane]];
-    for (std::size_t lane = 0; lane < kPacket; ++lane) d.z[lane] = z[order[lane]];
-    for (std::size_t lane = 0; lane < kPacket; ++lane) d.owner[lane] = owner[order[lane]];
 }
 
 }  // namespace
 
 void RayBatch::reserve(std::size_t size) {
-    if (size <= x_.size()) return;
-    size = std::max(size, 2 * x_.size());
-    x_.resize(size);
-    y_.resize(size);
-    z_.resize(size);
-    owner_.resize(size);
+    if (size <= rays_.size()) return;
+    size = std::max(size, 2 * rays_.size());
+    rays_.resize(size);
     cell_.resize(size);
 }
 
@@ -84,11 +74,11 @@ void RayBatch::add(const RaySource& source, std::size_t number, int first, int l
         const std::uint64_t shifts = mix_bits(source.seed + static_cast<std::uint64_t>(replicate));
         const PointSets::Coordinates set = points_.set(mix_bits(shifts));
         reserve(size_ + count);
-        make_directions(set.u + begin, set.v + begin, count, static_cast<std::uint32_t>(shifts),
-                        static_cast<std::uint32_t>(shifts >> 32), source.frame, &x_[size_], &y_[size_],
-                        &z_[size_], &cell_[size_]);
-        std::fill_n(&owner_[size_], count,
-                    static_cast<std::uint32_t>(number * kReplicates) + static_cast<std::uint32_t>(replicate));
+        make_directions(
+            set.u + begin, set.v + begin, count, static_cast<std::uint32_t>(shifts),
+            static_cast<std::uint32_t>(shifts >> 32), source.frame,
+            static_cast<std::uint32_t>(number * kReplicates) + static_cast<std::uint32_t>(replicate),
+            &rays_[size_], &cell_[size_]);
         size_ += count;
     }
 }
@@ -97,13 +87,10 @@ void RayBatch::sort() {
     std::array<std::uint32_t, kCells + 1> start{};
     for (std::size_t i = 0; i < size_; ++i) ++start[cell_[i] + 1u];
     for (std::size_t c = 0; c < kCells; ++c) start[c + 1] += start[c];
-    order_.resize(size_ + kPacket);
-    for (std::size_t i = 0; i < size_; ++i) order_[start[cell_[i]]++] = static_cast<std::uint32_t>(i);
-    for (std::size_t i = size_; i < size_ + kPacket; ++i) order_[i] = size_ > 0 ? order_[size_ - 1] : 0;
-}
-
-void RayBatch::packet(std::size_t first, PacketDirections& directions) const {
-    gather(&order_[first], x_.data(), y_.data(), z_.data(), owner_.data(), directions);
+    if (sorted_.size() < size_ + kPacket) sorted_.resize(size_ + kPacket);
+    for (std::size_t i = 0; i < size_; ++i) sorted_[start[cell_[i]]++] = rays_[i];
+    std::fill_n(sorted_.begin() + static_cast<std::ptrdiff_t>(size_), kPacket,
+                size_ > 0 ? sorted_[size_ - 1] : DirectedRay{});
 }
 
 }  // namespace aoscore

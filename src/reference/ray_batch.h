@@ -19,13 +19,10 @@ struct RaySource {
 /// Rays in one packet.
 inline constexpr std::size_t kPacket = 16;
 
-/// The directions of one packet, and the point set that each belongs to: kReplicates times the source, plus
-/// the replicate.
-struct PacketDirections {
-    alignas(64) float x[kPacket];
-    alignas(64) float y[kPacket];
-    alignas(64) float z[kPacket];
-    alignas(64) std::uint32_t owner[kPacket];
+/// A direction, and the point set that it belongs to: kReplicates times the source, plus the replicate.
+struct DirectedRay {
+    float x, y, z;
+    std::uint32_t owner;
 };
 
 /// The rays of the pixels of one tile for a range of sample indices, in an order that puts rays of similar
@@ -41,21 +38,17 @@ class RayBatch {
     void sort();
 
     std::size_t size() const { return size_; }
-    /// The direction of ray `i` in the order of add().
-    glm::vec3 direction(std::size_t i) const { return {x_[i], y_[i], z_[i]}; }
-    /// The rays at places [first, first + kPacket) of the sorted order; past the end the last ray is
-    /// repeated.
-    void packet(std::size_t first, PacketDirections& directions) const;
+    /// In the order of add(), and sorted: there kPacket copies of the last one follow.
+    const std::vector<DirectedRay>& rays() const { return rays_; }
+    const DirectedRay* sorted() const { return sorted_.data(); }
 
   private:
     void reserve(std::size_t size);
 
     const PointSets& points_;
     std::size_t size_ = 0;
-    std::vector<float> x_, y_, z_;
-    std::vector<std::uint32_t> owner_;
+    std::vector<DirectedRay> rays_, sorted_;
     std::vector<std::uint16_t> cell_;
-    std::vector<std::uint32_t> order_;
 };
 
 }  // namespace aoscore

@@ -6,13 +6,14 @@
 #include "reference/tile_integrator.h"
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <functional>
+#include <span>
 
 namespace aoscore {
 namespace {
 
-constexpr int kRuns = 3;
+constexpr int kRuns = 5;
 constexpr int kBlockSide = 4;
 
 struct RecordedTile {
@@ -70,29 +71,24 @@ RecordedTile record(const EmbreeScene& scene, const CameraFrame& frame, const Ti
     RayBatch all(points);
     for (std::size_t s = 0; s < recorded.sources.size(); ++s) all.add(recorded.sources[s], s, 0, samples);
     all.sort();
+    const auto with_origin = [&](const DirectedRay& ray, std::size_t source) {
+        return single_ray(recorded.sources[source].origin, {ray.x, ray.y, ray.z}, tfar);
+    };
     const auto ray = [&](std::size_t source, std::size_t k) {
-        return single_ray(recorded.sources[source].origin, all.direction(source * rays_of_pixel + k), tfar);
+        return with_origin(all.rays()[source * rays_of_pixel + k], source);
     };
 
-    PacketDirections d;
     PacketWriter sorted(recorded.sorted), by_pixel(recorded.by_pixel), by_block(recorded.by_block);
-    for (std::size_t first = 0; first < all.size(); first += kPacket) {
-        all.packet(first, d);
-        for (std::size_t lane = 0; lane < kPacket; ++lane) {
-            sorted.add(single_ray(recorded.sources[d.owner[lane] / kReplicates].origin,
-                                  {d.x[lane], d.y[lane], d.z[lane]}, tfar));
-        }
+    for (std::size_t place = 0; place < all.size(); ++place) {
+        const DirectedRay& next = all.sorted()[place];
+        sorted.add(with_origin(next, next.owner / kReplicates));
     }
     for (std::size_t s = 0; s < recorded.sources.size(); ++s) {
         RayBatch one(points);
         one.add(recorded.sources[s], 0, 0, samples);
         one.sort();
-        for (std::size_t first = 0; first < one.size(); first += kPacket) {
-            one.packet(first, d);
-            for (std::size_t lane = 0; lane < kPacket; ++lane) {
-                by_pixel.add(single_ray(recorded.sources[s].origin, {d.x[lane], d.y[lane], d.z[lane]}, tfar));
-            }
-        }
+        for (std::size_t place = 0; place < one.size(); ++place)
+            by_pixel.add(with_origin(one.sorted()[place], s));
         for (std::size_t k = 0; k < rays_of_pixel; ++k) recorded.singles.push_back(ray(s, k));
     }
     for (int block_y = 0; block_y < kTileSide; block_y += kBlockSide) {
@@ -108,8 +104,7 @@ RecordedTile record(const EmbreeScene& scene, const CameraFrame& frame, const Ti
     return recorded;
 }
 
-void replay_packets(const EmbreeScene& scene, const std::vector<RTCRay16>& packets) {
-    const FlushDenormals flush;
+void replay_rays(const EmbreeScene& scene, const std::vector<RTCRay16>& packets) {
     RTCIntersectContext context = scene.packet_context();
     alignas(64) int valid[kPacket];
     std::fill_n(valid, kPacket, -1);
@@ -119,8 +114,7 @@ void replay_packets(const EmbreeScene& scene, const std::vector<RTCRay16>& packe
     }
 }
 
-void replay_singles(const EmbreeScene& scene, const std::vector<RTCRay>& rays) {
-    const FlushDenormals flush;
+void replay_rays(const EmbreeScene& scene, const std::vector<RTCRay>& rays) {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     for (const RTCRay& recorded : rays) {
@@ -154,23 +148,34 @@ ReplayRates replay_rates(const EmbreeScene& scene, const CameraFrame& frame, dou
     for (const RecordedTile& tile : recorded) rates.rays += tile.singles.size();
 
     const std::vector<TruthQuery> queries = {{Falloff::binary, radius_m, 0}};
-    const auto time = [&](double& best, const std::function<void(const RecordedTile&)>& work) {
-        const auto start = std::chrono::steady_clock::now();
-        parallel_for(recorded.size(), [&](std::size_t i) { work(recorded[i]); });
-        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-        best = std::max(best, static_cast<double>(rates.rays) / seconds.count() / 1e6);
+    const std::size_t group = tiles_at_a_time(recorded.size());
+    const auto time = [&](double& best, const std::function<void(std::span<const RecordedTile>)>& work) {
+        const std::clock_t start = std::clock();
+        parallel_for((recorded.size() + group - 1) / group, [&](std::size_t g) {
+            const FlushDenormals flush;
+            const std::size_t first = g * group;
+            work(std::span(recorded).subspan(first, std::min(group, recorded.size() - first)));
+        });
+        const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / thread_count();
+        best = std::max(best, static_cast<double>(rates.rays) / seconds / 1e6);
     };
     for (int run = 0; run < kRuns; ++run) {
-        time(rates.traced, [&](const RecordedTile& tile) {
-            const FlushDenormals flush;
+        time(rates.traced, [&](std::span<const RecordedTile> part) {
             TileTracer tracer(scene, queries, points);
-            tracer.start(tile.sources);
-            tracer.trace(std::vector<SampleRange>(tile.sources.size(), {0, samples}));
+            for (const RecordedTile& tile : part) {
+                tracer.start(tile.sources);
+                tracer.trace(std::vector<SampleRange>(tile.sources.size(), {0, samples}));
+            }
         });
-        time(rates.sorted, [&](const RecordedTile& tile) { replay_packets(scene, tile.sorted); });
-        time(rates.pixel, [&](const RecordedTile& tile) { replay_packets(scene, tile.by_pixel); });
-        time(rates.block, [&](const RecordedTile& tile) { replay_packets(scene, tile.by_block); });
-        time(rates.single, [&](const RecordedTile& tile) { replay_singles(scene, tile.singles); });
+        const auto replay = [&](auto rays) {
+            return [&scene, rays](std::span<const RecordedTile> part) {
+                for (const RecordedTile& tile : part) replay_rays(scene, tile.*rays);
+            };
+        };
+        time(rates.sorted, replay(&RecordedTile::sorted));
+        time(rates.pixel, replay(&RecordedTile::by_pixel));
+        time(rates.block, replay(&RecordedTile::by_block));
+        time(rates.single, replay(&RecordedTile::singles));
     }
     return rates;
 }

@@ -7,7 +7,8 @@
 
 namespace aoscore {
 
-/// Million rays a second over the same random tiles of a picture, all threads, each the best of several runs.
+/// Million rays a second over the same random tiles of a picture, each the best of several runs: by processor
+/// time of all threads, so that what else the machine does counts little.
 struct ReplayRates {
     double traced = 0;    ///< as truths are made: directions, order, tracing, sums
     double single = 0;    ///< replay by rtcOccluded1

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace aoscore {
@@ -21,6 +22,12 @@ inline std::vector<Tile> tiles_of(int width, int height) {
         }
     }
     return tiles;
+}
+
+/// Consecutive tiles that one thread does with the same buffers: enough to spare allocations, few enough to
+/// share the work evenly.
+inline std::size_t tiles_at_a_time(std::size_t tiles) {
+    return std::clamp<std::size_t>(tiles / 64, 1, 16);
 }
 
 }  // namespace aoscore

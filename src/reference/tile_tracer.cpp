@@ -12,16 +12,28 @@ namespace {
 /// Rays held at once: their directions and order stay in the second-level cache.
 constexpr std::size_t kBatchRays = 16384;
 
+/// Where rays start, by owner.
+struct Origins {
+    const float* x;
+    const float* y;
+    const float* z;
+};
+
+/// A packet of `rays`, and whose they are.
 AOSCORE_VECTORISE
-void fill(RTCRay16& ray, const PacketDirections& directions, const float* __restrict origin_x,
-          const float* __restrict origin_y, const float* __restrict origin_z, float tfar) {
-    for (std::size_t lane = 0; lane < kPacket; ++lane) ray.dir_x[lane] = directions.x[lane];
-    for (std::size_t lane = 0; lane < kPacket; ++lane) ray.dir_y[lane] = directions.y[lane];
-    for (std::size_t lane = 0; lane < kPacket; ++lane) ray.dir_z[lane] = directions.z[lane];
-    for (std::size_t lane = 0; lane < kPacket; ++lane) ray.org_x[lane] = origin_x[directions.owner[lane]];
-    for (std::size_t lane = 0; lane < kPacket; ++lane) ray.org_y[lane] = origin_y[directions.owner[lane]];
-    for (std::size_t lane = 0; lane < kPacket; ++lane) ray.org_z[lane] = origin_z[directions.owner[lane]];
-    for (std::size_t lane = 0; lane < kPacket; ++lane) ray.tfar[lane] = tfar;
+void fill(RTCRay16& packet, const DirectedRay* __restrict rays, const Origins& origins, float tfar,
+          std::uint32_t* __restrict owner) {
+    const float* __restrict from_x = origins.x, * __restrict from_y = origins.y, * __restrict from_z = origins.z;
+    for (std::size_t lane = 0; lane < kPacket; ++lane) {
+        packet.dir_x[lane] = rays[lane].x;
+        packet.dir_y[lane] = rays[lane].y;
+        packet.dir_z[lane] = rays[lane].z;
+        owner[lane] = rays[lane].owner;
+        packet.tfar[lane] = tfar;
+    }
+    for (std::size_t lane = 0; lane < kPacket; ++lane) packet.org_x[lane] = from_x[owner[lane]];
+    for (std::size_t lane = 0; lane < kPacket; ++lane) packet.org_y[lane] = from_y[owner[lane]];
+    for (std::size_t lane = 0; lane < kPacket; ++lane) packet.org_z[lane] = from_z[owner[lane]];
 }
 
 /// What stays the same from packet to packet.
@@ -101,16 +113,15 @@ void TileTracer::trace_occlusion() {
     RTCIntersectContext context = scene_.packet_context();
     RTCRay16 ray;
     fill_constants(ray);
-    PacketDirections directions;
+    const Origins origins{origin_x_.data(), origin_y_.data(), origin_z_.data()};
+    alignas(64) std::uint32_t owner[kPacket];
     std::fill(blocked_.begin(), blocked_.end(), 0u);
     for (std::size_t first = 0; first < batch_.size(); first += kPacket) {
         const std::size_t count = std::min(kPacket, batch_.size() - first);
         const ValidLanes valid(count);
-        batch_.packet(first, directions);
-        fill(ray, directions, origin_x_.data(), origin_y_.data(), origin_z_.data(), reach_m_);
+        fill(ray, batch_.sorted() + first, origins, reach_m_, owner);
         rtcOccluded16(valid.lanes, scene_.handle(), &context, &ray);
-        for (std::size_t lane = 0; lane < count; ++lane)
-            blocked_[directions.owner[lane]] += ray.tfar[lane] < 0;
+        for (std::size_t lane = 0; lane < count; ++lane) blocked_[owner[lane]] += ray.tfar[lane] < 0;
     }
     for (std::size_t i = 0; i < blocked_.size(); ++i) sums_[i] += blocked_[i];
 }
@@ -119,12 +130,12 @@ void TileTracer::trace_distance() {
     RTCIntersectContext context = scene_.packet_context();
     RTCRayHit16 query;
     fill_constants(query.ray);
-    PacketDirections directions;
+    const Origins origins{origin_x_.data(), origin_y_.data(), origin_z_.data()};
+    alignas(64) std::uint32_t owner[kPacket];
     for (std::size_t first = 0; first < batch_.size(); first += kPacket) {
         const std::size_t count = std::min(kPacket, batch_.size() - first);
         const ValidLanes valid(count);
-        batch_.packet(first, directions);
-        fill(query.ray, directions, origin_x_.data(), origin_y_.data(), origin_z_.data(), reach_m_);
+        fill(query.ray, batch_.sorted() + first, origins, reach_m_, owner);
         std::fill_n(query.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
         std::fill_n(query.hit.instID[0], kPacket, RTC_INVALID_GEOMETRY_ID);
         rtcIntersect16(valid.lanes, scene_.handle(), &context, &query);
@@ -132,7 +143,7 @@ void TileTracer::trace_distance() {
             if (query.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) continue;
             const double t = query.ray.tfar[lane];
             for (std::size_t q = 0; q < queries_.size(); ++q) {
-                sums_[q * blocked_.size() + directions.owner[lane]] += darkening(queries_[q], t);
+                sums_[q * blocked_.size() + owner[lane]] += darkening(queries_[q], t);
             }
         }
     }

@@ -99,14 +99,17 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
     Progress progress(what, tiles.size());
     std::atomic<std::uint64_t> rays{0}, open_pixels{0};
     const auto start = std::chrono::steady_clock::now();
-    parallel_for(tiles.size(), [&](std::size_t i) {
-        throw_if_interrupted();
+    const std::size_t group = tiles_at_a_time(tiles.size());
+    parallel_for((tiles.size() + group - 1) / group, [&](std::size_t g) {
         const FlushDenormals flush;
         TileIntegrator integrator(impl_->embree, frame, queries, settings, points);
-        integrator.integrate(tiles[i], truth);
+        for (std::size_t i = g * group; i < std::min(tiles.size(), (g + 1) * group); ++i) {
+            throw_if_interrupted();
+            integrator.integrate(tiles[i], truth);
+            progress.step();
+        }
         rays += integrator.rays();
         open_pixels += integrator.open_pixels();
-        progress.step();
     });
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     truth.rays = rays;
