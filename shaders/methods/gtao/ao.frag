@@ -15,6 +15,7 @@ float horizon_cosine(vec2 image_px, vec3 position, ViewSlice slice, float side, 
     vec2 reach_px = side * p_radius * slice.image_px;
     float least = inversesqrt(max(dot(reach_px, reach_px), 1e-12));  // one pixel
     float cosine = open;
+#pragma unroll
     for (int j = 0; j < p_steps; ++j) {
         float part = max(pow((float(j) + shift) / float(p_steps), p_step_power), least);
         vec3 v = into_slice(tap_position(image_px + part * reach_px) - position, slice);

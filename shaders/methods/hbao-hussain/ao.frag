@@ -32,6 +32,7 @@ float visibility(vec2 image_px, vec3 position) {
         float tangent = tangent_angle(direction, slice.tangent, normal);
         float sin_horizon = -1.0;  // of the samples' elevations, which lie in [-π/2, π/2]
         float last_distance_squared = 0.0;
+#pragma unroll
         for (int j = 0; j < p_steps; ++j) {
             vec3 tap = tap_position(image_px + direction * step_px * (float(j) + first));
             vec3 v = into_slice(tap - position, slice);

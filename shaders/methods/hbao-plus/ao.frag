@@ -12,6 +12,7 @@ float visibility(vec2 image_px, vec3 position) {
     float occlusion = 0.0;
     for (int i = 0; i < p_directions; ++i) {
         vec2 direction = image_direction(i, p_directions, noise.x);
+#pragma unroll
         for (int j = 0; j < p_steps; ++j) {
             vec3 v = tap_position(image_px + direction * (float(j + 1) + noise.y) * step_px) - position;
             float distance_squared = dot(v, v);

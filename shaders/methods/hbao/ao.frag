@@ -24,6 +24,7 @@ float visibility(vec2 image_px, vec3 position) {
         vec2 direction = image_direction(i, p_directions, noise.x);
         Slice slice = slice_along(direction, normal, line_of_sight);
         float sin_horizon = sin(min(elevation(slice.tangent) + p_bias, kHalfPi));
+#pragma unroll
         for (int j = 0; j < p_steps; ++j) {
             vec3 tap = tap_position(image_px + direction * (float(j + 1) + noise.y) * step_px);
             vec3 v = into_slice(tap - position, slice);

@@ -35,6 +35,7 @@ uint hidden_sectors(vec2 image_px, vec3 position, ViewSlice slice, float side, f
     float least = inversesqrt(max(dot(reach_px, reach_px), 1e-12));  // one pixel
     float start = kHalfPi - slice.normal_angle;
     uint hidden = 0u;
+#pragma unroll
     for (int j = 0; j < p_steps; ++j) {
         float part = max(pow((float(j) + shift) / float(p_steps), p_step_power), least);
         vec3 front = into_slice(tap_position(image_px + part * reach_px) - position, slice);

@@ -10,6 +10,7 @@ float horizon_cosine(vec2 image_px, vec3 position, ViewSlice slice, float side, 
     vec2 reach_px = side * radius * slice.image_px;
     float radius_px = max(length(reach_px), 1e-6);
     float cosine = open;
+#pragma unroll
     for (int j = 0; j < p_steps; ++j) {
         float part = pow((float(j) + shift) / float(p_steps), p_step_power) + p_first_step_px / radius_px;
         vec2 offset_px = round(part * reach_px);
