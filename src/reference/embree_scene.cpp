@@ -216,6 +216,13 @@ TraceTriangle EmbreeScene::triangle(const Placement& placement, unsigned index) 
     return {{vertex(corner.x), vertex(corner.y), vertex(corner.z)}};
 }
 
+glm::dvec3 EmbreeScene::hit_normal(unsigned geometry_id, unsigned instance_id, const glm::dvec3& ng) const {
+    const unsigned id = instance_id != RTC_INVALID_GEOMETRY_ID ? instance_id : geometry_id;
+    const glm::dvec3 n = cofactors(glm::dmat3(placements_[id].trace_from_geometry)) * ng;
+    const double length = glm::length(n);
+    return length > 0 ? n / length : glm::dvec3(0);
+}
+
 bool EmbreeScene::triangles_near(const glm::dvec3& centre, double radius_m, std::size_t limit,
                                  std::vector<TraceTriangle>& triangles) const {
     struct Search {

@@ -60,6 +60,10 @@ class EmbreeScene {
     /// What the ray (scene space, unnormalised: t is view depth) meets first with t in [near, far].
     bool first_hit(const CameraFrame::Ray& ray, double near, double far, SurfaceHit& hit) const;
 
+    /// The unit normal, trace space, of a hit that Embree reports with these ids and this Ng; 0 for a
+    /// degenerate one.
+    glm::dvec3 hit_normal(unsigned geometry_id, unsigned instance_id, const glm::dvec3& ng) const;
+
     /// All triangles whose boxes come within `radius_m` (infinity allowed) of a point of trace space, and
     /// maybe some more; false when there are more than `limit` of them.
     bool triangles_near(const glm::dvec3& centre, double radius_m, std::size_t limit,

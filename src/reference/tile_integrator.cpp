@@ -3,6 +3,7 @@
 #include "core/sampling.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace aoscore {
 namespace {
@@ -36,15 +37,20 @@ RaySource ray_source(const SurfaceHit& hit, const TruthSettings& settings, std::
             mix_bits(mix_bits(settings.seed) ^ pixel)};
 }
 
+double cone_angle_rad(const glm::dvec3& bent_normal) {
+    return std::numbers::pi / 2 * (1 - std::clamp(2 * glm::length(bent_normal) - 1, 0.0, 1.0));
+}
+
 TileIntegrator::TileIntegrator(const EmbreeScene& scene, const CameraFrame& frame,
                                const std::vector<TruthQuery>& queries, const TruthSettings& settings,
-                               const PointSets& points)
+                               const PointSets& points, const CauseJudge& judge)
     : scene_(scene),
       frame_(frame),
       queries_(queries),
       settings_(settings),
       plan_(settings),
-      tracer_(scene, queries, points),
+      observer_(scene, judge, queries[0], settings.extras),
+      tracer_(scene, queries, points, settings.extras.any() ? &observer_ : nullptr),
       open_space_(scene) {
     for (const TruthQuery& query : queries) reach_m_ = std::max(reach_m_, query.radius_m);
 }
@@ -92,6 +98,10 @@ void TileIntegrator::skip_open(Truth& truth) {
             continue;
         }
         for (ImageF& error : truth.standard_error) error.pixels[pixels_[p]] = kProvenError;
+        if (settings_.extras.bent_normals) {
+            truth.bent_normal.pixels[pixels_[p]] = 0.5f * truth.hits.normal.pixels[pixels_[p]];
+            truth.cone_angle_rad.pixels[pixels_[p]] = std::numbers::pi_v<float> / 2;
+        }
     }
     open_pixels_ += pixels_.size() - kept;
     surfaces_.resize(kept);
@@ -142,6 +152,26 @@ void TileIntegrator::store(Truth& truth) const {
     }
     for (std::size_t p = 0; p < pixels_.size(); ++p) {
         truth.sample_counts.pixels[pixels_[p]] = static_cast<std::uint32_t>(samples_[p]);
+        if (settings_.extras.any()) store_extras(p, truth);
+    }
+}
+
+void TileIntegrator::store_extras(std::size_t surface, Truth& truth) const {
+    const HitObserver::Sums& sums = observer_.sums(surface);
+    const std::size_t pixel = pixels_[surface];
+    const double samples = samples_[surface];
+    if (settings_.extras.causes) {
+        for (std::size_t c = 0; c < kCauses; ++c) {
+            truth.occlusion_by_cause[c].pixels[pixel] = static_cast<float>(sums.by_cause[c] / samples);
+        }
+    }
+    if (settings_.extras.one_layer_bound) {
+        truth.one_layer_bound.pixels[pixel] = static_cast<float>(sums.one_layer / samples);
+    }
+    if (settings_.extras.bent_normals) {
+        const glm::dvec3 bent = glm::dmat3(frame_.view_from_world()) * (sums.open_direction / samples);
+        truth.bent_normal.pixels[pixel] = glm::vec3(bent);
+        truth.cone_angle_rad.pixels[pixel] = static_cast<float>(cone_angle_rad(bent));
     }
 }
 

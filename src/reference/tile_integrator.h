@@ -2,6 +2,7 @@
 
 #include "reference/embree_scene.h"
 #include "reference/estimate.h"
+#include "reference/hit_observer.h"
 #include "reference/open_space.h"
 #include "reference/sample_plan.h"
 #include "reference/tile.h"
@@ -19,12 +20,15 @@ bool find_surface(const EmbreeScene& scene, const CameraFrame& frame, int x, int
 /// The rays of pixel number `pixel` of the image, which sees `hit`.
 RaySource ray_source(const SurfaceHit& hit, const TruthSettings& settings, std::size_t pixel);
 
+/// Cone angle of a bent normal, see Truth::cone_angle_rad.
+double cone_angle_rad(const glm::dvec3& bent_normal);
+
 /// Makes the truth of one tile after another. Tiles depend on nothing but their place, so that any thread may
 /// do any of them.
 class TileIntegrator {
   public:
     TileIntegrator(const EmbreeScene& scene, const CameraFrame& frame, const std::vector<TruthQuery>& queries,
-                   const TruthSettings& settings, const PointSets& points);
+                   const TruthSettings& settings, const PointSets& points, const CauseJudge& judge);
 
     /// Fills the tile's pixels of all images of `truth`.
     void integrate(const Tile& tile, Truth& truth);
@@ -42,12 +46,14 @@ class TileIntegrator {
     /// Traces what the plan asks for, until it asks for no more.
     void trace_all();
     void store(Truth& truth) const;
+    void store_extras(std::size_t surface, Truth& truth) const;
 
     const EmbreeScene& scene_;
     const CameraFrame& frame_;
     const std::vector<TruthQuery>& queries_;
     const TruthSettings& settings_;
     SamplePlan plan_;
+    HitObserver observer_;
     TileTracer tracer_;
     OpenSpace open_space_;
     double reach_m_ = 0;

@@ -56,10 +56,11 @@ struct ValidLanes {
 }  // namespace
 
 TileTracer::TileTracer(const EmbreeScene& scene, const std::vector<TruthQuery>& queries,
-                       const PointSets& points)
+                       const PointSets& points, HitObserver* observer)
     : scene_(scene),
       queries_(queries),
-      only_occlusion_(queries.size() == 1 && queries[0].falloff == Falloff::binary),
+      observer_(observer),
+      only_occlusion_(observer == nullptr && queries.size() == 1 && queries[0].falloff == Falloff::binary),
       batch_(points) {
     double reach = 0;
     for (const TruthQuery& q : queries) reach = std::max(reach, q.radius_m);
@@ -73,6 +74,7 @@ void TileTracer::start(std::vector<RaySource> sources) {
     const std::size_t owners = sources_.size() * kReplicates;
     sums_.assign(owners * queries_.size(), 0);
     blocked_.resize(owners);
+    if (observer_ != nullptr) observer_->start(sources_.size());
     origin_x_.clear();
     origin_y_.clear();
     origin_z_.clear();
@@ -140,6 +142,7 @@ void TileTracer::trace_distance() {
         std::fill_n(query.hit.instID[0], kPacket, RTC_INVALID_GEOMETRY_ID);
         rtcIntersect16(valid.lanes, scene_.handle(), &context, &query);
         for (std::size_t lane = 0; lane < count; ++lane) {
+            if (observer_ != nullptr) tell_observer(query, lane, owner[lane] / kReplicates);
             if (query.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) continue;
             const double t = query.ray.tfar[lane];
             for (std::size_t q = 0; q < queries_.size(); ++q) {
@@ -147,6 +150,20 @@ void TileTracer::trace_distance() {
             }
         }
     }
+}
+
+void TileTracer::tell_observer(const RTCRayHit16& packet, std::size_t lane, std::size_t source) {
+    ObservedRay ray;
+    ray.origin = sources_[source].origin;
+    ray.direction = {packet.ray.dir_x[lane], packet.ray.dir_y[lane], packet.ray.dir_z[lane]};
+    ray.cosine = glm::dot(ray.direction, sources_[source].frame[2]);
+    ray.hit = packet.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID;
+    if (ray.hit) {
+        ray.distance_m = packet.ray.tfar[lane];
+        ray.normal = scene_.hit_normal(packet.hit.geomID[lane], packet.hit.instID[0][lane],
+                                       {packet.hit.Ng_x[lane], packet.hit.Ng_y[lane], packet.hit.Ng_z[lane]});
+    }
+    observer_->observe(source, ray);
 }
 
 }  // namespace aoscore

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "reference/embree_scene.h"
+#include "reference/hit_observer.h"
 #include "reference/ray_batch.h"
 #include "reference/truth.h"
 
@@ -17,7 +18,9 @@ struct SampleRange {
 /// Sums of darkening over the rays of the pixels of one tile.
 class TileTracer {
   public:
-    TileTracer(const EmbreeScene& scene, const std::vector<TruthQuery>& queries, const PointSets& points);
+    /// `observer` may be null; else it is told of every ray.
+    TileTracer(const EmbreeScene& scene, const std::vector<TruthQuery>& queries, const PointSets& points,
+               HitObserver* observer = nullptr);
 
     /// Begins with these pixels and sums of zero.
     void start(std::vector<RaySource> sources);
@@ -33,9 +36,11 @@ class TileTracer {
   private:
     void trace_occlusion();
     void trace_distance();
+    void tell_observer(const RTCRayHit16& packet, std::size_t lane, std::size_t source);
 
     const EmbreeScene& scene_;
     const std::vector<TruthQuery>& queries_;
+    HitObserver* observer_;
     bool only_occlusion_;
     float reach_m_;  // no query looks farther
     std::vector<RaySource> sources_;

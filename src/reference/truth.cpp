@@ -44,6 +44,16 @@ PrimaryHits empty_hits(int width, int height) {
     return {Mask(width, height), ImageF(width, height), Image<glm::vec3>(width, height, glm::vec3(0))};
 }
 
+void make_room_for_extras(const TruthExtras& extras, Truth& truth) {
+    const int width = truth.hits.surface.width, height = truth.hits.surface.height;
+    if (extras.causes) truth.occlusion_by_cause.fill(ImageF(width, height, 0.0f));
+    if (extras.one_layer_bound) truth.one_layer_bound = ImageF(width, height, 0.0f);
+    if (extras.bent_normals) {
+        truth.bent_normal = Image<glm::vec3>(width, height, glm::vec3(0));
+        truth.cone_angle_rad = ImageF(width, height, 0.0f);
+    }
+}
+
 int mean_samples(const Truth& truth) {
     std::uint64_t surfaces = 0, samples = 0;
     for (const std::uint8_t s : truth.hits.surface.pixels) surfaces += s;
@@ -93,6 +103,11 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
     truth.visibility.assign(queries.size(), ImageF(width, height, 1.0f));
     truth.standard_error.assign(queries.size(), ImageF(width, height, 0.0f));
     truth.sample_counts = Image<std::uint32_t>(width, height, 0);
+    make_room_for_extras(settings.extras, truth);
+    // What is hidden shows only once the whole picture is there.
+    const bool judges = settings.extras.causes || settings.extras.one_layer_bound;
+    const PrimaryHits shown = judges ? primary_hits(frame) : PrimaryHits{};
+    const CauseJudge judge(impl_->embree, frame, shown);
 
     const std::vector<Tile> tiles = tiles_of(width, height);
     const PointSets points(settings.points, (SamplePlan(settings).most() + kReplicates - 1) / kReplicates);
@@ -102,7 +117,7 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
     const std::size_t group = tiles_at_a_time(tiles.size());
     parallel_for((tiles.size() + group - 1) / group, [&](std::size_t g) {
         const FlushDenormals flush;
-        TileIntegrator integrator(impl_->embree, frame, queries, settings, points);
+        TileIntegrator integrator(impl_->embree, frame, queries, settings, points, judge);
         for (std::size_t i = g * group; i < std::min(tiles.size(), (g + 1) * group); ++i) {
             throw_if_interrupted();
             integrator.integrate(tiles[i], truth);

@@ -3,6 +3,7 @@
 #include "core/image.h"
 #include "scene/scene.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -16,6 +17,7 @@ namespace aoscore {
 enum class Falloff {
     binary,     ///< 1 within the radius (ambient occlusion proper)
     quadratic,  ///< 1 - (t/R)^2 within R (Bavoil, Sainz, Image-Space Horizon-Based Ambient Occlusion, 2008)
+    xegtao,     ///< 1, falling linearly to 0 over the last 61.5 % of R (Intel, XeGTAO, 2021)
     alchemy,    ///< u t / max(u, t)^2, never 0 (McGuire et al., The Alchemy Screen-Space Ambient Obscurance
                 ///< Algorithm, 2011)
 };
@@ -26,6 +28,29 @@ struct TruthQuery {
     double radius_m = 1.0;  ///< > 0, infinity allowed; hits beyond it count nothing, whatever the falloff
     double u_m = 0;         ///< alchemy only: its u, metres, > 0
     bool operator==(const TruthQuery&) const = default;
+};
+
+/// Why a camera's single depth layer may miss an occluder, by where the nearest hit of a ray lies. Tested in
+/// this order; the first three are what the layer does not show (Vermeer, 2020, names them), the last is a
+/// method's own loss.
+enum class Cause : std::uint8_t {
+    outside,  ///< not within the picture, or not between the near and far plane
+    hidden,   ///< behind what the pixel shows there, by more than 1 % of its depth and more than a pixel's
+              ///< footprint
+    grazing,  ///< seen so flat, |n v| < 0.1, that it has hardly a pixel
+    visible,
+};
+inline constexpr std::size_t kCauses = 4;
+
+/// What else to gather from the rays, for the first query.
+struct TruthExtras {
+    bool causes = false;
+    /// Occlusion by rays that meet any visible surface within the radius, be it behind a hidden one: no
+    /// method that knows one depth layer can find more. Costs further rays.
+    bool one_layer_bound = false;
+    bool bent_normals = false;
+    bool any() const { return causes || one_layer_bound || bent_normals; }
+    bool operator==(const TruthExtras&) const = default;
 };
 
 /// Where directions come from.
@@ -43,6 +68,7 @@ struct TruthSettings {
     std::uint64_t seed = 1;
     bool shading_normals = false;  ///< hemisphere about the smooth normal instead of the geometric one
     PointKind points = PointKind::scrambled_sobol;
+    TruthExtras extras;
     /// Pixels with nothing above their tangent plane within reach are proven open instead of traced.
     bool skip_open = true;
 };
@@ -82,6 +108,15 @@ struct Truth {
     std::vector<TruthQuery> queries;
     std::vector<ImageF> visibility;      ///< one image a query, in [0,1]; 1 where there is no surface
     std::vector<ImageF> standard_error;  ///< one image a query, > 0 on surfaces; 0 where there is none
+    /// Occlusion of the first query, 1 - visibility, by Cause: four images that add up to it; empty unless
+    /// asked for.
+    std::array<ImageF, kCauses> occlusion_by_cause;
+    ImageF one_layer_bound;  ///< occlusion in [0,1]; empty unless asked for
+    /// Mean open direction with all directions of the hemisphere weighted alike, view space: 1/2 long where
+    /// all is open. 0 without surface; empty unless asked for.
+    Image<glm::vec3> bent_normal;
+    /// Half angle of the cone about it that is as open: pi/2 (1 - max(2 |n'| - 1, 0)) (Vermeer, 2020).
+    ImageF cone_angle_rad;
     Image<std::uint32_t> sample_counts;  ///< rays of each pixel; 0 where none were needed
     int samples = 0;                     ///< rays a pixel with a surface (the mean, rounded, if they differ)
     std::uint64_t rays = 0;              ///< occlusion rays traced
