@@ -32,15 +32,6 @@ std::vector<MethodDescriptor> chosen_methods(const Options& options) {
     return chosen;
 }
 
-// The scene is loaded here only to know its views; it is small work beside the rest, and a bad file ends the
-// run before anything is written.
-std::vector<std::string> chosen_views(const SceneChoice& choice) {
-    if (!choice.view.empty()) return {choice.view};
-    std::vector<std::string> ids;
-    for (const View& view : load_scene(choice.scene).views) ids.push_back(view.id);
-    return ids;
-}
-
 ExitCode run(const Options& options, const GlobalOptions& global) {
     if (options.radii.size() > 1 || (!options.radii.empty() && !std::isfinite(options.radii[0]))) {
         throw usage_error("a score is ranked at one finite radius", "--radius", "one length in metres");
@@ -49,19 +40,16 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     plan.seed = global.seed;
     plan.methods_dir = options.methods_dir;
     plan.command = global.command_line;
-    const std::vector<CellPlan> cells = plan_cells(chosen_methods(options), options.method_options);
-    for (const std::string& view_id : chosen_views(options.choice)) {
-        ViewPlan view;
-        view.scene = options.choice.scene;
-        view.view = view_id;
-        view.width = options.size.width;
-        view.height = options.size.height;
-        view.samples = options.effort.samples;
-        view.max_error = options.effort.max_error;
-        if (!options.radii.empty()) view.radius_m = options.radii[0];
-        view.cells = cells;
-        plan.views.push_back(std::move(view));
-    }
+    ViewPlan view;
+    view.scene = options.choice.scene;
+    view.view = options.choice.view;
+    view.width = options.size.width;
+    view.height = options.size.height;
+    view.samples = options.effort.samples;
+    view.max_error = options.effort.max_error;
+    if (!options.radii.empty()) view.radius_m = options.radii[0];
+    view.cells = plan_cells(chosen_methods(options), options.method_options);
+    plan.views.push_back(std::move(view));
     const std::string stem = std::filesystem::path(options.choice.scene).stem().string();
     const std::filesystem::path folder =
         options.out.empty() ? home_dir() / "reports" / "out" / ("score-" + stem) : options.out;

@@ -20,9 +20,10 @@ namespace {
 
 constexpr double kAutomaticRadiusShare = 0.02;
 
-/// A view of the plan with everything it names looked up.
+/// One picture to be measured, with everything its plan names looked up.
 struct PreparedView {
     const ViewPlan* plan;
+    std::size_t plan_index;  ///< into ExperimentPlan::views
     std::shared_ptr<const Scene> scene;
     const View* view;
     std::vector<ResolvedCell> cells;
@@ -32,21 +33,28 @@ struct PreparedView {
 // nothing.
 std::vector<PreparedView> prepare(const ExperimentPlan& plan, const Registry& registry) {
     std::map<std::string, std::shared_ptr<const Scene>> scenes;
-    std::vector<PreparedView> prepared;
+    std::vector<std::vector<ResolvedCell>> cells;
     for (const ViewPlan& view : plan.views) {
-        PreparedView p{&view, nullptr, nullptr, {}};
-        for (const CellPlan& cell : view.cells) p.cells.push_back(resolve(cell, registry, plan.seed));
-        prepared.push_back(std::move(p));
+        cells.emplace_back();
+        for (const CellPlan& cell : view.cells) cells.back().push_back(resolve(cell, registry, plan.seed));
     }
-    for (PreparedView& p : prepared) {
-        std::shared_ptr<const Scene>& scene = scenes[p.plan->scene];
+    std::vector<PreparedView> prepared;
+    for (std::size_t i = 0; i < plan.views.size(); ++i) {
+        const ViewPlan& wanted = plan.views[i];
+        std::shared_ptr<const Scene>& scene = scenes[wanted.scene];
         if (!scene) {
-            scene = std::make_shared<Scene>(load_scene(p.plan->scene));
+            scene = std::make_shared<Scene>(load_scene(wanted.scene));
             for (const std::string& warning : scene->warnings) log_warning(scene->id + ": " + warning);
         }
-        p.scene = scene;
-        p.view = &find_view(*scene, p.plan->view);
-        CameraFrame(p.view->camera, p.plan->width, p.plan->height);
+        const auto add = [&](const View& view) {
+            CameraFrame(view.camera, wanted.width, wanted.height);
+            prepared.push_back({&wanted, i, scene, &view, cells[i]});
+        };
+        if (wanted.view.empty()) {
+            for (const View& view : scene->views) add(view);
+        } else {
+            add(find_view(*scene, wanted.view));
+        }
     }
     return prepared;
 }
@@ -94,7 +102,7 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
     results.gl_version = renderer.version();
     const Scene* current = nullptr;
     std::unique_ptr<ReferenceScene> reference;
-    std::vector<std::vector<std::string>> cell_ids;
+    std::vector<std::vector<std::string>> cell_ids(plan.views.size());
     for (const PreparedView& p : prepared) {
         if (p.scene.get() != current) {
             current = p.scene.get();
@@ -106,9 +114,8 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
                              p.plan->height));
         ViewOutcome outcome = run_view({*p.scene, *p.view, *reference, renderer, *p.plan, p.cells, key,
                                         plan.seed, results.mask_threshold, plan.keep_gbuffer, folder});
-        cell_ids.emplace_back();
         for (CellRecord& cell : outcome.cells) {
-            cell_ids.back().push_back(cell.id);
+            cell_ids[p.plan_index].push_back(cell.id);
             if (!cell.error.empty()) log_warning("failed: " + cell.id + ": " + cell.error);
             results.cells.push_back(std::move(cell));
         }

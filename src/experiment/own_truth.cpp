@@ -12,10 +12,11 @@
 namespace aoscore {
 namespace {
 
-constexpr std::array<std::pair<Falloff, const char*>, 3> kFalloffs{{
+constexpr std::array<std::pair<Falloff, const char*>, 4> kFalloffs{{
     {Falloff::binary, "binary"},
     {Falloff::quadratic, "quadratic"},
     {Falloff::alchemy, "alchemy"},
+    {Falloff::xegtao, "xegtao"},
 }};
 
 double length_parameter(const MethodDescriptor& method, const ParameterValues& parameters,
@@ -41,7 +42,7 @@ TruthQuery own_truth(const MethodDescriptor& method, const ParameterValues& para
     }
     if (!known) {
         throw file_error("unknown falloff " + method.truth.falloff, method.id + "/method.json: truth.falloff",
-                         "binary, quadratic, alchemy");
+                         "binary, quadratic, alchemy, xegtao");
     }
     query.radius_m = method.truth.radius_parameter.empty()
                          ? std::numeric_limits<double>::infinity()

@@ -25,7 +25,7 @@ struct CellPlan {
 /// One view of a scene and everything that is run on it.
 struct ViewPlan {
     std::string scene;  ///< built-in id or path of a glTF file
-    std::string view;
+    std::string view;   ///< empty: every view of the scene, one after the other
     int width = 1920, height = 1080;
     double max_error = 0;            ///< 0, or the standard error every truth pixel is traced to
     int samples = 64;                ///< truth rays a pixel

@@ -31,7 +31,7 @@ struct Timing {
 /// One truth that a test image was held against.
 struct TruthRecord {
     std::string id;                  ///< "ranked", or the method's own, such as "quadratic-0.549"
-    std::string falloff;             ///< "binary", "quadratic", "alchemy"
+    std::string falloff;             ///< "binary", "quadratic", "alchemy", "xegtao"
     std::optional<double> radius_m;  ///< empty for infinity
     std::optional<double> u_m;       ///< of the falloff "alchemy"
     std::string channel;             ///< of the view's truth file: "V0.Y"

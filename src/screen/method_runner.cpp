@@ -44,7 +44,7 @@ void MethodRunner::check_resolution(const MethodRequest& request) const {
     }
     if (passes.size() > 1 && request.resolution == Resolution::dual) {
         throw usage_error("a method of several passes has no dual resolution", request.method->id,
-                          "full, half, half_gbuffer");
+                          "full, half, half-gbuffer");
     }
 }
 
