@@ -4,7 +4,9 @@
 set -uo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/.ci/setup.sh"
 
-install_packages "$root/.ci/packages.txt"
+mapfile -t packages < <(listed_packages "$root/.ci/packages.txt")
+install_packages "${packages[@]}"
+install_node_packages page
 build_release OFF aoscore
 if [ $# -eq 0 ]; then set -- run; fi
 exec "$build/bin/aoscore" "$@"

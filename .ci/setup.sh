@@ -6,17 +6,16 @@ build="$root/build/release"
 
 say() { printf '%s\n' "$*" >&2; }
 
-# install_packages FILE…: the Debian packages named in these lists. Asks apt only for what dpkg does not have.
+# install_packages PACKAGE…: asks apt for those that dpkg does not have.
 install_packages() {
-    local wanted missing=() package as_root=()
-    mapfile -t wanted < <(grep -hv '^#' "$@")
+    local missing=() package as_root=()
     if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
         [ "${AOSCORE_SKIP_SETUP:-}" = 1 ] && return
         say "This is no Debian system. Install what these Debian packages hold, then set AOSCORE_SKIP_SETUP=1:"
-        say "  ${wanted[*]}"
+        say "  $*"
         exit 70
     fi
-    for package in "${wanted[@]}"; do
+    for package in "$@"; do
         [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
     done
     [ ${#missing[@]} -eq 0 ] && return
@@ -33,6 +32,31 @@ install_packages() {
         say "apt-get failed; see its messages above."
         exit 70
     fi
+}
+
+# listed_packages FILE…: the Debian packages that these lists name.
+listed_packages() {
+    grep -hv '^#' "$@"
+}
+
+# install_node_packages page|tests: what package-lock.json names into node_modules/, for the page alone or for its tests
+# too. Nothing is done while the lock file is the one that was installed. Debian's npm can conflict with a node that
+# came from elsewhere, so that apt is asked only where there is none.
+install_node_packages() {
+    local wanted=$1 stamp="$root/node_modules/.aoscore-installed" lock omit=()
+    lock=$(sha256sum <"$root/package-lock.json") || exit 70
+    case "$(cat "$stamp" 2>/dev/null)" in
+        "tests $lock" | "$wanted $lock") return ;;
+    esac
+    command -v node >/dev/null || install_packages nodejs
+    command -v npm >/dev/null || install_packages npm
+    [ "$wanted" = tests ] || omit=(--omit=dev)
+    say "Installing the page's libraries (npm)"
+    if ! (cd "$root" && npm ci --loglevel=error "${omit[@]}") >&2; then
+        say "npm failed; see its messages above. The page is made of these libraries: nothing can be reported without."
+        exit 70
+    fi
+    printf '%s\n' "$wanted $lock" >"$stamp"
 }
 
 # build_release TESTS TARGET…: configures when that was never done (or the tests come in now), then builds.

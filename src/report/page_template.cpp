@@ -1,7 +1,6 @@
 #include "report/page_template.h"
 
 #include "core/error.h"
-#include "core/files.h"
 
 #include <kainjow/mustache.hpp>
 
@@ -37,10 +36,6 @@ std::string fill_template(const std::string& text, const nlohmann::json& model, 
     kainjow::mustache::mustache filled(text);
     if (!filled.is_valid()) throw file_error(filled.error_message(), where, "a Mustache template");
     return filled.render(mustache_data(model));
-}
-
-std::filesystem::path page_folder() {
-    return home_dir() / "reports" / "page";
 }
 
 }  // namespace aoscore

@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
 #include <string>
 
 namespace aoscore {
@@ -11,8 +10,5 @@ namespace aoscore {
 /// already, so that the model decides on their digits. {{name}} is escaped for HTML, {{{name}}} is not.
 /// `where` names the template in errors. Throws file_error for a template that is no Mustache.
 std::string fill_template(const std::string& text, const nlohmann::json& model, const std::string& where);
-
-/// The folder of the page's template, style sheet and script.
-std::filesystem::path page_folder();
 
 }  // namespace aoscore

@@ -92,6 +92,7 @@ json row_model(const std::vector<Column>& list, const std::vector<int>& decimals
                 {"error", cell.error},
                 {"failed", !cell.error.empty()},
                 {"rank", rank},
+                {"rank_sort", rank == kNoNumber ? "" : rank},
                 {"cell", cell.id},
                 {"span", std::to_string(list.size())},
                 {"numbers", json::array()}};
@@ -163,7 +164,6 @@ nlohmann::json section::ranking(const PageSource& source) {
                                   {"radius", short_text(view.radius_m)},
                                   {"floor", fixed_text(floor, 4)},
                                   {"metric", metric == "rmse_debiased" ? "debiased RMSE" : "RMSE"},
-                                  {"span", std::to_string(list.size() + 4)},
                                   {"rows", std::move(rows)}});
     }
     model["has_gaps"] = !model["gaps"].empty();

@@ -2,6 +2,7 @@
 
 #include "core/files.h"
 #include "core/log.h"
+#include "report/page_parts.h"
 #include "report/page_template.h"
 #include "report/pictures.h"
 #include "report/section.h"
@@ -23,8 +24,8 @@ std::string section_html(const Section& section, const PageSource& source) {
 
 std::string page_html(const Results& results, const Pictures& pictures) {
     const PageSource source{results, pictures};
-    nlohmann::json model = {{"style", read_file(page_folder() / "style.css")},
-                            {"script", read_file(page_folder() / "page.js")},
+    nlohmann::json model = {{"style", page_style()},
+                            {"script", page_script()},
                             {"version", results.program_version},
                             {"created", results.created_utc},
                             {"sections", nlohmann::json::array()}};

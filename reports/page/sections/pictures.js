@@ -1,46 +1,8 @@
-// The page reads without this script: it sorts the ranking and turns the sequence of pictures into a stage.
-// What is shown is kept in the address behind #, so that a link or a reload shows the same.
-'use strict';
-(() => {
-  const root = document.documentElement;
-  window.addEventListener('error', (event) => { root.dataset.scriptError = event.message; });
-
-  // Ranking: a click on a head sorts every view's rows by that column; rows without a number stay last.
-  const sortBy = (table, column, direction) => {
-    for (const body of table.tBodies) {
-      const rows = [...body.rows].filter((row) => !row.classList.contains('group'));
-      const keyed = rows.map((row) => {
-        const failed = row.classList.contains('failed') && column > 3;
-        const text = failed ? '' : row.cells[column].dataset.sort ?? '';
-        return { row, text, number: text === '' ? NaN : Number(text) };
-      });
-      const numeric = keyed.some((key) => !Number.isNaN(key.number));
-      const last = (key) => (numeric ? Number.isNaN(key.number) : key.text === '');
-      keyed.sort((a, b) => {
-        if (last(a) || last(b)) return last(a) - last(b);
-        return direction * (numeric ? a.number - b.number : a.text.localeCompare(b.text));
-      });
-      body.append(...keyed.map((key) => key.row));
-    }
-  };
-
-  for (const table of document.querySelectorAll('table.sortable')) {
-    const heads = [...table.tHead.rows[0].cells];
-    heads.forEach((head, column) => {
-      const button = document.createElement('button');
-      button.type = 'button';
-      button.append(...head.childNodes);
-      head.append(button);
-      button.addEventListener('click', () => {
-        const ascending = head.getAttribute('aria-sort') !== 'ascending';
-        for (const other of heads) other.removeAttribute('aria-sort');
-        head.setAttribute('aria-sort', ascending ? 'ascending' : 'descending');
-        sortBy(table, column, ascending ? 1 : -1);
-      });
-    });
-  }
-
-  // Stage.
+// The sequence of pictures becomes a stage. What is shown is kept in the address behind #, so that a link or a reload
+// shows the same.
+const root = document.documentElement;
+window.addEventListener('error', (event) => { root.dataset.scriptError = event.message; });
+const startStage = () => {
   const form = document.querySelector('.choosers');
   if (!form || !document.querySelector('.stage')) return;
   const stages = [...document.querySelectorAll('.stage')];
@@ -206,4 +168,5 @@
   recall();
   show();
   root.dataset.ready = 'true';
-})();
+};
+startStage();

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace aoscore {
+
+/// The folder of the page's template, style sheets, scripts and sections.
+std::filesystem::path page_folder();
+
+/// The style sheets of the libraries, then reports/page/style/*.css in the order of their names. Throws
+/// file_error when a library is not installed.
+std::string page_style();
+
+/// The libraries' scripts, then the page's own in one strict scope: reports/page/scripts/*.js in the order of
+/// their names, which declare, then reports/page/sections/<id>.js of the sections that have one, each in a
+/// block of its own, which run. Throws file_error when a library is not installed.
+std::string page_script();
+
+}  // namespace aoscore
