@@ -5,6 +5,7 @@
 #include "core/log.h"
 #include "core/staged_folder.h"
 #include "core/threads.h"
+#include "experiment/live_output.h"
 #include "experiment/machine.h"
 #include "experiment/view_run.h"
 
@@ -102,6 +103,7 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
     results.gl_version = renderer.version();
     const Scene* current = nullptr;
     std::unique_ptr<ReferenceScene> reference;
+    std::map<std::string, CameraFrame> frames;
     std::vector<std::vector<std::string>> cell_ids(plan.views.size());
     for (const PreparedView& p : prepared) {
         if (p.scene.get() != current) {
@@ -112,8 +114,10 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
         const std::string key = view_key(p, results);
         log_info(fmt::format("{}: {} triangles, {}x{}", key, current->triangle_count, p.plan->width,
                              p.plan->height));
-        ViewOutcome outcome = run_view({*p.scene, *p.view, *reference, renderer, *p.plan, p.cells, key,
-                                        plan.seed, results.mask_threshold, plan.keep_gbuffer, folder});
+        ViewOutcome outcome =
+            run_view({*p.scene, *p.view, *reference, renderer, *p.plan, p.cells, key, plan.seed,
+                      results.mask_threshold, plan.keep_gbuffer, gbuffer_inputs_of(registry), folder});
+        frames.emplace(key, CameraFrame(p.view->camera, p.plan->width, p.plan->height));
         for (CellRecord& cell : outcome.cells) {
             cell_ids[p.plan_index].push_back(cell.id);
             if (!cell.error.empty()) log_warning("failed: " + cell.id + ": " + cell.error);
@@ -131,6 +135,7 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
     results.total_seconds = elapsed.count();
     results.peak_memory_mib = peak_memory_mib();
     write_results(results, folder);
+    write_live_file(folder, registry, frames, plan.seed);
     if (finish) finish(folder);
     staged.publish();
     return results;

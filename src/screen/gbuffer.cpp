@@ -72,13 +72,13 @@ void GBuffer::allocate(const std::set<std::string>& inputs) {
     gl::BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     for (const InputFormat& input : kColourInputs) {
         if (std::string(input.name) != "linear_depth" && !inputs.contains(input.name)) continue;
-        gl::Texture texture = make_texture(input.format, width_, height_);
+        gl::Texture texture = make_texture(input.format, view_.width, view_.height);
         gl::FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(outputs_.size()),
                                  GL_TEXTURE_2D, texture.name(), 0);
         outputs_.emplace_back(input.name);
         textures_.emplace(input.name, std::move(texture));
     }
-    gl::Texture depth = make_texture(kDepth32F, width_, height_);
+    gl::Texture depth = make_texture(kDepth32F, view_.width, view_.height);
     gl::FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth.name(), 0);
     textures_.emplace("hardware_depth", std::move(depth));
     std::vector<GLenum> buffers;
@@ -91,7 +91,7 @@ void GBuffer::allocate(const std::set<std::string>& inputs) {
 }
 
 const ShaderProgram& GBuffer::program(bool cutout) {
-    std::string macros = fmt::format("#define ORTHOGRAPHIC {}\n", orthographic_ ? 1 : 0);
+    std::string macros = fmt::format("#define ORTHOGRAPHIC {}\n", view_.orthographic ? 1 : 0);
     if (cutout) macros += "#define CUTOUT\n";
     for (std::size_t i = 0; i < outputs_.size(); ++i) {
         std::string name = "OUTPUT_";
@@ -110,11 +110,11 @@ const ShaderProgram& GBuffer::program(bool cutout) {
 }
 
 void GBuffer::set_view_uniforms(const ShaderProgram& p) const {
-    gl::Uniform2f(p.location("u_size_px"), static_cast<float>(width_), static_cast<float>(height_));
-    gl::Uniform2f(p.location("u_pixel_size"), static_cast<float>(pixel_size_.x),
-                  static_cast<float>(pixel_size_.y));
-    gl::Uniform1f(p.location("u_near"), static_cast<float>(near_));
-    gl::Uniform1f(p.location("u_far"), static_cast<float>(far_));
+    gl::Uniform2f(p.location("u_size_px"), static_cast<float>(view_.width), static_cast<float>(view_.height));
+    gl::Uniform2f(p.location("u_pixel_size"), static_cast<float>(view_.pixel_size.x),
+                  static_cast<float>(view_.pixel_size.y));
+    gl::Uniform1f(p.location("u_near"), static_cast<float>(view_.near));
+    gl::Uniform1f(p.location("u_far"), static_cast<float>(view_.far));
 }
 
 void GBuffer::draw_mesh(const SceneGeometry& geometry, const SceneGeometry::Draw& draw,
@@ -147,21 +147,15 @@ void GBuffer::draw(const SceneGeometry& geometry, const CameraFrame& frame,
             throw internal_error("no such G-buffer input: " + input, "draw_gbuffer");
     }
     frame_ = frame;
-    width_ = frame.width();
-    height_ = frame.height();
-    orthographic_ = frame.camera().projection == Camera::Projection::orthographic;
-    near_ = frame.camera().near;
-    far_ = static_cast<float>(frame.camera().far);
-    const glm::dvec3 span = frame.view_position(1, 1, 1) - frame.view_position(0, 0, 1);
-    pixel_size_ = {span.x, -span.y};
+    view_ = ViewUniforms(frame);
     view_from_scene_ = frame.view_from_world();
     clip_from_view_ = frame.clip_from_view();
     clip_from_view_[1] *= -1.0;  // row 0 at the top
     allocate(inputs);
 
-    gl::Viewport(0, 0, width_, height_);
+    gl::Viewport(0, 0, view_.width, view_.height);
     for (std::size_t i = 0; i < outputs_.size(); ++i) {
-        const glm::vec4 clear = outputs_[i] == "linear_depth" ? glm::vec4(static_cast<float>(far_))
+        const glm::vec4 clear = outputs_[i] == "linear_depth" ? glm::vec4(static_cast<float>(view_.far))
                                                               : colour_input(outputs_[i]).clear;
         gl::ClearBufferfv(GL_COLOR, static_cast<GLint>(i), glm::value_ptr(clear));
     }
@@ -204,19 +198,19 @@ GLuint GBuffer::texture(const std::string& input) const {
 
 GBufferImages GBuffer::read() const {
     GBufferImages images;
-    images.linear_depth = ImageF(width_, height_);
+    images.linear_depth = ImageF(view_.width, view_.height);
     read_texture(texture("linear_depth"), GL_RED, images.linear_depth.pixels.data());
-    images.hardware_depth = ImageF(width_, height_);
+    images.hardware_depth = ImageF(view_.width, view_.height);
     read_texture(texture("hardware_depth"), GL_DEPTH_COMPONENT, images.hardware_depth.pixels.data());
-    images.surface = Mask(width_, height_);
+    images.surface = Mask(view_.width, view_.height);
     for (std::size_t i = 0; i < images.surface.size(); ++i) {
-        images.surface.pixels[i] = images.linear_depth.pixels[i] < static_cast<float>(far_) ? 1 : 0;
+        images.surface.pixels[i] = images.linear_depth.pixels[i] < static_cast<float>(view_.far) ? 1 : 0;
     }
     for (const auto& [name, target] :
          {std::pair("normal_geometric", &images.normal_geometric),
           std::pair("normal_smooth", &images.normal_smooth), std::pair("albedo", &images.albedo)}) {
         const auto found = textures_.find(name);
-        if (found != textures_.end()) *target = read_normals(found->second, width_, height_);
+        if (found != textures_.end()) *target = read_normals(found->second, view_.width, view_.height);
     }
     return images;
 }
@@ -226,8 +220,8 @@ std::string GBuffer::digest() const {
     for (const auto& [name, texture] : textures_) {
         const bool depth = name == "hardware_depth";
         const bool single = depth || name == "linear_depth";
-        std::vector<float> values(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) *
-                                  (single ? 1 : 4));
+        std::vector<float> values(static_cast<std::size_t>(view_.width) *
+                                  static_cast<std::size_t>(view_.height) * (single ? 1 : 4));
         read_texture(texture.name(), depth ? GL_DEPTH_COMPONENT : single ? GL_RED : GL_RGBA, values.data());
         digest.text(name).array(std::span<const float>(values));
     }

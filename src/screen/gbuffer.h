@@ -5,6 +5,7 @@
 #include "screen/scene_geometry.h"
 #include "screen/screen.h"
 #include "screen/shader_program.h"
+#include "screen/view_uniforms.h"
 
 #include <map>
 #include <optional>
@@ -22,10 +23,10 @@ class GBuffer {
     void draw(const SceneGeometry& geometry, const CameraFrame& frame, const std::set<std::string>& inputs);
 
     bool drawn() const { return !textures_.empty(); }
-    int width() const { return width_; }
-    int height() const { return height_; }
+    int width() const { return view_.width; }
+    int height() const { return view_.height; }
     /// The background's linear depth.
-    float far_depth() const { return static_cast<float>(far_); }
+    float far_depth() const { return static_cast<float>(view_.far); }
     /// The texture of that input, 0 when it was not drawn.
     GLuint texture(const std::string& input) const;
 
@@ -36,7 +37,7 @@ class GBuffer {
     void set_view_uniforms(const ShaderProgram& program) const;
     const CameraFrame& frame() const { return *frame_; }
     /// ORTHOGRAPHIC of shaders/contract/view.glsl.
-    bool orthographic() const { return orthographic_; }
+    bool orthographic() const { return view_.orthographic; }
 
   private:
     void allocate(const std::set<std::string>& inputs);
@@ -44,11 +45,8 @@ class GBuffer {
     void draw_mesh(const SceneGeometry& geometry, const SceneGeometry::Draw& draw,
                    const ShaderProgram& program) const;
 
-    int width_ = 0, height_ = 0;
     std::optional<CameraFrame> frame_;
-    glm::dvec2 pixel_size_{0};
-    double near_ = 0, far_ = 0;
-    bool orthographic_ = false;
+    ViewUniforms view_;
     glm::dmat4 view_from_scene_{1.0}, clip_from_view_{1.0};
 
     std::vector<std::string> outputs_;  // colour attachments in order

@@ -106,17 +106,22 @@ std::string kernel_block(const PassBuild& build) {
 
 std::string macro_block(const PassBuild& build) {
     std::string text;
-    const auto define = [&](std::string_view name, int value) {
-        text += fmt::format("#define {} {}\n", name, value);
-    };
-    define("ORTHOGRAPHIC", build.orthographic ? 1 : 0);
-    define("BORDER_FAR", build.border_far ? 1 : 0);
-    define("SCALE", build.scale);
-    define("COARSER_SCALE", build.coarser_scale);
-    define("TAP_SCALE", build.tap_scale);
-    define("DUAL", build.dual ? 1 : 0);
-    define("COUNT_FETCHES", build.count_fetches ? 1 : 0);
+    for (const auto& [name, value] : pass_macros(build)) text += fmt::format("#define {} {}\n", name, value);
     return text;
+}
+
+void add_body(ShaderSource& source, const PassBuild& build, const Pass& pass) {
+    source.add_block(fmt::format("({}: parameters)", build.method->id), parameter_block(build));
+    source.add_block(fmt::format("({}: kernels)", build.method->id), kernel_block(build));
+    if (!build.uniform_form) {
+        std::map<std::string, int> counts;
+        for (const Parameter& p : build.method->parameters) {
+            if (p.type == Parameter::Type::integer)
+                counts["p_" + p.id] = static_cast<int>(build.parameters->at(p.id).get<double>());
+        }
+        source.unroll(std::move(counts));
+    }
+    source.add_file(build.method->folder / pass.fragment, build.method->folder);
 }
 
 ShaderSource screen_vertex() {
@@ -151,20 +156,26 @@ const std::set<std::string>& filter_inputs() {
     return all;
 }
 
+std::map<std::string, int> pass_macros(const PassBuild& build) {
+    return {{"ORTHOGRAPHIC", build.orthographic ? 1 : 0},
+            {"BORDER_FAR", build.border_far ? 1 : 0},
+            {"SCALE", build.scale},
+            {"COARSER_SCALE", build.coarser_scale},
+            {"TAP_SCALE", build.tap_scale},
+            {"DUAL", build.dual ? 1 : 0},
+            {"COUNT_FETCHES", build.count_fetches ? 1 : 0}};
+}
+
 ShaderSource pass_source(const PassBuild& build, const Pass& pass) {
     ShaderSource source;
     source.add_block("(program's macros)", macro_block(build));
-    source.add_block(fmt::format("({}: parameters)", build.method->id), parameter_block(build));
-    source.add_block(fmt::format("({}: kernels)", build.method->id), kernel_block(build));
-    if (!build.uniform_form) {
-        std::map<std::string, int> counts;
-        for (const Parameter& p : build.method->parameters) {
-            if (p.type == Parameter::Type::integer)
-                counts["p_" + p.id] = static_cast<int>(build.parameters->at(p.id).get<double>());
-        }
-        source.unroll(std::move(counts));
-    }
-    source.add_file(build.method->folder / pass.fragment, build.method->folder);
+    add_body(source, build, pass);
+    return source;
+}
+
+ShaderSource pass_source_without_macros(const PassBuild& build, const Pass& pass) {
+    ShaderSource source;
+    add_body(source, build, pass);
     return source;
 }
 

@@ -4,6 +4,7 @@
 #include "screen/shader_program.h"
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,13 @@ struct PassBuild {
     bool count_fetches = false;  ///< with the second output o_fetches
 };
 
+/// The macros that a pass is compiled with, by name.
+std::map<std::string, int> pass_macros(const PassBuild& build);
+
 /// The fragment shader of a pass: macros, parameters, kernels, then the method's own file.
 ShaderSource pass_source(const PassBuild& build, const Pass& pass);
+/// The same without the macros, for those who put in their own.
+ShaderSource pass_source_without_macros(const PassBuild& build, const Pass& pass);
 
 /// A pass's program, checked against its descriptor.
 class PassProgram {

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace aoscore {
+
+/// Beside results.json: the methods' shaders and the cameras, for the page to run methods on the stored
+/// G-buffer.
+///   contract: what all methods share; methods, filters: each as data (screen/method_data.h);
+///   views: by key {width, height, pixel_size, near_m, far_m, orthographic}, the uniforms of
+///   shaders/contract/view.glsl.
+inline constexpr const char* kLiveFile = "live.json";
+
+}  // namespace aoscore
