@@ -10,6 +10,7 @@ find_package(TinyGLTF REQUIRED)
 find_package(OpenEXR REQUIRED)
 find_package(TBB REQUIRED)
 find_package(PNG REQUIRED)
+find_package(ZLIB REQUIRED)
 pkg_check_modules(osmesa REQUIRED IMPORTED_TARGET osmesa)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 # OpenImageIO's own CMake target asks for a folder of OpenCV that Debian does not ship; pkg-config does not.

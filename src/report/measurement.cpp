@@ -130,6 +130,11 @@ json metric_rows() {
     return rows;
 }
 
+std::string visibility_levels_text(const Pictures& pictures) {
+    const bool exact = !pictures.views.empty() && pictures.views.begin()->second.truth.bytes == 2;
+    return count_text(static_cast<std::size_t>(exact ? kLevelsOfTwoBytes : kLevelsOfOneByte));
+}
+
 }  // namespace
 
 nlohmann::json section::measurement(const PageSource& source) {
@@ -147,8 +152,9 @@ nlohmann::json section::measurement(const PageSource& source) {
             {"warnings", std::move(warnings)},
             {"timings", timing_rows(results)},
             {"metrics", metric_rows()},
-            {"threshold", short_text(results.mask_threshold)},
-            {"error_range", short_text(kErrorRange)}};
+            {"levels", visibility_levels_text(source.pictures)},
+            {"error_levels", std::to_string(kErrorLevels)},
+            {"threshold", short_text(results.mask_threshold)}};
 }
 
 }  // namespace aoscore

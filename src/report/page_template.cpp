@@ -38,4 +38,20 @@ std::string fill_template(const std::string& text, const nlohmann::json& model, 
     return filled.render(mustache_data(model));
 }
 
+std::string escaped_html(const std::string& text) {
+    return kainjow::mustache::html_escape(text);
+}
+
+std::string script_json(const nlohmann::json& value) {
+    std::string text;
+    for (const char c : value.dump()) {
+        if (c == '<') {
+            text += "\\u003c";
+        } else {
+            text += c;
+        }
+    }
+    return text;
+}
+
 }  // namespace aoscore

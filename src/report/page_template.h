@@ -11,4 +11,10 @@ namespace aoscore {
 /// `where` names the template in errors. Throws file_error for a template that is no Mustache.
 std::string fill_template(const std::string& text, const nlohmann::json& model, const std::string& where);
 
+/// The text with <, >, &, " and ' written so that HTML shows them.
+std::string escaped_html(const std::string& text);
+
+/// A value as the text of a script element of type application/json, which nothing in it can end.
+std::string script_json(const nlohmann::json& value);
+
 }  // namespace aoscore

@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "core/threads.h"
 #include "metrics/metric.h"
-#include "report/picture_encoding.h"
+#include "report/thumbnail.h"
 #include "results/image_file.h"
 
 #include <fmt/format.h>
@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace aoscore {
 namespace {
@@ -19,6 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kThumbnailWidth_px = 480;
+// Of visibility; two bytes of each make at most 22 MB of page.
+constexpr std::size_t kSmallPage_values = 8'000'000;
 
 fs::path inside(const fs::path& folder, const std::string& file) {
     const fs::path relative = fs::path(file).lexically_normal();
@@ -45,7 +48,6 @@ void require_size(const ImageF& image, const ViewRecord& view, const fs::path& p
 }
 
 struct Truth {
-    double gray_step = 0;  ///< half its mean standard error: finer grays would show noise
     ImageF visibility;
     ImageF standard_error;  ///< empty when the file has none
     Mask valid;
@@ -57,7 +59,6 @@ Truth read_truth(const ViewRecord& view, const fs::path& folder) {
     const TruthRecord& record = view.truths.front();
     const ImageFile file = read_image(path);
     Truth truth;
-    truth.gray_step = record.mean_standard_error / 2;
     truth.visibility = channel_of(file, path, record.channel);
     require_size(truth.visibility, view, path);
     if (const ImageF* error = file.channel(record.se_channel)) truth.standard_error = *error;
@@ -81,65 +82,89 @@ double quantile(const ImageF& values, const Mask& valid, double part) {
     return double{*place};
 }
 
-ViewPictures view_pictures(const ViewRecord& view, const Truth& truth, const fs::path& folder) {
-    ViewPictures pictures;
-    pictures.truth = gray_picture(truth.visibility, truth.gray_step);
-    pictures.truth_thumbnail = gray_thumbnail(truth.visibility, kThumbnailWidth_px);
-    if (!truth.standard_error.empty()) {
-        pictures.standard_error_high = quantile(truth.standard_error, truth.valid, 1.0);
-        pictures.standard_error =
-            magnitude_picture(truth.standard_error, truth.valid, pictures.standard_error_high);
+ImageF only_where(const ImageF& values, const Mask& valid) {
+    ImageF kept = values;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        if (valid.pixels[i] == 0) kept.pixels[i] = std::numeric_limits<float>::quiet_NaN();
     }
+    return kept;
+}
+
+/// What all pictures of a page have in common.
+struct Encoding {
+    int visibility_levels;
+    bool raw;
+};
+
+/// A large page is kept small by what it shows least of.
+Encoding encoding_for(const Results& results, bool everything) {
+    std::size_t values = 0;
+    for (const ViewRecord& view : results.views) {
+        const auto images =
+            1 + std::count_if(results.cells.begin(), results.cells.end(), [&](const CellRecord& cell) {
+                return cell.view_key == view.key && cell.error.empty();
+            });
+        values += static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height) *
+                  static_cast<std::size_t>(images);
+    }
+    const bool small = values <= kSmallPage_values;
+    return {small ? kLevelsOfTwoBytes : kLevelsOfOneByte, small || everything};
+}
+
+ViewPictures view_pictures(const ViewRecord& view, const Truth& truth, const Encoding& encoding,
+                           const fs::path& folder) {
+    ViewPictures pictures;
+    pictures.truth = quantise(truth.visibility, 0, 1, encoding.visibility_levels);
+    pictures.truth_thumbnail = gray_thumbnail(truth.visibility, kThumbnailWidth_px);
+    pictures.has_standard_error = !truth.standard_error.empty();
+    const ImageF error = pictures.has_standard_error ? truth.standard_error : ImageF(view.width, view.height);
+    pictures.standard_error = quantise(only_where(error, truth.valid), 0, 0, kErrorLevels);
     if (!view.gbuffer_file.empty()) {
         const fs::path path = inside(folder, view.gbuffer_file);
         const ImageFile file = read_image(path);
         const ImageF& depth = channel_of(file, path, "Z");
         require_size(depth, view, path);
-        pictures.depth_low_m = quantile(depth, truth.valid, 0.0);
+        const double nearest = quantile(depth, truth.valid, 0.0);
         pictures.depth_high_m = quantile(depth, truth.valid, 0.99);
-        pictures.depth = depth_picture(depth, truth.valid, pictures.depth_low_m, pictures.depth_high_m);
+        pictures.depth = quantise(only_where(depth, truth.valid), nearest, nearest, kLevelsOfTwoBytes);
     }
     return pictures;
 }
 
 CellPictures cell_pictures(const CellRecord& cell, const ViewRecord& view, const Truth& truth,
-                           double mask_threshold, const fs::path& folder) {
+                           const Encoding& encoding, const fs::path& folder) {
     const fs::path path = inside(folder, cell.image_file);
     const ImageFile file = read_image(path);
     const ImageF& output = channel_of(file, path, "Y");
     require_size(output, view, path);
 
     CellPictures pictures;
-    pictures.output = gray_picture(output, truth.gray_step);
+    pictures.output = quantise(output, 0, 1, encoding.visibility_levels);
     pictures.output_thumbnail = gray_thumbnail(output, kThumbnailWidth_px);
     if (const ImageF* raw = file.channel("raw.Y")) {
-        pictures.raw = gray_picture(*raw, truth.gray_step);
+        if (encoding.raw) pictures.raw = quantise(*raw, 0, 1, encoding.visibility_levels);
         pictures.raw_thumbnail = gray_thumbnail(*raw, kThumbnailWidth_px);
     }
     std::size_t nonfinite = 0;
     const Mask valid = finite_pixels(truth.visibility, output, truth.valid, nonfinite);
-    pictures.error = signed_error_picture(truth.visibility, output, truth.valid);
-    const OcclusionMasks masks =
-        occlusion_masks({.truth = truth.visibility, .test = output, .valid = valid}, mask_threshold);
-    pictures.masks = mask_picture(truth.visibility, masks.missing, masks.false_occlusion);
     pictures.blocks = block_errors(truth.visibility, output, valid);
     return pictures;
 }
 
 }  // namespace
 
-Pictures make_pictures(const Results& results, const fs::path& folder) {
+Pictures make_pictures(const Results& results, const fs::path& folder, bool everything) {
+    const Encoding encoding = encoding_for(results, everything);
     Pictures pictures;
     for (const ViewRecord& view : results.views) {
         const Truth truth = read_truth(view, folder);
         ViewPictures& of_view = pictures.views[view.key];
         std::vector<std::function<void()>> jobs;
-        jobs.emplace_back([&] { of_view = view_pictures(view, truth, folder); });
+        jobs.emplace_back([&] { of_view = view_pictures(view, truth, encoding, folder); });
         for (const CellRecord& cell : results.cells) {
             if (cell.view_key != view.key || !cell.error.empty()) continue;
             CellPictures& of_cell = pictures.cells[cell.id];
-            jobs.emplace_back(
-                [&] { of_cell = cell_pictures(cell, view, truth, results.mask_threshold, folder); });
+            jobs.emplace_back([&] { of_cell = cell_pictures(cell, view, truth, encoding, folder); });
         }
         parallel_for(jobs.size(), [&](std::size_t i) { jobs[i](); });
     }

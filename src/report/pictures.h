@@ -1,6 +1,7 @@
 #pragma once
 
 #include "report/closeness.h"
+#include "report/quantised_image.h"
 #include "results/results.h"
 
 #include <filesystem>
@@ -16,34 +17,35 @@ struct Picture {
     explicit operator bool() const { return !uri.empty(); }
 };
 
+/// Steps of the truth's standard error, which is itself no surer than they are fine.
+inline constexpr int kErrorLevels = 64;
+
 struct ViewPictures {
-    Picture truth;
-    Picture standard_error;  ///< of the truth, on magma from 0 to standard_error_high
-    double standard_error_high = 0;
-    Picture depth;  ///< on viridis from depth_low_m to depth_high_m; only where the G-buffer was kept
-    double depth_low_m = 0, depth_high_m = 0;
+    QuantisedImage truth;
+    QuantisedImage
+        standard_error;  ///< of the truth, 0 where it has none; no number where nothing is compared
+    bool has_standard_error = false;
+    QuantisedImage depth;  ///< m; no number where there is no surface; empty when the G-buffer was not kept
+    double depth_high_m = 0;  ///< nearer than this lie 99 % of the valid pixels
     Picture truth_thumbnail;
 };
 
 struct CellPictures {
-    Picture output;
-    Picture raw;    ///< before the filter; empty without one
-    Picture error;  ///< output - truth, on blue_red over ±kErrorRange
-    Picture masks;  ///< missing and false occlusion over the truth in gray
+    QuantisedImage output;
+    QuantisedImage raw;  ///< before the filter; empty without one, and where the page would become too large
     Picture output_thumbnail, raw_thumbnail;
     BlockErrors blocks;
 };
-
-/// Ends of the signed-error colours: one range for all methods, so that their pictures can be compared.
-inline constexpr double kErrorRange = 0.5;
 
 struct Pictures {
     std::map<std::string, ViewPictures> views;  ///< by ViewRecord::key
     std::map<std::string, CellPictures> cells;  ///< by CellRecord::id; failed cells have none
 };
 
-/// Reads the EXR files of the results and encodes every picture of the page, on all threads. Throws
-/// file_error where a file or channel is missing, differs in size, or lies outside the folder.
-Pictures make_pictures(const Results& results, const std::filesystem::path& folder);
+/// Reads the EXR files of the results and encodes every picture of the page, on all threads. Small pages keep
+/// 65535 levels of visibility and what the methods gave before their filters; large ones 255 levels, and that
+/// only where `everything` is asked for. Throws file_error where a file or channel is missing, differs in
+/// size, or lies outside the folder.
+Pictures make_pictures(const Results& results, const std::filesystem::path& folder, bool everything = false);
 
 }  // namespace aoscore

@@ -6,6 +6,7 @@
 #include "report/page_template.h"
 #include "report/pictures.h"
 #include "report/section.h"
+#include "report/stage_data.h"
 
 #include <fmt/format.h>
 
@@ -26,6 +27,7 @@ std::string page_html(const Results& results, const Pictures& pictures) {
     const PageSource source{results, pictures};
     nlohmann::json model = {{"style", page_style()},
                             {"script", page_script()},
+                            {"stage_data", stage_data(source)},
                             {"version", results.program_version},
                             {"created", results.created_utc},
                             {"sections", nlohmann::json::array()}};
@@ -35,7 +37,10 @@ std::string page_html(const Results& results, const Pictures& pictures) {
                                      {"body", section_html(section, source)}});
     }
     const fs::path frame = page_folder() / "template.html";
-    return fill_template(read_file(frame), model, frame.string());
+    std::string html = fill_template(read_file(frame), model, frame.string());
+    // The images come last: what a reader sees first does not wait for them.
+    html.insert(html.rfind("</body>"), image_blocks(source));
+    return html;
 }
 
 }  // namespace

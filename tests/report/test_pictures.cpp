@@ -1,24 +1,26 @@
 #include "core/files.h"
 #include "report/base64.h"
-#include "report/colour_map.h"
 #include "report/number_text.h"
-#include "report/picture_encoding.h"
+#include "report/quantised_image.h"
+#include "report/thumbnail.h"
 #include "results/image_file.h"
 #include "support/support.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <cmath>
 #include <limits>
+#include <random>
+#include <vector>
 
 namespace aoscore {
 namespace {
 
-std::string decoded(const Picture& picture) {
+std::string from_base64(const std::string& text) {
     static constexpr std::string_view kDigits =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const std::string text = picture.uri.substr(picture.uri.find(',') + 1);
     std::string bytes;
     unsigned bits = 0;
     int count = 0;
@@ -34,18 +36,55 @@ std::string decoded(const Picture& picture) {
     return bytes;
 }
 
-/// The picture as a viewer sees it, 0xRRGGBB.
-Image<Rgb> seen(const Picture& picture) {
-    const std::filesystem::path path = testing::output_dir() / "picture.png";
-    write_atomically(path, decoded(picture));
-    const ImageFile file = read_image(path);
-    Image<Rgb> image(file.width, file.height);
-    const std::size_t last = file.channels.size() >= 3 ? 1 : 0;
-    for (std::size_t i = 0; i < image.size(); ++i) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            const float value = file.channels[c * last].pixels[i];
-            image.pixels[i] = image.pixels[i] << 8U | static_cast<Rgb>(std::lround(value * 255));
+/// The values that a page's script would unpack, written from the format's description.
+std::vector<double> unpacked(const QuantisedImage& image) {
+    const auto width = static_cast<std::size_t>(image.width);
+    const std::size_t size = width * static_cast<std::size_t>(image.height);
+    const std::string packed = from_base64(image.data);
+    std::string bytes(size * static_cast<std::size_t>(image.bytes), '\0');
+    auto length = static_cast<uLongf>(bytes.size());
+    EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(bytes.data()), &length,
+                         reinterpret_cast<const Bytef*>(packed.data()), packed.size()),
+              Z_OK);
+    EXPECT_EQ(length, bytes.size());
+    const auto byte = [&](std::size_t i) { return static_cast<int>(static_cast<unsigned char>(bytes[i])); };
+    const int modulus = image.bytes == 1 ? 256 : 65536;
+    std::vector<int> codes(size);
+    std::vector<double> values(size);
+    for (std::size_t i = 0; i < size; ++i) {
+        int residual = byte(i);
+        if (image.bytes == 2) {
+            const int folded = residual * 256 + byte(size + i);
+            residual = folded % 2 == 0 ? folded / 2 : -(folded + 1) / 2;
         }
+        const bool first_column = i % width == 0, first_row = i < width;
+        const int left = first_column ? 0 : codes[i - 1], up = first_row ? 0 : codes[i - width];
+        const int corner = first_column || first_row ? 0 : codes[i - width - 1];
+        const int median = std::max(std::min(left, up), std::min(std::max(left, up), left + up - corner));
+        codes[i] = ((residual + median) % modulus + modulus) % modulus;
+        values[i] = codes[i] == modulus - 1 ? std::numeric_limits<double>::quiet_NaN()
+                                            : image.low + image.step * codes[i];
+    }
+    return values;
+}
+
+void expect_within_half_a_step(const ImageF& image, const QuantisedImage& kept) {
+    const std::vector<double> values = unpacked(kept);
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        if (std::isfinite(image.pixels[i])) {
+            ASSERT_NEAR(values[i], double{image.pixels[i]}, kept.step / 2 + 1e-12) << i;
+        } else {
+            ASSERT_TRUE(std::isnan(values[i])) << i;
+        }
+    }
+}
+
+ImageF noisy_gradient(int width, int height, unsigned seed) {
+    std::mt19937 random(seed);
+    ImageF image(width, height);
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        const float slope = static_cast<float>(i) / static_cast<float>(image.size());
+        image.pixels[i] = std::clamp(slope + static_cast<float>(random() % 1000) / 5000 - 0.1F, 0.0F, 1.0F);
     }
     return image;
 }
@@ -73,63 +112,51 @@ TEST(NumberText, HasNoNegativeZeroAndNoNan) {
     EXPECT_EQ(ratio(1.0, 0.0), std::nullopt);
 }
 
-TEST(ColourMap, EndsAtItsControlPointsAndIsSymmetricAroundZeroError) {
-    EXPECT_EQ(colour_at(gray(), 0), 0x000000U);
-    EXPECT_EQ(colour_at(gray(), 1), 0xffffffU);
-    EXPECT_EQ(colour_at(gray(), 0.5), 0x808080U);
-    EXPECT_EQ(colour_at(blue_red(), 0.5), 0xf7f7f7U);
-    EXPECT_EQ(palette(magma(), 16).front(), magma().front());
-    EXPECT_EQ(palette(magma(), 16).back(), magma().back());
-    EXPECT_EQ(css_colour(kFalseOcclusionColour), "#0072b2");
+TEST(QuantisedImage, ComesBackWithinHalfAStepForAnyNumberOfLevels) {
+    unsigned seed = 1;
+    for (const int levels : {2, 64, 254, kLevelsOfOneByte, 256, 4096, kLevelsOfTwoBytes}) {
+        for (const auto& [width, height] : {std::pair{1, 1}, {7, 1}, {1, 7}, {61, 37}}) {
+            const ImageF image = noisy_gradient(width, height, seed++);
+            const QuantisedImage kept = quantise(image, 0, 1, levels);
+            EXPECT_EQ(kept.bytes, levels <= kLevelsOfOneByte ? 1 : 2);
+            EXPECT_DOUBLE_EQ(kept.step, 1.0 / (levels - 1));
+            expect_within_half_a_step(image, kept);
+        }
+    }
 }
 
-TEST(ErrorPicture, IsRedWhereOcclusionIsMissingBlueWhereItIsFalse) {
-    ImageF truth(4, 1, 0.5F), test(4, 1, 0.5F);
-    Mask valid(4, 1, 1);
-    test.pixels = {0.5F, 1.0F, 0.0F, 0.9F};
-    valid.pixels[3] = 0;
-    const Image<Rgb> image = seen(signed_error_picture(truth, test, valid));
-    EXPECT_EQ(image.at(0, 0), 0xf7f7f7U);
-    EXPECT_EQ(image.at(1, 0), blue_red().back());
-    EXPECT_EQ(image.at(2, 0), blue_red().front());
-    EXPECT_EQ(image.at(3, 0), kInvalidColour);
+TEST(QuantisedImage, KeepsItsEndsExactly) {
+    ImageF image(2, 1);
+    image.pixels = {0, 1};
+    for (const int levels : {kLevelsOfOneByte, kLevelsOfTwoBytes}) {
+        const std::vector<double> values = unpacked(quantise(image, 0, 1, levels));
+        EXPECT_EQ(values[0], 0);
+        EXPECT_NEAR(values[1], 1, 1e-15);
+    }
 }
 
-TEST(ErrorPicture, ShowsNonfinitePixelsInTheirOwnColour) {
-    ImageF truth(2, 1, 0.5F), test(2, 1, 0.5F);
-    test.pixels[1] = std::numeric_limits<float>::quiet_NaN();
-    const Image<Rgb> image = seen(signed_error_picture(truth, test, Mask(2, 1, 1)));
-    EXPECT_EQ(image.at(1, 0), kNonfiniteColour);
+TEST(QuantisedImage, HasACodeForWhatIsNoNumber) {
+    ImageF image = noisy_gradient(9, 9, 3);
+    image.pixels[0] = std::numeric_limits<float>::quiet_NaN();
+    image.pixels[40] = std::numeric_limits<float>::infinity();
+    image.pixels[80] = -std::numeric_limits<float>::infinity();
+    for (const int levels : {kLevelsOfOneByte, kLevelsOfTwoBytes}) {
+        expect_within_half_a_step(image, quantise(image, 0, 1, levels));
+    }
 }
 
-TEST(MaskPicture, LaysBothCausesOverTheTruth) {
-    const ImageF truth(3, 1, 1.0F);
-    Mask missing(3, 1), false_occlusion(3, 1);
-    missing.pixels[0] = 1;
-    false_occlusion.pixels[1] = 1;
-    const Image<Rgb> image = seen(mask_picture(truth, missing, false_occlusion));
-    EXPECT_EQ(image.at(0, 0), kMissingOcclusionColour);
-    EXPECT_EQ(image.at(1, 0), kFalseOcclusionColour);
-    EXPECT_EQ(image.at(2, 0), 0xf2f2f0U);
+TEST(QuantisedImage, WidensItsRangeForValuesOutsideIt) {
+    ImageF image = noisy_gradient(8, 8, 4);
+    image.pixels[3] = 1.5F;
+    image.pixels[9] = -0.25F;
+    const QuantisedImage kept = quantise(image, 0, 1, kLevelsOfOneByte);
+    EXPECT_EQ(kept.low, -0.25);
+    expect_within_half_a_step(image, kept);
 }
 
-TEST(GrayPicture, IsLinearInVisibility) {
-    ImageF visibility(3, 1);
-    visibility.pixels = {0.0F, 0.2F, 1.0F};
-    const Image<Rgb> image = seen(gray_picture(visibility));
-    EXPECT_EQ(image.at(0, 0), 0x000000U);
-    EXPECT_EQ(image.at(1, 0), 0x333333U);
-    EXPECT_EQ(image.at(2, 0), 0xffffffU);
-}
-
-TEST(GrayPicture, RoundsToHalfTheTruthsNoiseAndKeepsBlackAndWhite) {
-    ImageF visibility(4, 1);
-    visibility.pixels = {0.0F, 0.46F, 0.54F, 1.0F};
-    const Image<Rgb> image = seen(gray_picture(visibility, 0.1));
-    EXPECT_EQ(image.at(0, 0), 0x000000U);
-    EXPECT_EQ(image.at(1, 0), 0x808080U);
-    EXPECT_EQ(image.at(2, 0), 0x808080U);
-    EXPECT_EQ(image.at(3, 0), 0xffffffU);
+TEST(QuantisedImage, HoldsAFlatImage) {
+    const ImageF image(5, 4, 3.5F);
+    expect_within_half_a_step(image, quantise(image, 3.5, 3.5, kLevelsOfOneByte));
 }
 
 TEST(Thumbnail, IsTheMeanOfTheSquaresItCovers) {
@@ -138,10 +165,12 @@ TEST(Thumbnail, IsTheMeanOfTheSquaresItCovers) {
     const Picture picture = gray_thumbnail(visibility, 3);
     EXPECT_EQ(picture.width, 3);
     EXPECT_EQ(picture.height, 1);
-    const Image<Rgb> image = seen(picture);
-    EXPECT_EQ(image.at(0, 0), 0x808080U);
-    EXPECT_EQ(image.at(1, 0), 0x333333U);
-    EXPECT_EQ(image.at(2, 0), 0xffffffU);
+    const std::filesystem::path path = testing::output_dir() / "picture.png";
+    write_atomically(path, from_base64(picture.uri.substr(picture.uri.find(',') + 1)));
+    const ImageF image = read_image(path).channels.front();
+    EXPECT_NEAR(image.at(0, 0), 128.0 / 255, 1e-6);
+    EXPECT_NEAR(image.at(1, 0), 51.0 / 255, 1e-6);
+    EXPECT_NEAR(image.at(2, 0), 1, 1e-6);
 }
 
 }  // namespace

@@ -1,0 +1,57 @@
+// The images that the page holds, unpacked when they are first needed; src/report/quantised_image.h says how they lie here.
+const unpackedImages = new Map();
+const documentIsParsed = document.readyState === 'loading'
+  ? new Promise((resolve) => { document.addEventListener('DOMContentLoaded', resolve, { once: true }); })
+  : Promise.resolve();
+
+async function inflatedBytes(name) {
+  await documentIsParsed;
+  const text = atob(document.querySelector(`script[data-image="${CSS.escape(name)}"]`).textContent);
+  const packed = Uint8Array.from({ length: text.length }, (_, i) => text.charCodeAt(i));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+// Residuals of two bytes were folded (0, -1, 1, -2, … became 0, 1, 2, 3, …), all their high bytes first.
+function unfoldedResiduals(bytes, size) {
+  const residuals = new Uint16Array(size);
+  for (let i = 0; i < size; i += 1) {
+    const folded = bytes[i] << 8 | bytes[size + i];
+    residuals[i] = folded >> 1 ^ -(folded & 1);
+  }
+  return residuals;
+}
+
+// Adds to each residual what the median edge detector predicts; the array's type wraps the sums around.
+function predictCodes(codes, width, height) {
+  for (let y = 0, i = 0; y < height; y += 1) {
+    let left = 0;
+    let upLeft = 0;
+    for (let x = 0; x < width; x += 1, i += 1) {
+      const up = y > 0 ? codes[i - width] : 0;
+      const low = left < up ? left : up;
+      const high = left < up ? up : left;
+      codes[i] += upLeft >= high ? low : upLeft <= low ? high : left + up - upLeft;
+      left = codes[i];
+      upLeft = up;
+    }
+  }
+  return codes;
+}
+
+async function unpackImage(image) {
+  const bytes = await inflatedBytes(image.data);
+  const size = image.width * image.height;
+  const codes = predictCodes(image.bytes === 1 ? bytes : unfoldedResiduals(bytes, size), image.width, image.height);
+  const none = image.bytes === 1 ? 255 : 65535;
+  const values = Float32Array.from({ length: none + 1 },
+    (_, code) => (code === none ? NaN : image.low + image.step * code));
+  return { codes, values, none, at: (i) => values[codes[i]] };
+}
+
+// A promise of { codes, values, none, at }: at(i) is the value of pixel i = x + y * width, NaN where there is none;
+// values[codes[i]] is the same, faster in a loop.
+function imageValues(image) {
+  if (!unpackedImages.has(image.data)) unpackedImages.set(image.data, unpackImage(image));
+  return unpackedImages.get(image.data);
+}

@@ -1,0 +1,101 @@
+#include "report/stage_data.h"
+
+#include "report/number_text.h"
+#include "report/page_template.h"
+
+#include <fmt/format.h>
+
+namespace aoscore {
+namespace {
+
+using nlohmann::json;
+
+/// An image of the page and the name it goes by.
+struct NamedImage {
+    const char* kind;
+    const QuantisedImage& image;
+};
+
+std::vector<NamedImage> images_of(const ViewPictures& pictures) {
+    return {{"truth", pictures.truth}, {"noise", pictures.standard_error}, {"depth", pictures.depth}};
+}
+
+std::vector<NamedImage> images_of(const CellPictures& pictures) {
+    return {{"output", pictures.output}, {"raw", pictures.raw}};
+}
+
+std::string name_of(const std::string& owner, const NamedImage& named) {
+    return owner + " " + named.kind;
+}
+
+template <class OwnerPictures>
+json images_data(const std::string& owner, const OwnerPictures& pictures) {
+    json list = json::object();
+    for (const NamedImage& named : images_of(pictures)) {
+        if (named.image.empty()) continue;
+        list[named.kind] = {{"data", name_of(owner, named)}, {"width", named.image.width},
+                            {"height", named.image.height},  {"low", named.image.low},
+                            {"step", named.image.step},      {"bytes", named.image.bytes}};
+    }
+    return list;
+}
+
+json cell_data(const CellRecord& cell, const Pictures& pictures) {
+    json data = {{"id", cell.id},
+                 {"name", fmt::format("{}, {}", cell.method_label, cell.preset)},
+                 {"filter", cell.filter},
+                 {"missing", percent_text(cell.missing_area)},
+                 {"false", percent_text(cell.false_area)},
+                 {"images", nullptr}};
+    const auto found = pictures.cells.find(cell.id);
+    if (found != pictures.cells.end()) data["images"] = images_data(cell.id, found->second);
+    return data;
+}
+
+json view_data(const ViewRecord& view, const PageSource& source) {
+    const ViewPictures& pictures = source.pictures.views.at(view.key);
+    const QuantisedImage& error = pictures.standard_error;
+    json cells = json::array();
+    for (const CellRecord& cell : source.results.cells) {
+        if (cell.view_key == view.key) cells.push_back(cell_data(cell, source.pictures));
+    }
+    return {{"key", view.key},
+            {"width", view.width},
+            {"height", view.height},
+            {"radius", short_text(view.radius_m)},
+            {"samples", view.samples},
+            {"noiseHigh", pictures.has_standard_error ? error.low + error.step * (kErrorLevels - 1) : 0.0},
+            {"depthHigh", pictures.depth_high_m},
+            {"images", images_data(view.key, pictures)},
+            {"cells", std::move(cells)}};
+}
+
+template <class PicturesByName>
+void append_blocks(std::string& text, const PicturesByName& all) {
+    for (const auto& [owner, pictures] : all) {
+        for (const NamedImage& named : images_of(pictures)) {
+            if (named.image.empty()) continue;
+            text += fmt::format("<script type=\"application/octet-stream\" data-image=\"{}\">",
+                                escaped_html(name_of(owner, named)));
+            text += named.image.data;
+            text += "</script>\n";
+        }
+    }
+}
+
+}  // namespace
+
+std::string stage_data(const PageSource& source) {
+    json data = {{"threshold", source.results.mask_threshold}, {"views", json::array()}};
+    for (const ViewRecord& view : source.results.views) data["views"].push_back(view_data(view, source));
+    return script_json(data);
+}
+
+std::string image_blocks(const PageSource& source) {
+    std::string text;
+    append_blocks(text, source.pictures.views);
+    append_blocks(text, source.pictures.cells);
+    return text;
+}
+
+}  // namespace aoscore

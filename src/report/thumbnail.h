@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/image.h"
+#include "report/pictures.h"
+
+namespace aoscore {
+
+/// Visibility as 8-bit gray, 0 black, 1 white, linear in the number, not in light; at most `width_px` wide,
+/// each pixel the mean of the square it covers.
+Picture gray_thumbnail(const ImageF& visibility, int width_px);
+
+}  // namespace aoscore

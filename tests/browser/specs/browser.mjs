@@ -1,0 +1,67 @@
+// What every spec needs: pages of a small run in Chromium, with what the browser complained of or asked for.
+import { createRequire } from 'node:module';
+import fs from 'node:fs';
+import path from 'node:path';
+import { after } from 'node:test';
+import { pathToFileURL } from 'node:url';
+
+export const require = createRequire(path.join(process.env.AOSCORE_HOME, 'package.json'));
+const { chromium } = require('playwright-core');
+
+export const folder = process.env.AOSCORE_TEST_FOLDER;
+export const pages = { measured: path.join(folder, 'measured/index.html'), synthetic: path.join(folder, 'synthetic/index.html') };
+export const results = JSON.parse(fs.readFileSync(path.join(folder, 'measured/results.json'), 'utf8'));
+
+const browser = await chromium.launch({
+  executablePath: '/usr/bin/chromium',
+  args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--disable-background-networking'],
+});
+after(() => browser.close());
+
+// A page once its stage shows pictures. `complaints` gathers console errors and script errors, `requests` every address
+// asked for beside the page's own.
+export async function open({ which = 'measured', hash = '', ...context } = {}) {
+  const view = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...context });
+  const page = await view.newPage();
+  const complaints = [];
+  const requests = [];
+  page.on('console', (message) => { if (['error', 'warning'].includes(message.type())) complaints.push(message.text()); });
+  page.on('pageerror', (error) => complaints.push(error.message));
+  page.on('request', (request) => requests.push(request.url().split('#')[0]));
+  const address = pathToFileURL(pages[which]).href;
+  await page.goto(address + hash);
+  await settled(page);
+  return { page, complaints, requests, address };
+}
+
+// Until every pane has painted what it was told to show.
+export async function settled(page) {
+  await page.waitForFunction(() => {
+    const panes = [...document.querySelectorAll('.pane')];
+    return document.documentElement.dataset.scriptError
+      || (panes.length > 0 && panes.every((pane) => pane.getAttribute('aria-busy') === 'false'));
+  });
+  await page.evaluate(() => new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); }));
+}
+
+export async function choose(page, name, value) {
+  await page.locator(`.choosers input[name="${name}"][value="${value}"]`).check();
+  await settled(page);
+}
+
+export async function screenshot(target, name) {
+  await target.screenshot({ path: path.join(folder, `${name}.png`) });
+}
+
+// What the panes show: the key of each one's layer.
+export function layers(page) {
+  return page.locator('.pane').evaluateAll((panes) => panes.map((pane) => pane.dataset.layer));
+}
+
+// A canvas as [width, height, pixels as 0xAABBGGRR].
+export function pixels(page, pane = 0) {
+  return page.locator('.pane canvas').nth(pane).evaluate((canvas) => {
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    return [canvas.width, canvas.height, [...new Uint32Array(data.buffer)]];
+  });
+}
