@@ -23,46 +23,52 @@ float tap_count = 0.0;
 #define COUNT_TAP
 #endif
 
+// The value of a texel of the picture's size. A sampler that takes the nearest texel and clamps to the edge costs less
+// here than texelFetch, which checks level and bounds; the texel's centre is far from where rounding could tell.
+vec4 picture_texel(sampler2D picture, vec2 texel) { return textureLod(picture, (texel + 0.5) / u_size_px, 0.0); }
+
 // The texel that is drawn, and the picture's texel that it stands for: the same, unless the pass is drawn at 1/SCALE.
 ivec2 drawn_texel() { return ivec2(gl_FragCoord.xy); }
 vec2 texel_centre(ivec2 texel) { return vec2(texel) + 0.5; }
 ivec2 centre_texel() { return min(drawn_texel() * SCALE + SCALE / 2, ivec2(u_size_px) - 1); }
-float centre_linear_depth() { return texelFetch(u_linear_depth, centre_texel(), 0).r; }
-vec3 centre_normal_geometric() { return texelFetch(u_normal_geometric, centre_texel(), 0).xyz; }
-vec3 centre_normal_smooth() { return texelFetch(u_normal_smooth, centre_texel(), 0).xyz; }
-vec3 centre_normal_from_depth() { return texelFetch(u_normal_from_depth, centre_texel(), 0).xyz; }
-vec3 centre_normal_from_depth_accurate() { return texelFetch(u_normal_from_depth_accurate, centre_texel(), 0).xyz; }
+float centre_linear_depth() { return picture_texel(u_linear_depth, vec2(centre_texel())).r; }
+vec3 centre_normal_geometric() { return picture_texel(u_normal_geometric, vec2(centre_texel())).xyz; }
+vec3 centre_normal_smooth() { return picture_texel(u_normal_smooth, vec2(centre_texel())).xyz; }
+vec3 centre_normal_from_depth() { return picture_texel(u_normal_from_depth, vec2(centre_texel())).xyz; }
+vec3 centre_normal_from_depth_accurate() {
+    return picture_texel(u_normal_from_depth_accurate, vec2(centre_texel())).xyz;
+}
 vec4 tiled_noise() { return texelFetch(u_noise_4x4, drawn_texel() & 3, 0); }
 
-bool in_picture(vec2 image_px) {
-    return all(greaterThanEqual(image_px, vec2(0.0))) && all(lessThan(image_px, u_size_px));
-}
-
 // A G-buffer of half the resolution holds the middle texel of each block of TAP_SCALE; a tap lands in the block.
-vec2 in_tap_grid(vec2 image_px) {
+// Texels as floats: they are needed as such, and outside of the picture they need not fit an integer.
+vec2 tapped_texel(vec2 image_px) {
 #if TAP_SCALE > 1
     return floor(image_px / float(TAP_SCALE)) * float(TAP_SCALE) + float(TAP_SCALE / 2);
 #else
-    return image_px;
+    return floor(image_px);
 #endif
 }
 
 // Taps. What lies outside of the picture is a setting of the run: BORDER_FAR 1, the depth of the background; 0, the
 // depth of the nearest texel (clamp to edge), which stretches the picture's edge outward.
-float tap_linear_depth(vec2 image_px) {
+float texel_linear_depth(vec2 texel) {
     COUNT_TAP
-    float depth = texelFetch(u_linear_depth, ivec2(clamp(in_tap_grid(image_px), vec2(0.0), u_size_px - 1.0)), 0).r;
+    float depth = picture_texel(u_linear_depth, texel).r;
 #if BORDER_FAR
-    return in_picture(image_px) ? depth : u_far;
+    return texel == clamp(texel, vec2(0.0), u_size_px - 1.0) ? depth : u_far;
 #else
     return depth;
 #endif
 }
 
+float tap_linear_depth(vec2 image_px) { return texel_linear_depth(tapped_texel(image_px)); }
+
 // View-space position of the surface in the texel at an image position. It lies on the line of sight through the
 // texel's centre, so that a plane in the scene gives points on that plane.
 vec3 tap_position(vec2 image_px) {
-    return view_position(floor(in_tap_grid(image_px)) + 0.5, tap_linear_depth(image_px));
+    vec2 texel = tapped_texel(image_px);
+    return view_position(texel + 0.5, texel_linear_depth(texel));
 }
 
 // The same from level `mip` of the depth mips: the depth of a larger texel, on the line of sight through the full
@@ -70,10 +76,10 @@ vec3 tap_position(vec2 image_px) {
 const int kDepthMipLevels = 6;
 vec3 tap_mip_position(vec2 image_px, int mip) {
     COUNT_TAP
-    ivec2 texel = ivec2(clamp(image_px, vec2(0.0), u_size_px - 1.0)) >> mip;
-    float depth = texelFetch(u_depth_mips, min(texel, textureSize(u_depth_mips, mip) - 1), mip).r;
+    vec2 texel = floor(image_px), inside = clamp(texel, vec2(0.0), u_size_px - 1.0);
+    float depth = texelFetch(u_depth_mips, min(ivec2(inside) >> mip, textureSize(u_depth_mips, mip) - 1), mip).r;
 #if BORDER_FAR
-    depth = in_picture(image_px) ? depth : u_far;
+    depth = inside == texel ? depth : u_far;
 #endif
-    return view_position(floor(image_px) + 0.5, depth);
+    return view_position(texel + 0.5, depth);
 }

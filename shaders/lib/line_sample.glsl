@@ -2,15 +2,13 @@
 #include "contract/inputs.glsl"
 
 struct LineSample {
-    vec2 offset;      // of the texel's centre from the pixel, view-space axes, in units of the radius
     float surface_z;  // of the depth surface, from P toward the viewer, in units of the radius
     float tangent_z;  // of the tangent plane, the same
 };
 
-LineSample line_sample(vec2 image_px, vec2 tap_px, vec3 position, vec3 normal, float radius) {
+LineSample line_sample(vec2 tap_px, vec3 position, vec3 normal, float radius) {
     vec2 centre_px = floor(tap_px) + 0.5;
     LineSample line;
-    line.offset = (centre_px - image_px) * vec2(1.0, -1.0) / (radius * pixels_per_metre(-position.z));
     line.surface_z = (-tap_linear_depth(tap_px) - position.z) / radius;
     // Where the line of sight origin + t ray meets the plane through P.
     vec3 ray = view_ray(centre_px);

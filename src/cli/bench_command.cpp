@@ -1,10 +1,14 @@
 #include "cli/command.h"
 #include "cli/shared_options.h"
 #include "experiment/bench_main.h"
+#include "experiment/bench_methods.h"
 #include "reference/benchmark.h"
 
+#include <filesystem>
 #include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace aoscore {
 namespace {
@@ -13,6 +17,8 @@ struct Options {
     std::string name;
     std::string scene = "atrium";
     std::string view;
+    std::vector<std::string> methods;
+    std::filesystem::path methods_dir;
 };
 
 void bench_reference(const Options& options) {
@@ -20,11 +26,22 @@ void bench_reference(const Options& options) {
     reference_benchmark(scene, one_view(scene, options.view), {});
 }
 
+void bench_methods(const Options& options, const GlobalOptions& global) {
+    const Scene scene = load_with_warnings(options.scene);
+    MethodsBenchmark benchmark;
+    benchmark.seed = global.seed;
+    benchmark.methods = options.methods;
+    benchmark.methods_dir = options.methods_dir;
+    bench_methods(scene, one_view(scene, options.view), benchmark);
+}
+
 using Bench = void (*)(const Options&, const GlobalOptions&);
 
 const std::map<std::string, Bench>& benches() {
     static const std::map<std::string, Bench> table{
         {"main", [](const Options&, const GlobalOptions& global) { bench_main(global.seed); }},
+        {"methods",
+         [](const Options& options, const GlobalOptions& global) { bench_methods(options, global); }},
         {"reference", [](const Options& options, const GlobalOptions&) { bench_reference(options); }},
     };
     return table;
@@ -38,11 +55,15 @@ CommandEntry add_bench_command(CLI::App& program, const GlobalOptions& global) {
     const auto options = std::make_shared<Options>();
     std::vector<std::string> names;
     for (const auto& [id, bench] : benches()) names.push_back(id);
-    app->add_option("name", options->name, "main: the main job, cold; reference: the ray tracer")
+    app->add_option("name", options->name,
+                    "main: the main job, cold; methods: their shaders, specialised and with uniforms; "
+                    "reference: the ray tracer")
         ->required()
         ->check(CLI::IsMember(names));
-    app->add_option("scene", options->scene, "For reference: a scene")->capture_default_str();
-    app->add_option("--view", options->view, "For reference: a view of it [the first]");
+    app->add_option("scene", options->scene, "For methods, reference: a scene")->capture_default_str();
+    app->add_option("--view", options->view, "For methods, reference: a view of it [the first]");
+    app->add_option("--methods", options->methods, "For methods: only these [all]")->delimiter(',');
+    app->add_option("--methods-dir", options->methods_dir, "For methods: a folder of methods of your own");
     return {app, [options, &global] {
                 benches().at(options->name)(*options, global);
                 return ExitCode::ok;

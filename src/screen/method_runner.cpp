@@ -80,14 +80,17 @@ std::vector<MethodRunner::Step> MethodRunner::filter_steps(const MethodRequest& 
     return steps;
 }
 
-const PassProgram& MethodRunner::program(const PassBuild& build, const Pass& pass) {
+const PassProgram* MethodRunner::program(const Step& step) {
+    if (!step.pass->processor.empty()) return nullptr;
+    const PassBuild& build = step.build;
+    const Pass& pass = *step.pass;
     const ShaderSource source = pass_source(build, pass);
     const std::string key = Digest().text(source.text()).text(build.method->folder.string()).hex();
     const auto found = programs_.find(key);
-    if (found != programs_.end()) return found->second;
+    if (found != programs_.end()) return &found->second;
     const PassProgram& made = programs_.emplace(key, PassProgram(build, pass, source)).first->second;
     check_listed_inputs(build, pass, made);
-    return made;
+    return &made;
 }
 
 // A listed input that this setting does not sample may belong to another setting: only the form that leaves
@@ -128,11 +131,11 @@ gl::Texture& MethodRunner::scaled_target(std::size_t step, int scale) {
 // shade.
 void MethodRunner::draw(const Step& step, std::initializer_list<GLuint> targets,
                         const InputSettings& settings, GLuint previous) {
-    if (!step.pass->processor.empty()) {
+    if (step.program == nullptr) {
         process(step, *targets.begin(), settings);
         return;
     }
-    const PassProgram& compiled = program(step.build, *step.pass);
+    const PassProgram& compiled = *step.program;
     // Inputs first: making one draws by itself.
     std::vector<GLuint> textures;
     for (const std::string& input : compiled.samplers()) {
@@ -208,14 +211,22 @@ void MethodRunner::upsample(GLuint coarse, int scale) {
     gl::check("upsampling");
 }
 
-void MethodRunner::draw_method(const MethodRequest& request) {
+MethodRunner::Frame MethodRunner::prepare(const MethodRequest& request) {
+    Frame frame{method_steps(request), filter_steps(request), {request.normals, request.precision}};
+    for (std::vector<Step>* steps : {&frame.method, &frame.filter}) {
+        for (Step& step : *steps) step.program = program(step);
+    }
+    return frame;
+}
+
+void MethodRunner::draw_method(const Frame& frame) {
     allocate();
     GLuint previous = 0;
-    const auto steps = method_steps(request);
+    const std::vector<Step>& steps = frame.method;
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const int scale = steps[i].build.scale;
         const GLuint target = scale == 1 ? raw_.name() : scaled_target(i, scale).name();
-        draw(steps[i], {target}, {request.normals, request.precision}, previous);
+        draw(steps[i], {target}, frame.settings, previous);
         const bool next_is_fine = i + 1 < steps.size() && steps[i + 1].build.dual;
         if (scale > 1 && (i + 1 == steps.size() || next_is_fine)) upsample(target, scale);
         previous = target;
@@ -223,20 +234,13 @@ void MethodRunner::draw_method(const MethodRequest& request) {
     filtered_ = &raw_;
 }
 
-void MethodRunner::draw_filter(const MethodRequest& request) {
+void MethodRunner::draw_filter(const Frame& frame) {
     filtered_ = &raw_;
-    for (const Step& step : filter_steps(request)) {
+    for (const Step& step : frame.filter) {
         const gl::Texture* target = filtered_ == &first_ ? &second_ : &first_;
-        draw(step, {target->name()}, {request.normals, request.precision}, filtered_->name());
+        draw(step, {target->name()}, frame.settings, filtered_->name());
         filtered_ = target;
     }
-}
-
-void MethodRunner::compile(const MethodRequest& request) {
-    for (const Step& step : method_steps(request)) {
-        if (step.pass->processor.empty()) program(step.build, *step.pass);
-    }
-    for (const Step& step : filter_steps(request)) program(step.build, *step.pass);
 }
 
 ImageF MethodRunner::count_fetches(const MethodRequest& request) {
@@ -247,8 +251,9 @@ ImageF MethodRunner::count_fetches(const MethodRequest& request) {
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const int scale = steps[i].build.scale;
         steps[i].build.count_fetches = true;
+        steps[i].program = program(steps[i]);
         const GLuint target = scale == 1 ? raw_.name() : scaled_target(i, scale).name();
-        if (!steps[i].pass->processor.empty()) {
+        if (steps[i].program == nullptr) {
             // A sweep reads the two pixels beside its line at every step.
             const float taps = 2 * steps[i].build.parameters->at("directions").get<float>();
             for (float& count : total.pixels) count += taps;

@@ -18,12 +18,23 @@ class MethodRunner {
   public:
     explicit MethodRunner(const GBuffer& gbuffer);
 
+    struct Step {
+        const Pass* pass = nullptr;
+        PassBuild build;
+        const PassProgram* program = nullptr;  ///< null where the processor computes the pass
+    };
+    /// A request made ready: everything is compiled. The request must outlive it.
+    struct Frame {
+        std::vector<Step> method, filter;
+        InputSettings settings;
+    };
+    /// Compiles what is new. Throws usage_error where the method has no such resolution.
+    Frame prepare(const MethodRequest& request);
+
     /// The AO passes in the request's resolution mode; the result is raw().
-    void draw_method(const MethodRequest& request);
+    void draw_method(const Frame& frame);
     /// The filter's passes over raw(); the result is filtered(), which is raw() without a filter.
-    void draw_filter(const MethodRequest& request);
-    /// Compiles all programs of the request, so that drawing does not.
-    void compile(const MethodRequest& request);
+    void draw_filter(const Frame& frame);
     /// Taps a pixel of the AO passes, at the picture's resolution.
     ImageF count_fetches(const MethodRequest& request);
 
@@ -34,10 +45,6 @@ class MethodRunner {
     void forget_derived() { inputs_.forget_derived(); }
 
   private:
-    struct Step {
-        const Pass* pass = nullptr;
-        PassBuild build;
-    };
     /// Throws usage_error where the method has no such resolution.
     void check_resolution(const MethodRequest& request) const;
     PassBuild base_build(const MethodRequest& request, const MethodDescriptor& descriptor,
@@ -45,7 +52,7 @@ class MethodRunner {
     std::vector<Step> method_steps(const MethodRequest& request) const;
     std::vector<Step> filter_steps(const MethodRequest& request) const;
 
-    const PassProgram& program(const PassBuild& build, const Pass& pass);
+    const PassProgram* program(const Step& step);
     void check_listed_inputs(const PassBuild& build, const Pass& pass, const PassProgram& made);
 
     void allocate();

@@ -90,13 +90,14 @@ std::string ScreenRenderer::gbuffer_digest() {
 
 MethodOutput ScreenRenderer::run(const MethodRequest& request) {
     MethodRunner& runner = impl_->ready_runner();
-    runner.draw_method(request);
+    const MethodRunner::Frame frame = runner.prepare(request);
+    runner.draw_method(frame);
     MethodOutput output;
     output.raw = runner.raw();
     if (request.filter == nullptr) {
         output.visibility = output.raw;
     } else {
-        runner.draw_filter(request);
+        runner.draw_filter(frame);
         output.visibility = runner.filtered();
     }
     return output;
@@ -104,17 +105,17 @@ MethodOutput ScreenRenderer::run(const MethodRequest& request) {
 
 ScreenRenderer::PassTimes ScreenRenderer::time(const MethodRequest& request) {
     MethodRunner& runner = impl_->ready_runner();
-    runner.compile(request);  // not part of a frame
+    const MethodRunner::Frame frame = runner.prepare(request);  // compiling is not part of a frame
     runner.forget_derived();  // what a method has made for itself is on its bill
     gl::Finish();
     PassTimes times;
     const Clock ao;
-    runner.draw_method(request);
+    runner.draw_method(frame);
     gl::Finish();
     times.ao_ms = ao.milliseconds();
     if (request.filter != nullptr) {
         const Clock filter;
-        runner.draw_filter(request);
+        runner.draw_filter(frame);
         gl::Finish();
         times.filter_ms = filter.milliseconds();
     }

@@ -23,6 +23,7 @@ float visibility(vec2 image_px, vec3 position) {
         vec3 step_vector = view_from_tangent * k_rays[i] * step_length;
         float shift = fract(noise.y + float(i) * 0.61803399);
         bool hidden = false;
+#pragma unroll
         for (int j = 0; j < p_steps; ++j) {
             hidden = hit(position + step_vector * (float(j) + shift), position, normal, step_length) || hidden;
         }

@@ -16,11 +16,11 @@ float visibility(vec2 image_px, vec3 position) {
         vec3 tap = tap_position(image_px + radius_px * (turn * k_disc[i].xy));
         vec3 v = tap - position;
         float distance_squared = dot(v, v);
-        float sphere = p_sphere_px * pixel_footprint(-tap.z);
-        float ratio = sphere * sphere / max(distance_squared, 1e-30);
-        float cap = kTwoPi * (1.0 - sqrt(max(1.0 - ratio, 0.0)));
-        bool counts = ratio < 1.0 && distance_squared < p_radius * p_radius;
-        sum += counts ? cap * max(dot(v, normal) * inversesqrt(distance_squared), 0.0) : 0.0;
+        float inverse_distance = inversesqrt(max(distance_squared, 1e-30));
+        float sine = p_sphere_px * pixel_footprint(-tap.z) * inverse_distance;
+        float cap = kTwoPi * (1.0 - sqrt(max(1.0 - sine * sine, 0.0)));
+        bool counts = sine < 1.0 && distance_squared < p_radius * p_radius;
+        sum += counts ? cap * max(dot(v, normal) * inverse_distance, 0.0) : 0.0;
     }
     float pixels_a_tap = kPi * radius_px * radius_px / float(p_samples);
     return limited_visibility(1.0 - sum * pixels_a_tap / kPi);

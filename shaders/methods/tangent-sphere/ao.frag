@@ -17,7 +17,7 @@ float visibility(vec2 image_px, vec3 position) {
         vec2 offset = turn * k_disc[i].xy;
         vec3 line = centre + vec3(radius * offset, 0.0);
         float surface = (-tap_linear_depth(image_of(line)) - centre.z) / radius;
-        float front = sqrt(max(1.0 - dot(offset, offset), 0.0));
+        float front = sqrt(max(1.0 - dot(k_disc[i].xy, k_disc[i].xy), 0.0));  // turning keeps it
         bool seen = -line.z >= u_near;
         open += seen ? clamp(front - surface, 0.0, 2.0 * front) : 2.0 * front;
         whole += 2.0 * front;

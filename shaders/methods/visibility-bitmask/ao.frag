@@ -50,18 +50,20 @@ uint hidden_sectors(vec2 image_px, vec3 position, ViewSlice slice, float side, f
     return hidden;
 }
 
-// ∫_0^θ cos(t-γ) |sin t| dt.
-float cosine_part(float angle, float gamma) {
-    float arc = slice_arc(abs(angle), angle < 0.0 ? -gamma : gamma);
+// ∫_0^θ cos(t-γ) |sin t| dt at the i-th edge between sectors, θ = γ - π/2 + iπ/32: the slice's arc, with the sign of
+// the sine; cos(2θ-γ) = -cos(γ + iπ/16) needs no cosine of its own.
+float cosine_part(int i, float gamma, float cos_gamma, float sin_gamma) {
+    float angle = gamma - kHalfPi + float(i) * (kPi / float(kSectors)), turn = float(i) * (kTwoPi / float(kSectors));
+    float arc = 0.25 * (cos_gamma + 2.0 * angle * sin_gamma + cos_gamma * cos(turn) - sin_gamma * sin(turn));
     return angle < 0.0 ? -arc : arc;
 }
 
 float open_part(uint hidden, ViewSlice slice) {
     if (p_weights == weights_uniform) return 1.0 - count_bits(hidden) / float(kSectors);
-    float gamma = slice.normal_angle, open = 0.0;
-    float below = cosine_part(gamma - kHalfPi, gamma);
+    float gamma = slice.normal_angle, cos_gamma = cos(gamma), sin_gamma = sin(gamma), open = 0.0;
+    float below = cosine_part(0, gamma, cos_gamma, sin_gamma);
     for (int i = 0; i < kSectors; ++i) {
-        float above = cosine_part(gamma - kHalfPi + float(i + 1) * (kPi / float(kSectors)), gamma);
+        float above = cosine_part(i + 1, gamma, cos_gamma, sin_gamma);
         open += (hidden >> uint(i) & 1u) == 0u ? above - below : 0.0;
         below = above;
     }

@@ -14,8 +14,8 @@ float visibility(vec2 image_px, vec3 position) {
 #pragma unroll
     for (int i = 0; i < p_samples; ++i) {
         vec2 tap_px = image_px + radius_px * (turn * k_disc[i].xy);
-        LineSample line = line_sample(image_px, tap_px, position, vec3(0.0, 0.0, 1.0), p_radius);
-        float front = sqrt(max(1.0 - dot(line.offset, line.offset), 0.0));
+        LineSample line = line_sample(tap_px, position, vec3(0.0, 0.0, 1.0), p_radius);
+        float front = sqrt(max(1.0 - dot(k_disc[i].xy, k_disc[i].xy), 0.0));
         open += max(front - max(line.surface_z, -front), 0.0);
         whole += front;
     }
