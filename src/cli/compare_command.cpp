@@ -3,6 +3,7 @@
 #include "experiment/gate.h"
 #include "metrics/evaluate.h"
 #include "metrics/metric.h"
+#include "metrics/occlusion_masks.h"
 #include "results/image_file.h"
 
 #include <fmt/format.h>
@@ -44,7 +45,7 @@ Comparison compare(const Options& options) {
     for (const auto pixel : valid.pixels) result.valid_pixels += pixel;
     const MetricInput input{truth.visibility, test.visibility, valid,
                             truth.standard_error.empty() ? nullptr : &truth.standard_error};
-    for (auto& [id, measured] : evaluate(input)) result.metrics[id] = {measured.value, measured.note};
+    result.metrics = evaluate(input);
     result.masks = occlusion_masks(input, options.mask_threshold);
     return result;
 }

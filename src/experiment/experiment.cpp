@@ -7,6 +7,7 @@
 #include "core/threads.h"
 #include "experiment/live_output.h"
 #include "experiment/machine.h"
+#include "experiment/rankings.h"
 #include "experiment/view_run.h"
 
 #include <fmt/format.h>
@@ -125,6 +126,7 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
         }
         results.views.push_back(std::move(outcome.view));
     }
+    results.rankings = rank(results.cells, plan.seed);
     for (const TablePlan& table : plan.tables) {
         TableRecord record{table.definition, {}};
         for (const std::size_t index : table.cell_indices)

@@ -7,9 +7,11 @@
 #include "experiment/experiment.h"
 #include "experiment/image_output.h"
 #include "experiment/own_truth.h"
+#include "experiment/pixel_facts.h"
 #include "experiment/run_modes.h"
 #include "experiment/timing.h"
 #include "experiment/view_description.h"
+#include "metrics/analysis.h"
 #include "metrics/evaluate.h"
 #include "metrics/metric.h"
 #include "metrics/noise.h"
@@ -54,6 +56,7 @@ class Runner {
         outcome_.view.radius_m =
             ranking_radius(run_.plan.radius_m, run_.view, run_.scene, outcome_.view.warnings);
         trace_truth();
+        facts_ = pixel_facts(frame_, truth_);
         draw_gbuffer();
         check_contract();
         write_images();
@@ -172,9 +175,7 @@ class Runner {
         const auto q = static_cast<std::size_t>(
             std::find(truth_.queries.begin(), truth_.queries.end(), query) - truth_.queries.begin());
         const MetricInput input{truth_.visibility[q], test, valid, &truth_.standard_error[q]};
-        MetricMap map;
-        for (auto& [id, measured] : evaluate(input, ids)) map[id] = {measured.value, measured.note};
-        return map;
+        return evaluate(input, ids);
     }
 
     void measure_cell(std::size_t i) {
@@ -200,12 +201,8 @@ class Runner {
             throw internal_error(fmt::format("{} pixels are NaN or infinite", record.nonfinite));
         }
         record.ranked = metrics_against(truth_.queries[0], output.visibility, valid);
-        const OcclusionMasks masks =
-            occlusion_masks({truth_.visibility[0], output.visibility, valid, nullptr}, run_.mask_threshold);
-        if (contract_.valid_count > 0) {
-            record.missing_area = masks.missing_area;
-            record.false_area = masks.false_area;
-        }
+        record.analysis = analyse({truth_.visibility[0], output.visibility, valid, &truth_.standard_error[0]},
+                                  facts_, run_.mask_threshold, run_.seed);
         record.own = metrics_against(cell.own, output.visibility, valid, kUnrankedMetrics);
         if (filtered) {
             std::size_t nonfinite = 0;
@@ -239,6 +236,7 @@ class Runner {
     Truth truth_;
     GBufferImages gbuffer_;
     CameraContract contract_;
+    PixelFacts facts_;
 };
 
 void Runner::write_images() {

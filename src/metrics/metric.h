@@ -40,14 +40,4 @@ const std::vector<Metric>& metrics();
 /// Pixels of `candidate` where both images are finite. `nonfinite` receives how many were dropped for that.
 Mask finite_pixels(const ImageF& truth, const ImageF& test, const Mask& candidate, std::size_t& nonfinite);
 
-/// Where occlusion is missing (test brighter than the truth by more than `threshold`) and where it is false
-/// (darker).
-struct OcclusionMasks {
-    Mask missing;
-    Mask false_occlusion;
-    double missing_area = 0;  ///< fraction of valid pixels
-    double false_area = 0;
-};
-OcclusionMasks occlusion_masks(const MetricInput& input, double threshold = 0.1);
-
 }  // namespace aoscore

@@ -2,7 +2,6 @@
 
 #include "core/error.h"
 #include "core/threads.h"
-#include "metrics/metric.h"
 #include "report/thumbnail.h"
 #include "results/image_file.h"
 
@@ -131,8 +130,8 @@ ViewPictures view_pictures(const ViewRecord& view, const Truth& truth, const Enc
     return pictures;
 }
 
-CellPictures cell_pictures(const CellRecord& cell, const ViewRecord& view, const Truth& truth,
-                           const Encoding& encoding, const fs::path& folder) {
+CellPictures cell_pictures(const CellRecord& cell, const ViewRecord& view, const Encoding& encoding,
+                           const fs::path& folder) {
     const fs::path path = inside(folder, cell.image_file);
     const ImageFile file = read_image(path);
     const ImageF& output = channel_of(file, path, "Y");
@@ -145,9 +144,6 @@ CellPictures cell_pictures(const CellRecord& cell, const ViewRecord& view, const
         if (encoding.raw) pictures.raw = quantise(*raw, 0, 1, encoding.visibility_levels);
         pictures.raw_thumbnail = gray_thumbnail(*raw, kThumbnailWidth_px);
     }
-    std::size_t nonfinite = 0;
-    const Mask valid = finite_pixels(truth.visibility, output, truth.valid, nonfinite);
-    pictures.blocks = block_errors(truth.visibility, output, valid);
     return pictures;
 }
 
@@ -164,7 +160,7 @@ Pictures make_pictures(const Results& results, const fs::path& folder, bool ever
         for (const CellRecord& cell : results.cells) {
             if (cell.view_key != view.key || !cell.error.empty()) continue;
             CellPictures& of_cell = pictures.cells[cell.id];
-            jobs.emplace_back([&] { of_cell = cell_pictures(cell, view, truth, encoding, folder); });
+            jobs.emplace_back([&] { of_cell = cell_pictures(cell, view, encoding, folder); });
         }
         parallel_for(jobs.size(), [&](std::size_t i) { jobs[i](); });
     }

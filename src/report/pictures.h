@@ -1,6 +1,5 @@
 #pragma once
 
-#include "report/closeness.h"
 #include "report/quantised_image.h"
 #include "results/results.h"
 
@@ -34,7 +33,6 @@ struct CellPictures {
     QuantisedImage output;
     QuantisedImage raw;  ///< before the filter; empty without one, and where the page would become too large
     Picture output_thumbnail, raw_thumbnail;
-    BlockErrors blocks;
 };
 
 struct Pictures {

@@ -38,18 +38,18 @@ std::vector<Column> columns(const PageSource& source) {
                         [id](const CellRecord& cell) { return metric_of(cell, id); },
                         metric.unit.empty() ? 4 : 2});
     }
-    const auto area = [](std::optional<double> CellRecord::*member) {
-        return [member](const CellRecord& cell) {
-            const std::optional<double> share = cell.*member;
-            return MeasuredMetric{share ? std::optional(*share * 100) : std::nullopt, ""};
+    const auto area = [](MaskSummary ErrorAnalysis::*mask) {
+        return [mask](const CellRecord& cell) {
+            if (!cell.analysis) return MeasuredMetric{std::nullopt, ""};
+            return MeasuredMetric{(*cell.analysis.*mask).area * 100, ""};
         };
     };
     const std::string threshold = short_text(source.results.mask_threshold);
     list.push_back({"", "Missing", "%",
                     "Valid pixels brighter than the truth by more than " + threshold + ".",
-                    area(&CellRecord::missing_area), 2});
+                    area(&ErrorAnalysis::missing), 2});
     list.push_back({"", "False", "%", "Valid pixels darker than the truth by more than " + threshold + ".",
-                    area(&CellRecord::false_area), 2});
+                    area(&ErrorAnalysis::false_occlusion), 2});
     list.push_back({"", "Fetches", "a pixel",
                     "Texture reads of the AO pass, counted, mean over valid pixels.",
                     [](const CellRecord& cell) {

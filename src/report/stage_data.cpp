@@ -41,11 +41,14 @@ json images_data(const std::string& owner, const OwnerPictures& pictures) {
 }
 
 json cell_data(const CellRecord& cell, const Pictures& pictures) {
+    const auto area = [&](MaskSummary ErrorAnalysis::*mask) {
+        return percent_text(cell.analysis ? std::optional((*cell.analysis.*mask).area) : std::nullopt);
+    };
     json data = {{"id", cell.id},
                  {"name", fmt::format("{}, {}", cell.method_label, cell.preset)},
                  {"filter", cell.filter},
-                 {"missing", percent_text(cell.missing_area)},
-                 {"false", percent_text(cell.false_area)},
+                 {"missing", area(&ErrorAnalysis::missing)},
+                 {"false", area(&ErrorAnalysis::false_occlusion)},
                  {"images", nullptr}};
     const auto found = pictures.cells.find(cell.id);
     if (found != pictures.cells.end()) data["images"] = images_data(cell.id, found->second);

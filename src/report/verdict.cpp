@@ -58,12 +58,6 @@ std::string cost_clause(const CellRecord& best, const CellRecord& second) {
     return ", at " + costs.front() + (costs.size() > 1 ? " and " + costs.back() : "");
 }
 
-bool is_tie(const PageSource& source, const CellRecord& a, const CellRecord& b) {
-    const auto of_a = source.pictures.cells.find(a.id), of_b = source.pictures.cells.find(b.id);
-    if (of_a == source.pictures.cells.end() || of_b == source.pictures.cells.end()) return false;
-    return mse_difference(of_a->second.blocks, of_b->second.blocks, source.results.seed).holds_zero();
-}
-
 Outcome judge(const PageSource& source, const Comparison& comparison) {
     const std::string metric = ranking_metric(comparison.cells);
     const std::string metric_label = metric == "rmse_debiased" ? "debiased RMSE" : "RMSE";
@@ -85,7 +79,7 @@ Outcome judge(const PageSource& source, const Comparison& comparison) {
     }
     const CellRecord& second = *ranked[1];
     const double second_error = *ranked_value(second, metric);
-    if (is_tie(source, best, second)) {
+    if (are_tied(source.results, best, second)) {
         return {
             fmt::format("On {} {} and {} tie: {} {} and {}, a difference that resampled parts of the picture "
                         "turn round{}.",

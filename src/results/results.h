@@ -1,5 +1,8 @@
 #pragma once
 
+#include "metrics/analysis.h"
+#include "metrics/metric.h"
+
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
@@ -15,10 +18,7 @@ namespace aoscore {
 /// beside it as EXR files; paths in it are relative to that folder. Numbers that could not be had are empty,
 /// never NaN.
 
-struct MeasuredMetric {
-    std::optional<double> value;
-    std::string note;
-};
+using MeasuredMetric = MetricValue;
 using MetricMap = std::map<std::string, MeasuredMetric>;  ///< by metric id
 
 /// Milliseconds of repeated runs after warm-up.
@@ -86,15 +86,35 @@ struct CellRecord {
     std::optional<double> frame_ms;           ///< G-buffer + AO + filter, medians added
     std::optional<double> fetches_per_pixel;  ///< of the AO pass, mean over valid pixels
     std::size_t nonfinite = 0;
-    std::optional<double>
-        missing_area;                  ///< share of valid pixels brighter than the truth beyond the threshold
-    std::optional<double> false_area;  ///< share of valid pixels darker than it
     std::string ranked_truth = "ranked";
-    std::string own_truth;   ///< id in the view's truths
-    MetricMap ranked;        ///< against the ranking's truth
-    MetricMap own;           ///< against the method's own radius and falloff
-    MetricMap raw;           ///< ranked metrics of the unfiltered output; empty without a filter
-    std::string image_file;  ///< EXR: Y (output), raw.Y (before the filter)
+    std::string own_truth;  ///< id in the view's truths
+    MetricMap ranked;       ///< against the ranking's truth
+    MetricMap own;          ///< against the method's own radius and falloff
+    MetricMap raw;          ///< ranked metrics of the unfiltered output; empty without a filter
+    std::optional<ErrorAnalysis> analysis;  ///< against the ranking's truth; empty for a failed cell
+    std::string image_file;                 ///< EXR: Y (output), raw.Y (before the filter)
+};
+
+/// One method in a ranking.
+struct PlaceRecord {
+    std::string method;
+    std::string method_label;
+    std::string filter;
+    std::vector<std::string> cell_ids;  ///< one for each of the ranking's views
+    double value = 0;                   ///< the ranking's metric; of several views the mean
+    Interval interval;                  ///< of it, 95 % confidence
+    /// 1 and how many others are surely closer to the truth: their difference's 95 % interval is below 0.
+    int rank = 1;
+    std::vector<std::size_t> ties;  ///< places of this ranking neither surely closer nor surely farther
+    Interval behind_best;           ///< of value - the first place's value, paired; 0 for the first place
+};
+
+/// Cells that can be compared fairly: of one preset, on one view or on the same several ones.
+struct RankingRecord {
+    std::vector<std::string> view_keys;
+    std::string preset;
+    std::string metric;               ///< "rmse_debiased", or "rmse" where one of them lacks it
+    std::vector<PlaceRecord> places;  ///< by value, closest first; cells that failed are left out
 };
 
 /// A published table rebuilt: the definition (reports/<id>.json) and which cell stands for each of its rows.
@@ -104,7 +124,7 @@ struct TableRecord {
 };
 
 struct Results {
-    static constexpr int kSchemaVersion = 1;
+    static constexpr int kSchemaVersion = 2;
     std::string program_version;
     std::string created_utc;  ///< 2026-11-22T02:11:47Z
     std::string command;      ///< that makes it again
@@ -118,6 +138,8 @@ struct Results {
     double peak_memory_mib = 0;
     std::vector<ViewRecord> views;
     std::vector<CellRecord> cells;
+    std::vector<RankingRecord>
+        rankings;  ///< one for each view and preset, then one over views for each preset
     std::vector<TableRecord> tables;
     std::vector<std::string> warnings;
 };

@@ -1,16 +1,11 @@
 #pragma once
 
+#include "results/analysis_members.h"
 #include "results/results.h"
-
-#include <concepts>
-#include <type_traits>
 
 /// The members of every record of results.json, by key: the one list that both writing and reading go
 /// through, so that neither can forget one. `visit(key, member)` is called for each; `Record` may be const.
 namespace aoscore {
-
-template <class Record, class Of>
-concept RecordOf = std::same_as<std::remove_const_t<Record>, Of>;
 
 template <class Visit, RecordOf<MeasuredMetric> Record>
 void visit_members(Visit& visit, Record& metric) {
@@ -89,14 +84,34 @@ void visit_members(Visit& visit, Record& cell) {
     visit("frame_ms", cell.frame_ms);
     visit("fetches_per_pixel", cell.fetches_per_pixel);
     visit("nonfinite", cell.nonfinite);
-    visit("missing_area", cell.missing_area);
-    visit("false_area", cell.false_area);
     visit("ranked_truth", cell.ranked_truth);
     visit("own_truth", cell.own_truth);
     visit("ranked", cell.ranked);
     visit("own", cell.own);
     visit("raw", cell.raw);
+    visit("analysis", cell.analysis);
     visit("image_file", cell.image_file);
+}
+
+template <class Visit, RecordOf<PlaceRecord> Record>
+void visit_members(Visit& visit, Record& record) {
+    visit("method", record.method);
+    visit("method_label", record.method_label);
+    visit("filter", record.filter);
+    visit("cell_ids", record.cell_ids);
+    visit("value", record.value);
+    visit("interval", record.interval);
+    visit("rank", record.rank);
+    visit("ties", record.ties);
+    visit("behind_best", record.behind_best);
+}
+
+template <class Visit, RecordOf<RankingRecord> Record>
+void visit_members(Visit& visit, Record& record) {
+    visit("view_keys", record.view_keys);
+    visit("preset", record.preset);
+    visit("metric", record.metric);
+    visit("places", record.places);
 }
 
 template <class Visit, RecordOf<TableRecord> Record>
@@ -120,6 +135,7 @@ void visit_members(Visit& visit, Record& results) {
     visit("peak_memory_mib", results.peak_memory_mib);
     visit("views", results.views);
     visit("cells", results.cells);
+    visit("rankings", results.rankings);
     visit("tables", results.tables);
     visit("warnings", results.warnings);
 }

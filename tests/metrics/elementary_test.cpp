@@ -1,5 +1,6 @@
 #include "metrics/evaluate.h"
 #include "metrics/noise.h"
+#include "metrics/occlusion_masks.h"
 #include "pictures.h"
 
 #include <gmock/gmock.h>

@@ -4,6 +4,7 @@
 #include "core/strict_json.h"
 #include "results/image_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -80,6 +81,23 @@ MetricMap metric_map(double rmse, double bias) {
     return map;
 }
 
+ImageF truth_image() {
+    ImageF image(kWidth, kHeight);
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            const float to_column = std::abs(static_cast<float>(x % 48) - 24.0F) / 24.0F;
+            const float to_floor = static_cast<float>(kHeight - y) / kHeight;
+            image.at(x, y) = 0.3F + 0.6F * std::min(1.0F, to_column + 0.5F * to_floor);
+        }
+    }
+    return image;
+}
+
+ImageF shifted(ImageF image, float shift) {
+    for (float& value : image.pixels) value = std::min(1.0F, std::max(0.0F, value + shift));
+    return image;
+}
+
 CellRecord cell_record(const std::string& view, const MethodFacts& facts, const std::string& preset) {
     CellRecord cell;
     cell.view_key = "atrium/" + view;
@@ -97,8 +115,9 @@ CellRecord cell_record(const std::string& view, const MethodFacts& facts, const 
     cell.ao = {{facts.ao_ms - 1, facts.ao_ms, facts.ao_ms + 2}, facts.ao_ms, 1.0};
     if (cell.filter != "none") cell.blur = {{5, 5.5, 6}, 5.5, 0.5};
     cell.frame_ms = 11 + facts.ao_ms + cell.blur.median_ms.value_or(0);
-    cell.missing_area = 0.25;
-    cell.false_area = 0.125;
+    const ImageF truth = truth_image(), error(kWidth, kHeight, 0.02F);
+    cell.analysis = analyse({truth, shifted(truth, facts.shift), Mask(kWidth, kHeight, 1), &error}, {},
+                            kMaskThreshold, 1);
     cell.fetches_per_pixel = facts.fetches;
     cell.ranked = metric_map(facts.rmse, facts.shift);
     cell.own = metric_map(facts.rmse / 2, facts.shift / 2);
@@ -107,16 +126,38 @@ CellRecord cell_record(const std::string& view, const MethodFacts& facts, const 
     return cell;
 }
 
-ImageF truth_image() {
-    ImageF image(kWidth, kHeight);
-    for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x) {
-            const float to_column = std::abs(static_cast<float>(x % 48) - 24.0F) / 24.0F;
-            const float to_floor = static_cast<float>(kHeight - y) / kHeight;
-            image.at(x, y) = 0.3F + 0.6F * std::min(1.0F, to_column + 0.5F * to_floor);
+/// By view and preset, without ties.
+std::vector<RankingRecord> rankings_of(const std::vector<CellRecord>& cells) {
+    std::vector<RankingRecord> rankings;
+    for (const CellRecord& cell : cells) {
+        if (!cell.analysis) continue;
+        auto found = std::ranges::find_if(rankings, [&](const RankingRecord& r) {
+            return r.view_keys.front() == cell.view_key && r.preset == cell.preset;
+        });
+        if (found == rankings.end()) {
+            found = rankings.insert(rankings.end(), {{cell.view_key}, cell.preset, "rmse_debiased", {}});
+        }
+        const double value = *cell.ranked.at("rmse_debiased").value;
+        found->places.push_back({cell.method,
+                                 cell.method_label,
+                                 cell.filter,
+                                 {cell.id},
+                                 value,
+                                 {value - 0.002, value + 0.002},
+                                 1,
+                                 {},
+                                 {}});
+    }
+    for (RankingRecord& ranking : rankings) {
+        std::ranges::sort(ranking.places, {}, &PlaceRecord::value);
+        for (std::size_t i = 0; i < ranking.places.size(); ++i) {
+            PlaceRecord& place = ranking.places[i];
+            place.rank = static_cast<int>(i) + 1;
+            const double behind = place.value - ranking.places.front().value;
+            if (i > 0) place.behind_best = {behind - 0.001, behind + 0.001};
         }
     }
-    return image;
+    return rankings;
 }
 
 }  // namespace
@@ -140,6 +181,7 @@ Results synthetic_results() {
         results.cells.push_back(cell_record("wide", facts, "quality"));
         results.cells.push_back(cell_record("close", facts, "performance-close"));
     }
+    results.rankings = rankings_of(results.cells);
     for (const char* id : {"hussain-table-3", "hussain-table-4", "hussain-table-5"}) {
         TableRecord table;
         table.definition = parse_json_file(home_dir() / "reports" / (std::string(id) + ".json"));
@@ -168,11 +210,10 @@ void write_synthetic(const Results& results, const std::filesystem::path& folder
     std::mt19937 random(5);
     for (const CellRecord& cell : results.cells) {
         if (cell.image_file.empty()) continue;
-        ImageF output = truth, raw = truth;
-        const float shift = facts_of(cell.method).shift;
+        const ImageF output = shifted(truth, facts_of(cell.method).shift);
+        ImageF raw = truth;
         for (std::size_t i = 0; i < output.size(); ++i) {
             const float noise = static_cast<float>(random() % 1000) / 10000.0F - 0.05F;
-            output.pixels[i] = std::min(1.0F, std::max(0.0F, truth.pixels[i] + shift));
             raw.pixels[i] = std::min(1.0F, std::max(0.0F, output.pixels[i] + noise));
         }
         std::vector<ChannelView> channels = {{"Y", &output}};

@@ -94,15 +94,15 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     cell.blur = {{}, std::nullopt, std::nullopt};
     cell.frame_ms = 3.25;
     cell.nonfinite = 7;
-    cell.missing_area = 0.125;
-    cell.false_area = 0.25;
+    cell.analysis.emplace().missing.area = 0.125;
     cell.own_truth = "quadratic-1";
     cell.ranked = {{"psnr", {std::nullopt, "the images are identical"}}, {"rmse", {0.0, ""}}};
     cell.image_file = "c.exr";
     results.cells = {cell};
     const CellRecord back = results_from_json(to_json(results), "results.json").cells.at(0);
     const auto& [id, view_key, method, method_label, preset, filter, parameters, error, ao, blur, frame_ms,
-                 fetches_per_pixel, nonfinite, missing_area, false_area, ranked_truth, own_truth, ranked, own, raw, image_file] = back;
+                 fetches_per_pixel, nonfinite, ranked_truth, own_truth, ranked, own, raw, analysis,
+                 image_file] = back;
     EXPECT_EQ(std::tie(id, view_key, method, method_label, preset, filter, parameters, error),
               std::tie(cell.id, cell.view_key, cell.method, cell.method_label, cell.preset, cell.filter,
                        cell.parameters, cell.error));
@@ -114,8 +114,8 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     EXPECT_EQ(frame_ms, 3.25);
     EXPECT_EQ(fetches_per_pixel, std::nullopt);
     EXPECT_EQ(nonfinite, 7U);
-    EXPECT_EQ(missing_area, 0.125);
-    EXPECT_EQ(false_area, 0.25);
+    ASSERT_TRUE(analysis);
+    EXPECT_EQ(analysis->missing.area, 0.125);
     EXPECT_EQ(ranked_truth, "ranked");
     EXPECT_EQ(own_truth, cell.own_truth);
     EXPECT_EQ(ranked.at("psnr").value, std::nullopt);
@@ -157,9 +157,21 @@ constexpr int declared() {
 TEST(Results, ListOfMembersForgetsNone) {
     EXPECT_EQ(listed<MeasuredMetric>(), declared<MeasuredMetric>());
     EXPECT_EQ(listed<Timing>(), declared<Timing>());
+    EXPECT_EQ(listed<Interval>(), declared<Interval>());
+    EXPECT_EQ(listed<BestFit>(), declared<BestFit>());
+    EXPECT_EQ(listed<CauseShare>(), declared<CauseShare>());
+    EXPECT_EQ(listed<MaskSummary>(), declared<MaskSummary>());
+    EXPECT_EQ(listed<ErrorRegion>(), declared<ErrorRegion>());
+    EXPECT_EQ(listed<SplitBin>(), declared<SplitBin>());
+    EXPECT_EQ(listed<Split>(), declared<Split>());
+    EXPECT_EQ(listed<ErrorDistribution>(), declared<ErrorDistribution>());
+    EXPECT_EQ(listed<BlockErrors>(), declared<BlockErrors>());
+    EXPECT_EQ(listed<ErrorAnalysis>(), declared<ErrorAnalysis>());
     EXPECT_EQ(listed<TruthRecord>(), declared<TruthRecord>());
     EXPECT_EQ(listed<ViewRecord>(), declared<ViewRecord>());
     EXPECT_EQ(listed<CellRecord>(), declared<CellRecord>());
+    EXPECT_EQ(listed<PlaceRecord>(), declared<PlaceRecord>());
+    EXPECT_EQ(listed<RankingRecord>(), declared<RankingRecord>());
     EXPECT_EQ(listed<TableRecord>(), declared<TableRecord>());
     EXPECT_EQ(listed<Results>(), declared<Results>());
 }
@@ -187,7 +199,7 @@ TEST(Results, AnotherSchemaVersionIsRefused) {
     EXPECT_EQ(object.at("schema_version"), Results::kSchemaVersion);
     object["schema_version"] = Results::kSchemaVersion + 1;
     object["from_the_future"] = 1;
-    EXPECT_THAT(refusal(object), HasSubstr("results.json.schema_version: is 2"));
+    EXPECT_THAT(refusal(object), HasSubstr("results.json.schema_version: is 3"));
     object.erase("schema_version");
     EXPECT_THAT(refusal(object), HasSubstr("schema_version: is missing"));
 }

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "metrics/pixel_facts.h"
+#include "reference/truth.h"
+#include "scene/camera.h"
+
+namespace aoscore {
+
+/// What a traced truth says of its pixels: depth, tilt, distance from depth edges, and causes where they were
+/// asked for. A depth edge runs between two neighbouring pixels (of four) of which one has no surface, or
+/// that lie off both of their tangent planes by more than two pixels' footprints: a crease or a slope is
+/// none. Both of its pixels are at distance 0. The causes point into `truth`, which has to outlive them.
+PixelFacts pixel_facts(const CameraFrame& frame, const Truth& truth);
+
+/// The name of a cause, as results use it: "outside", "hidden", "grazing", "visible".
+const char* cause_name(Cause cause);
+
+}  // namespace aoscore

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "metrics/best_fit.h"
+#include "metrics/block_errors.h"
+#include "metrics/bootstrap.h"
+#include "metrics/error_distribution.h"
+#include "metrics/occlusion_masks.h"
+#include "metrics/pixel_facts.h"
+#include "metrics/regions.h"
+#include "metrics/splits.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace aoscore {
+
+/// Where and how a test image is wrong, beside how much (the metrics).
+struct ErrorAnalysis {
+    std::map<std::string, Interval> intervals;  ///< 95 % confidence, by metric id; see confidence_intervals()
+    BestFit fit;                                ///< strength and exponent that would suit it best
+    MaskSummary missing;                        ///< brighter than the truth beyond threshold and noise
+    MaskSummary false_occlusion;                ///< darker
+    std::vector<ErrorRegion> regions;           ///< worst connected pieces of both masks
+    std::vector<Split> splits;                  ///< error by property of the pixel
+    ErrorDistribution distribution;
+    BlockErrors blocks;  ///< what the intervals are made of; pairs with those of other tests of the truth
+};
+
+/// `mask_threshold` in visibility; `seed` of the resampling. Empty without a valid pixel or where a valid one
+/// is NaN or infinite. Throws sizes_differ.
+std::optional<ErrorAnalysis> analyse(const MetricInput& input, const PixelFacts& facts, double mask_threshold,
+                                     std::uint64_t seed);
+
+}  // namespace aoscore

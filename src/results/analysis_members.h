@@ -1,0 +1,110 @@
+#pragma once
+
+#include "metrics/analysis.h"
+
+#include <concepts>
+#include <type_traits>
+
+/// The members of the records of an analysis, by key; see results_members.h.
+namespace aoscore {
+
+template <class Record, class Of>
+concept RecordOf = std::same_as<std::remove_const_t<Record>, Of>;
+
+template <class Visit, RecordOf<Interval> Record>
+void visit_members(Visit& visit, Record& record) {
+    visit("low", record.low);
+    visit("high", record.high);
+}
+
+template <class Visit, RecordOf<BestFit> Record>
+void visit_members(Visit& visit, Record& record) {
+    visit("strength", record.strength);
+    visit("exponent", record.exponent);
+    visit("rmse", record.rmse);
+    visit("rmse_debiased", record.rmse_debiased);
+    visit("bias", record.bias);
+}
+
+template <class Visit, RecordOf<CauseShare> Record>
+void visit_members(Visit& visit, Record& record) {
+    visit("cause", record.cause);
+    visit("area", record.area);
+    visit("mean", record.mean);
+}
+
+template <class Visit, RecordOf<MaskSummary> Record>
+void visit_members(Visit& visit, Record& record) {
+    visit("area", record.area);
+    visit("mean", record.mean);
+    visit("causes", record.causes);
+}
+
+template <class Visit, RecordOf<ErrorRegion> Record>
+void visit_members(Visit& visit, Record& record) {
+    visit("kind", record.kind);
+    visit("left", record.left);
+    visit("top", record.top);
+    visit("width", record.width);
+    visit("height", record.height);
+    visit("worst_x", record.worst_x);
+    visit("worst_y", record.worst_y);
+    visit("worst_error", record.worst_error);
+    visit("area_px", record.area_px);
+    visit("mean_error", record.mean_error);
+    visit("cause", record.cause);
+}
+
+template <class Visit, RecordOf<SplitBin> Record>
+void visit_members(Visit& visit, Record& record) {
+    visit("label", record.label);
+    visit("share", record.share);
+    visit("error_share", record.error_share);
+    visit("rmse", record.rmse);
+    visit("bias", record.bias);
+    visit("noise_rmse", record.noise_rmse);
+}
+
+template <class Visit, RecordOf<Split> Record>
+void visit_members(Visit& visit, Record& record) {
+    visit("id", record.id);
+    visit("label", record.label);
+    visit("unit", record.unit);
+    visit("meaning", record.meaning);
+    visit("bins", record.bins);
+}
+
+template <class Visit, RecordOf<ErrorDistribution> Record>
+void visit_members(Visit& visit, Record& record) {
+    visit("histogram_low", record.histogram_low);
+    visit("histogram_high", record.histogram_high);
+    visit("histogram", record.histogram);
+    visit("cumulative_step", record.cumulative_step);
+    visit("cumulative", record.cumulative);
+}
+
+template <class Visit, RecordOf<BlockErrors> Record>
+void visit_members(Visit& visit, Record& record) {
+    visit("side_px", record.side_px);
+    visit("across", record.across);
+    visit("down", record.down);
+    visit("counts", record.counts);
+    visit("squared_sums", record.squared_sums);
+    visit("absolute_sums", record.absolute_sums);
+    visit("signed_sums", record.signed_sums);
+    visit("variance_sums", record.variance_sums);
+}
+
+template <class Visit, RecordOf<ErrorAnalysis> Record>
+void visit_members(Visit& visit, Record& record) {
+    visit("intervals", record.intervals);
+    visit("fit", record.fit);
+    visit("missing", record.missing);
+    visit("false_occlusion", record.false_occlusion);
+    visit("regions", record.regions);
+    visit("splits", record.splits);
+    visit("distribution", record.distribution);
+    visit("blocks", record.blocks);
+}
+
+}  // namespace aoscore
