@@ -32,6 +32,7 @@ namespace section {
 nlohmann::json verdict(const PageSource& source);
 nlohmann::json ranking(const PageSource& source);
 nlohmann::json pictures(const PageSource& source);
+nlohmann::json cost(const PageSource& source);
 nlohmann::json published(const PageSource& source);
 nlohmann::json measurement(const PageSource& source);
 }  // namespace section
@@ -42,6 +43,8 @@ const CellRecord* find_cell(const Results& results, const std::string& id);
 const ViewRecord& find_view(const Results& results, const std::string& key);
 /// The view's truth of that id; null when there is none.
 const TruthRecord* find_truth(const ViewRecord& view, const std::string& id);
+/// What a method costs beside the G-buffer that all of them need: AO pass and filter, ms.
+std::optional<double> cost_ms(const CellRecord& cell);
 /// "binary, 0.5 m", "alchemy, u 0.128 m, infinite".
 std::string truth_text(const TruthRecord& truth);
 

@@ -13,6 +13,7 @@ const std::vector<Section>& sections() {
         {"verdict", "Verdict", section::verdict},
         {"ranking", "Ranking", section::ranking},
         {"pictures", "Pictures", section::pictures},
+        {"cost", "Run time against error", section::cost},
         {"published", "Published tables beside ours", section::published},
         {"measurement", "How it was measured", section::measurement},
     };
@@ -36,6 +37,11 @@ const TruthRecord* find_truth(const ViewRecord& view, const std::string& id) {
     const auto found = std::find_if(view.truths.begin(), view.truths.end(),
                                     [&](const TruthRecord& truth) { return truth.id == id; });
     return found == view.truths.end() ? nullptr : &*found;
+}
+
+std::optional<double> cost_ms(const CellRecord& cell) {
+    if (!cell.ao.median_ms) return std::nullopt;
+    return *cell.ao.median_ms + cell.blur.median_ms.value_or(0);
 }
 
 std::string truth_text(const TruthRecord& truth) {

@@ -39,12 +39,6 @@ std::vector<Comparison> comparisons(const Results& results) {
     return list;
 }
 
-/// What a method costs beside the G-buffer that all of them need.
-std::optional<double> cost_ms(const CellRecord& cell) {
-    if (!cell.ao.median_ms) return std::nullopt;
-    return *cell.ao.median_ms + cell.blur.median_ms.value_or(0);
-}
-
 std::string cost_clause(const CellRecord& best, const CellRecord& second) {
     std::vector<std::string> costs;
     if (const auto times = ratio(cost_ms(best), cost_ms(second))) {

@@ -13,13 +13,13 @@ class Pane {
     this.top = null;
   }
 
-  // `top`, where there is one, lies over the base as the mode says.
-  async show(base, top) {
+  // `top`, where there is one, lies over the base as the mode says. A brief caption leaves out what others say already.
+  async show(base, top, brief = false) {
     const turn = ++this.showing;
     this.element.dataset.layer = base.key;
     this.canvas.setAttribute('aria-label', top ? `${base.title}, with ${top.title} over it` : base.title);
     this.canvas.style.aspectRatio = `${base.width} / ${base.height}`;
-    fillCaption(this.caption, base, top);
+    fillCaption(this.caption, base, top, brief);
     this.element.setAttribute('aria-busy', 'true');
     const painted = await Promise.all([paintedLayer(base), top && paintedLayer(top)]);
     if (turn !== this.showing) return;
@@ -119,12 +119,14 @@ function colourBar({ map, ticks, unit }) {
     make('span', 'quiet', unit));
 }
 
-function fillCaption(caption, base, top) {
+function fillCaption(caption, base, top, brief) {
   const keys = base.keys.map(({ colour, text }) => {
     const swatch = make('span', 'swatch');
     swatch.style.background = cssColour(colour);
     return make('span', 'key', swatch, text);
   });
-  const title = top ? [make('strong', '', top.title), ' over ', make('strong', '', base.title)] : [make('strong', '', base.title)];
-  caption.replaceChildren(...title, ' ', make('span', 'sentence', base.text), ...base.bars.map(colourBar), ...keys);
+  const title = make('strong', '', base.title);
+  caption.replaceChildren(...(top ? [make('strong', '', top.title), ' over ', title] : [title]));
+  if (!brief) caption.append(' ', make('span', 'sentence', base.text), ...base.bars.map(colourBar));
+  caption.append(make('span', 'keys', ...(brief ? [] : keys)));
 }

@@ -97,7 +97,7 @@ class Stage {
       this.panesBox.append(pane.element);
     }
     this.panesBox.dataset.panes = String(layers.length);
-    layers.forEach(([base, top], i) => this.panes[i].show(base, top));
+    layers.forEach(([base, top], i) => this.panes[i].show(base, top, i > 1));
     this.blink.set(choice.mode === 'blink' && !this.held ? 1000 / choice.rate : 0);
     this.inspector.show(this.view, this.pixel);
     for (const listener of this.listeners) listener(choice);

@@ -1,0 +1,42 @@
+// Charts are uPlot's. What all of them share: the width of their place, the page's colours in both schemes, and series that
+// differ by dash as well as by hue (Okabe, Ito, Color Universal Design, 2008).
+const seriesHues = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#8a6d3b'];
+const seriesDashes = [[], [7, 4], [2, 3], [10, 3, 2, 3]];
+
+function pageColour(name) {
+  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+}
+
+function seriesLook(i) {
+  return { stroke: seriesHues[i % seriesHues.length], width: 2,
+    dash: seriesDashes[Math.floor(i / seriesHues.length) % seriesDashes.length] };
+}
+
+function chartAxis(label, more = {}) {
+  const line = { stroke: pageColour('line'), width: 1 };
+  return { label, stroke: pageColour('ink'), grid: line, ticks: line, font: '13px system-ui, sans-serif',
+    labelFont: '13px system-ui, sans-serif', labelSize: 22, ...more };
+}
+
+// `options()` is asked anew when the colour scheme changes. Charts are made when they come near the window.
+function showChart(element, options, data) {
+  let chart = null;
+  const size = () => ({ width: element.clientWidth, height: Math.round(Math.min(420, Math.max(260, element.clientWidth * 0.5))) });
+  const build = () => {
+    chart?.destroy();
+    chart = new uPlot({ ...size(), ...options() }, data, element);
+  };
+  const seen = new IntersectionObserver((entries) => {
+    if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
+    seen.disconnect();
+    build();
+    new ResizeObserver(() => { if (chart.width !== element.clientWidth) chart.setSize(size()); }).observe(element);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', build);
+  }, { rootMargin: '400px' });
+  seen.observe(element);
+}
+
+// The JSON that a section put after the chart's place.
+function chartData(element) {
+  return JSON.parse(element.parentElement.querySelector('script[type="application/json"]').textContent);
+}

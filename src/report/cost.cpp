@@ -1,0 +1,83 @@
+#include "report/closeness.h"
+#include "report/number_text.h"
+#include "report/page_template.h"
+#include "report/section.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace aoscore {
+namespace {
+
+using nlohmann::json;
+
+/// A cell that has both a cost and an error.
+struct Point {
+    const CellRecord* cell;
+    double ms, error;
+    bool front = false;
+};
+
+std::vector<Point> points_of(const Results& results, const ViewRecord& view, const std::string& metric) {
+    std::vector<Point> points;
+    for (const CellRecord& cell : results.cells) {
+        const auto ms = cost_ms(cell);
+        const auto error = ranked_value(cell, metric);
+        if (cell.view_key == view.key && ms && error) points.push_back({&cell, *ms, *error});
+    }
+    std::stable_sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
+        return a.ms < b.ms || (a.ms == b.ms && a.error < b.error);
+    });
+    double least = std::numeric_limits<double>::infinity();
+    for (Point& point : points) {
+        point.front = point.error < least;
+        least = std::min(least, point.error);
+    }
+    return points;
+}
+
+json chart_data(const std::vector<Point>& points) {
+    json list = json::array();
+    for (const Point& point : points) {
+        const double spread = point.cell->ao.spread_ms.value_or(0) + point.cell->blur.spread_ms.value_or(0);
+        list.push_back({{"label", point.cell->method_label},
+                        {"preset", point.cell->preset},
+                        {"cell", point.cell->id},
+                        {"ms", point.ms},
+                        {"spread", spread},
+                        {"error", point.error},
+                        {"front", point.front}});
+    }
+    return list;
+}
+
+}  // namespace
+
+nlohmann::json section::cost(const PageSource& source) {
+    json model = {{"charts", json::array()}};
+    for (const ViewRecord& view : source.results.views) {
+        std::vector<const CellRecord*> cells;
+        for (const CellRecord& cell : source.results.cells) {
+            if (cell.view_key == view.key) cells.push_back(&cell);
+        }
+        const std::string metric = ranking_metric(cells);
+        const std::vector<Point> points = points_of(source.results, view, metric);
+        if (points.empty()) continue;
+        json front = json::array();
+        for (const Point& point : points) {
+            if (!point.front) continue;
+            front.push_back({{"method", point.cell->method_label},
+                             {"preset", point.cell->preset},
+                             {"ms", fixed_text(point.ms, 2)},
+                             {"error", fixed_text(point.error, 4)}});
+        }
+        model["charts"].push_back({{"view", view.key},
+                                   {"metric", metric == "rmse_debiased" ? "debiased RMSE" : "RMSE"},
+                                   {"data", script_json(chart_data(points))},
+                                   {"front", std::move(front)}});
+    }
+    model["has_charts"] = !model["charts"].empty();
+    return model;
+}
+
+}  // namespace aoscore
