@@ -18,6 +18,7 @@ struct Options {
     std::vector<double> radii;
     TruthEffort effort;
     bool shading_normals = false;
+    TruthExtras extras;
     std::filesystem::path out;
 };
 
@@ -37,6 +38,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     settings.max_error = options.effort.max_error;
     settings.seed = global.seed;
     settings.shading_normals = options.shading_normals;
+    settings.extras = options.extras;
     const Truth truth =
         ReferenceScene(scene).trace(frame, queries, settings, fmt::format("truth {}/{}", scene.id, view.id));
     write_truth(options.out, truth, truth.hits.surface,
@@ -63,6 +65,7 @@ CommandEntry add_reference_command(CLI::App& program, const GlobalOptions& globa
     add_radii_option(*app, options->radii);
     add_truth_options(*app, options->effort);
     app->add_flag("--shading-normals", options->shading_normals, "Hemisphere about the smooth normal");
+    add_extras_options(*app, options->extras);
     app->add_option("--out", options->out, "EXR file to write")->required();
     return {app, [options, &global] { return run(*options, global); }};
 }

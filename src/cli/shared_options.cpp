@@ -68,6 +68,18 @@ void add_truth_options(CLI::App& app, TruthEffort& effort) {
         ->check(CLI::Range(1e-4, 0.5));
 }
 
+void add_extras_options(CLI::App& app, TruthExtras& extras) {
+    app.add_flag("--causes", extras.causes,
+                 "Also the occlusion of the first radius by cause: cause.outside.Y, cause.hidden.Y, "
+                 "cause.grazing.Y, cause.visible.Y; they add up to it");
+    app.add_flag(
+        "--one-layer-bound", extras.one_layer_bound,
+        "Also one_layer.Y: the occlusion that a method could find at most which knows one depth layer");
+    app.add_flag("--bent-normals", extras.bent_normals,
+                 "Also bent.X/Y/Z, the mean open direction in view space, and cone.Y, its cone's half angle "
+                 "in radians");
+}
+
 void add_scene_options(CLI::App& app, SceneChoice& choice) {
     app.add_option("scene", choice.scene, "A built-in scene (see list scenes), or a .gltf or .glb file")
         ->required();

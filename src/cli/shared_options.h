@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/log.h"
+#include "reference/truth.h"
 #include "scene/scene.h"
 
 #include <CLI/CLI.hpp>
@@ -29,6 +30,9 @@ struct TruthEffort {
 };
 /// --samples N and --error E.
 void add_truth_options(CLI::App& app, TruthEffort& effort);
+
+/// --causes, --one-layer-bound and --bent-normals.
+void add_extras_options(CLI::App& app, TruthExtras& extras);
 
 /// SCENE as a positional and --view.
 struct SceneChoice {

@@ -25,7 +25,31 @@ ImageF component(const Image<glm::vec3>& image, int axis) {
     return result;
 }
 
+void add_vectors(const Image<glm::vec3>& image, const std::array<const char*, 3>& names,
+                 std::vector<ChannelView>& channels, std::list<ImageF>& planes) {
+    if (image.empty()) return;
+    for (int axis = 0; axis < 3; ++axis) {
+        planes.push_back(component(image, axis));
+        channels.push_back({names[static_cast<std::size_t>(axis)], &planes.back()});
+    }
+}
+
+// What was asked for beside the visibility.
+void add_extras(const Truth& truth, std::vector<ChannelView>& channels, std::list<ImageF>& planes) {
+    for (std::size_t c = 0; c < kCauses; ++c) {
+        const ImageF& occlusion = truth.occlusion_by_cause[c];
+        if (!occlusion.empty()) channels.push_back({cause_channel(c), &occlusion});
+    }
+    if (!truth.one_layer_bound.empty()) channels.push_back({kOneLayerChannel, &truth.one_layer_bound});
+    add_vectors(truth.bent_normal, {"bent.X", "bent.Y", "bent.Z"}, channels, planes);
+    if (!truth.cone_angle_rad.empty()) channels.push_back({"cone.Y", &truth.cone_angle_rad});
+}
+
 }  // namespace
+
+std::string cause_channel(std::size_t cause) {
+    return fmt::format("cause.{}.Y", kCauseIds[cause]);
+}
 
 void write_truth(const std::filesystem::path& path, const Truth& truth, const Mask& valid,
                  std::map<std::string, std::string> attributes) {
@@ -43,6 +67,8 @@ void write_truth(const std::filesystem::path& path, const Truth& truth, const Ma
         if (query.falloff == Falloff::alchemy)
             attributes["aoscore:" + id + ".u_m"] = fmt::format("{}", query.u_m);
     }
+    std::list<ImageF> planes;  // a list: its elements stay where they are
+    add_extras(truth, channels, planes);
     attributes["aoscore:samples"] = fmt::format("{}", truth.samples);
     write_exr(path, channels, attributes);
 }
@@ -55,16 +81,9 @@ void write_gbuffer(const std::filesystem::path& path, const GBufferImages& gbuff
                                       {"depth.Z", &gbuffer.hardware_depth},
                                       {"mask.Y", &mask}};
     std::list<ImageF> planes;  // a list: its elements stay where they are
-    const auto add = [&](const Image<glm::vec3>& image, const std::array<const char*, 3>& names) {
-        if (image.empty()) return;
-        for (int axis = 0; axis < 3; ++axis) {
-            planes.push_back(component(image, axis));
-            channels.push_back({names[static_cast<std::size_t>(axis)], &planes.back()});
-        }
-    };
-    add(gbuffer.normal_geometric, {"N.X", "N.Y", "N.Z"});
-    add(gbuffer.normal_smooth, {"Ns.X", "Ns.Y", "Ns.Z"});
-    add(gbuffer.albedo, {"albedo.R", "albedo.G", "albedo.B"});
+    add_vectors(gbuffer.normal_geometric, {"N.X", "N.Y", "N.Z"}, channels, planes);
+    add_vectors(gbuffer.normal_smooth, {"Ns.X", "Ns.Y", "Ns.Z"}, channels, planes);
+    add_vectors(gbuffer.albedo, {"albedo.R", "albedo.G", "albedo.B"}, channels, planes);
     write_exr(path, channels, attributes);
 }
 

@@ -9,9 +9,16 @@
 
 namespace aoscore {
 
+/// The channel of a truth file that holds the occlusion by Cause number `cause`: "cause.outside.Y".
+std::string cause_channel(std::size_t cause);
+/// The channel that holds Truth::one_layer_bound.
+inline constexpr const char* kOneLayerChannel = "one_layer.Y";
+
 /// A truth as EXR: `Y` and `V0.Y`, `V1.Y`, … the visibility of each query (Y is the first), `SE.Y` and
 /// `SE0.Y`, … the standard errors, `mask.Y` 1 where `valid` says so; radii, falloffs, samples and
-/// `attributes` in the header.
+/// `attributes` in the header. Where they were traced: the first query's occlusion by cause
+/// (cause_channel()), the bound of any one-layer method, `bent.X/Y/Z` the bent normal in view space and
+/// `cone.Y` its cone's half angle in radians.
 void write_truth(const std::filesystem::path& path, const Truth& truth, const Mask& valid,
                  std::map<std::string, std::string> attributes);
 

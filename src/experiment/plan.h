@@ -1,6 +1,7 @@
 #pragma once
 
 #include "experiment/run_modes.h"
+#include "reference/truth.h"
 
 #include <nlohmann/json.hpp>
 
@@ -27,8 +28,10 @@ struct ViewPlan {
     std::string scene;  ///< built-in id or path of a glTF file
     std::string view;   ///< empty: every view of the scene, one after the other
     int width = 1920, height = 1080;
-    double max_error = 0;            ///< 0, or the standard error every truth pixel is traced to
-    int samples = 64;                ///< truth rays a pixel
+    double max_error = 0;  ///< 0, or the standard error every truth pixel is traced to
+    int samples = 64;      ///< truth rays a pixel
+    /// What else the truth is to tell about the ranking's occlusion: by default all that a page shows.
+    TruthExtras extras{.causes = true, .one_layer_bound = true, .bent_normals = false};
     std::optional<double> radius_m;  ///< of the ranking; empty: the view's own, else one automatic
     std::vector<CellPlan> cells;
 };

@@ -6,21 +6,21 @@
 #include "experiment/cell_timing.h"
 #include "experiment/experiment.h"
 #include "experiment/image_output.h"
+#include "experiment/masked_mean.h"
 #include "experiment/own_truth.h"
 #include "experiment/pixel_facts.h"
 #include "experiment/run_modes.h"
 #include "experiment/timing.h"
+#include "experiment/truth_record.h"
 #include "experiment/view_description.h"
 #include "metrics/analysis.h"
 #include "metrics/evaluate.h"
 #include "metrics/metric.h"
-#include "metrics/noise.h"
 #include "results/image_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <span>
 
@@ -33,17 +33,6 @@ const std::vector<std::string> kUnrankedMetrics{"rmse", "rmse_debiased", "mae", 
 std::string file_name(std::string id) {
     std::replace(id.begin(), id.end(), '/', '-');
     return id;
-}
-
-double mean_over(const ImageF& image, const Mask& valid) {
-    double sum = 0;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < image.size(); ++i) {
-        if (valid.pixels[i] == 0) continue;
-        sum += static_cast<double>(image.pixels[i]);
-        ++count;
-    }
-    return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
 class Runner {
@@ -59,6 +48,7 @@ class Runner {
         facts_ = pixel_facts(frame_, truth_);
         draw_gbuffer();
         check_contract();
+        record_truth(truth_, contract_.valid, outcome_.view);
         write_images();
         for (std::size_t i = 0; i < run_.cells.size(); ++i) {
             throw_if_interrupted();
@@ -81,12 +71,9 @@ class Runner {
         settings.samples = run_.plan.samples;
         settings.max_error = run_.plan.max_error;
         settings.seed = run_.seed;
+        settings.extras = run_.plan.extras;
         truth_ = run_.reference.trace(frame_, queries, settings, "truth " + run_.key);
-        outcome_.view.samples = truth_.samples;
         if (run_.plan.max_error > 0) outcome_.view.max_error = run_.plan.max_error;
-        outcome_.view.open_pixels = truth_.open_pixels;
-        outcome_.view.truth_seconds = truth_.seconds;
-        outcome_.view.truth_rays = truth_.rays;
     }
 
     void draw_gbuffer() {
@@ -120,21 +107,6 @@ class Runner {
             const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
             std::nth_element(depths.begin(), middle, depths.end());
             v.radius_px_median = v.radius_m * frame_.pixels_per_metre(static_cast<double>(*middle));
-        }
-        for (std::size_t q = 0; q < truth_.queries.size(); ++q) {
-            const TruthQuery& query = truth_.queries[q];
-            TruthRecord record;
-            record.id = q == 0 ? "ranked" : truth_id(query);
-            record.falloff = falloff_name(query.falloff);
-            if (std::isfinite(query.radius_m)) record.radius_m = query.radius_m;
-            if (query.falloff == Falloff::alchemy) record.u_m = query.u_m;
-            record.channel = fmt::format("V{}.Y", q);
-            record.se_channel = fmt::format("SE{}.Y", q);
-            const NoiseFloor floor =
-                noise_floor(truth_.standard_error[q], contract_.valid).value_or(NoiseFloor{});
-            record.mean_standard_error = floor.mean_standard_error;
-            record.noise_floor_rmse = floor.rmse();
-            v.truths.push_back(std::move(record));
         }
     }
 

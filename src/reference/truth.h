@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace aoscore {
@@ -41,6 +42,8 @@ enum class Cause : std::uint8_t {
     visible,
 };
 inline constexpr std::size_t kCauses = 4;
+/// Their names in files and results, in the order of Cause.
+inline constexpr std::array<std::string_view, kCauses> kCauseIds{"outside", "hidden", "grazing", "visible"};
 
 /// What else to gather from the rays, for the first query.
 struct TruthExtras {

@@ -40,6 +40,25 @@ struct TruthRecord {
     double noise_floor_rmse = 0;     ///< sqrt of the mean variance: the RMSE a perfect method would show
 };
 
+/// The part of the ranking's occlusion that has one cause (see comparison by cause in README.md).
+struct CauseRecord {
+    std::string id;             ///< "outside", "hidden", "grazing", "visible"
+    std::string channel;        ///< of the view's truth file: "cause.outside.Y"
+    double mean_occlusion = 0;  ///< over valid pixels; the causes add up to the mean occlusion
+};
+
+/// What a view's truth did not need to trace, as rays saved against giving every pixel of the picture as many
+/// as the pixel that got most: those savings and ViewRecord::truth_rays add up to width x height x
+/// most_samples.
+struct TruthSavings {
+    std::uint64_t most_samples = 0;     ///< rays of the pixel that got most
+    std::uint64_t background_rays = 0;  ///< saved on pixels without surface
+    std::uint64_t open_rays = 0;        ///< saved on pixels proven open
+    std::uint64_t converged_rays = 0;   ///< saved on pixels that were sure enough earlier
+    std::uint64_t tiles = 0;            ///< of 8x8 pixels
+    std::uint64_t untraced_tiles = 0;   ///< of these, where no pixel needed a ray
+};
+
 struct ViewRecord {
     std::string key;  ///< "atrium/wide": names the view everywhere in this file
     std::string scene;
@@ -63,11 +82,16 @@ struct ViewRecord {
     std::string truth_file;              ///< EXR: V0.Y…, SE0.Y…, mask.Y (1 = valid)
     std::string gbuffer_file;            ///< EXR: Z, N.X…, Ns.X…; empty when not kept
     std::vector<TruthRecord> truths;     ///< the first is the ranking's
-    int samples = 0;                     ///< rays a pixel (the mean where they differ)
-    std::optional<double> max_error;     ///< the standard error that every pixel was traced to
-    std::size_t open_pixels = 0;         ///< proven open without tracing a ray
+    std::vector<CauseRecord> causes;     ///< of the ranking's occlusion; empty where they were not traced
+    std::string one_layer_channel;    ///< of the truth file: what a method that knows one depth layer could
+                                      ///< find of the ranking's occlusion; empty where it was not traced
+    int samples = 0;                  ///< rays a pixel (the mean where they differ)
+    std::optional<double> max_error;  ///< the standard error that every pixel was traced to
+    std::size_t open_pixels = 0;      ///< proven open without tracing a ray
     double truth_seconds = 0;
-    std::uint64_t truth_rays = 0;
+    std::uint64_t truth_rays = 0;       ///< that the truth is made of
+    std::size_t background_pixels = 0;  ///< without surface
+    TruthSavings savings;
     Timing gbuffer;
     std::vector<std::string> warnings;
 };

@@ -32,6 +32,23 @@ void visit_members(Visit& visit, Record& truth) {
     visit("noise_floor_rmse", truth.noise_floor_rmse);
 }
 
+template <class Visit, RecordOf<CauseRecord> Record>
+void visit_members(Visit& visit, Record& cause) {
+    visit("id", cause.id);
+    visit("channel", cause.channel);
+    visit("mean_occlusion", cause.mean_occlusion);
+}
+
+template <class Visit, RecordOf<TruthSavings> Record>
+void visit_members(Visit& visit, Record& savings) {
+    visit("most_samples", savings.most_samples);
+    visit("background_rays", savings.background_rays);
+    visit("open_rays", savings.open_rays);
+    visit("converged_rays", savings.converged_rays);
+    visit("tiles", savings.tiles);
+    visit("untraced_tiles", savings.untraced_tiles);
+}
+
 template <class Visit, RecordOf<ViewRecord> Record>
 void visit_members(Visit& visit, Record& view) {
     visit("key", view.key);
@@ -60,11 +77,15 @@ void visit_members(Visit& visit, Record& view) {
     visit("truth_file", view.truth_file);
     visit("gbuffer_file", view.gbuffer_file);
     visit("truths", view.truths);
+    visit("causes", view.causes);
+    visit("one_layer_channel", view.one_layer_channel);
     visit("samples", view.samples);
     visit("max_error", view.max_error);
     visit("open_pixels", view.open_pixels);
     visit("truth_seconds", view.truth_seconds);
     visit("truth_rays", view.truth_rays);
+    visit("background_pixels", view.background_pixels);
+    visit("savings", view.savings);
     visit("gbuffer", view.gbuffer);
     visit("warnings", view.warnings);
 }
