@@ -1,6 +1,6 @@
-#include "metrics/metric.h"
-#include "report/closeness.h"
+#include "core/error.h"
 #include "report/number_text.h"
+#include "report/ranking_columns.h"
 #include "report/section.h"
 
 #include <fmt/format.h>
@@ -8,119 +8,154 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 
 namespace aoscore {
 namespace {
 
 using nlohmann::json;
-using Cells = std::vector<const CellRecord*>;
 
-/// One column of numbers: its head, how wide its digits run, and where a cell's number comes from.
-struct Column {
-    std::string id;  ///< of the metric; empty for costs and areas
-    std::string label, unit, meaning;
-    std::function<MeasuredMetric(const CellRecord&)> value;
-    std::optional<int> decimals;  ///< empty: as the column's largest number asks
+/// The columns and how many decimals each has over the whole page.
+struct Columns {
+    std::vector<RankingColumn> list;
+    std::vector<int> decimals;
 };
 
-MeasuredMetric metric_of(const CellRecord& cell, const std::string& id) {
-    const auto found = cell.ranked.find(id);
-    return found == cell.ranked.end() ? MeasuredMetric{std::nullopt, "not measured"} : found->second;
-}
-
-std::vector<Column> columns(const PageSource& source) {
-    std::vector<Column> list;
-    for (const Metric& metric : metrics()) {
-        const std::string id(metric.id);
-        list.push_back({id, std::string(metric.label), std::string(metric.unit), std::string(metric.meaning),
-                        [id](const CellRecord& cell) { return metric_of(cell, id); },
-                        metric.unit.empty() ? 4 : 2});
+Columns columns_of(const Results& results) {
+    Columns columns{ranking_columns(results), {}};
+    for (const RankingColumn& column : columns.list) {
+        std::vector<std::optional<double>> values;
+        for (const CellRecord& cell : results.cells) values.push_back(column.value(cell).value);
+        columns.decimals.push_back(column.decimals.value_or(column_decimals(values)));
     }
-    const auto area = [](MaskSummary ErrorAnalysis::*mask) {
-        return [mask](const CellRecord& cell) {
-            if (!cell.analysis) return MeasuredMetric{std::nullopt, ""};
-            return MeasuredMetric{(*cell.analysis.*mask).area * 100, ""};
-        };
+    return columns;
+}
+
+/// Where a value and its interval lie between 0 and the table's largest, for a bar under the number.
+json bar_model(const PlaceRecord& place, double largest) {
+    const auto part = [&](double value) {
+        return fmt::format("{:.2f}%", largest > 0 ? std::clamp(value / largest, 0.0, 1.0) * 100 : 0.0);
     };
-    const std::string threshold = short_text(source.results.mask_threshold);
-    list.push_back({"", "Missing", "%",
-                    "Valid pixels brighter than the truth by more than " + threshold + ".",
-                    area(&ErrorAnalysis::missing), 2});
-    list.push_back({"", "False", "%", "Valid pixels darker than the truth by more than " + threshold + ".",
-                    area(&ErrorAnalysis::false_occlusion), 2});
-    list.push_back({"", "Fetches", "a pixel",
-                    "Texture reads of the AO pass, counted, mean over valid pixels.",
-                    [](const CellRecord& cell) {
-                        return MeasuredMetric{cell.fetches_per_pixel, ""};
-                    },
-                    1});
-    list.push_back({"", "AO", "ms", "Median of the AO pass.",
-                    [](const CellRecord& cell) {
-                        return MeasuredMetric{cell.ao.median_ms, ""};
-                    },
-                    std::nullopt});
-    list.push_back({"", "Filter", "ms", "Median of the filter after it.",
-                    [](const CellRecord& cell) {
-                        return MeasuredMetric{cell.blur.median_ms, ""};
-                    },
-                    std::nullopt});
-    list.push_back({"", "Frame", "ms", "G-buffer, AO pass and filter together.",
-                    [](const CellRecord& cell) {
-                        return MeasuredMetric{cell.frame_ms, ""};
-                    },
-                    std::nullopt});
-    return list;
+    return {{"low", part(place.interval.low)},
+            {"high", part(place.interval.high)},
+            {"at", part(place.value)},
+            {"text", fmt::format("95 % between {} and {}", fixed_text(place.interval.low, 4),
+                                 fixed_text(place.interval.high, 4))}};
 }
 
-json number_model(const Column& column, const CellRecord& cell, int decimals, const std::string& ranking) {
-    const MeasuredMetric measured = column.value(cell);
-    const bool known = measured.value && std::isfinite(*measured.value);
-    return {{"text", fixed_text(measured.value, decimals)},
-            {"sort", known ? fmt::format("{}", *measured.value) : std::string()},
-            {"note", measured.note},
-            {"ranks", column.id == ranking}};
+double largest_of(const RankingRecord& ranking) {
+    double largest = 0;
+    for (const PlaceRecord& place : ranking.places) largest = std::max(largest, place.interval.high);
+    return largest;
 }
 
-json row_model(const std::vector<Column>& list, const std::vector<int>& decimals, const CellRecord& cell,
-               const std::string& rank, const std::string& ranking) {
+/// "2", and with whom it is tied.
+json rank_model(const RankingRecord& ranking, const PlaceRecord& place) {
+    std::vector<std::string> others;
+    for (const std::size_t other : place.ties) others.push_back(ranking.places.at(other).method_label);
+    return {{"rank", std::to_string(place.rank)},
+            {"tied", !others.empty()},
+            {"ties", others.empty() ? "" : fmt::format("tied with {}", fmt::join(others, ", "))}};
+}
+
+std::string metric_text(const std::string& metric) {
+    return metric == "rmse_debiased" ? "debiased RMSE" : "RMSE";
+}
+
+json row_model(const Columns& columns, const CellRecord& cell) {
     json row = {{"method", cell.method_label},
                 {"id", cell.method},
-                {"preset", cell.preset},
                 {"filter", cell.filter},
                 {"error", cell.error},
                 {"failed", !cell.error.empty()},
-                {"rank", rank},
-                {"rank_sort", rank == kNoNumber ? "" : rank},
                 {"cell", cell.id},
-                {"span", std::to_string(list.size())},
+                {"rank", {{"rank", kNoNumber}, {"tied", false}, {"ties", ""}}},
+                {"sort", ""},
+                {"span", std::to_string(columns.list.size())},
                 {"numbers", json::array()}};
     if (!cell.error.empty()) return row;
-    for (std::size_t i = 0; i < list.size(); ++i)
-        row["numbers"].push_back(number_model(list[i], cell, decimals[i], ranking));
+    for (std::size_t i = 0; i < columns.list.size(); ++i) {
+        const MeasuredMetric measured = columns.list[i].value(cell);
+        const bool known = measured.value && std::isfinite(*measured.value);
+        row["numbers"].push_back({{"text", fixed_text(measured.value, columns.decimals[i])},
+                                  {"sort", known ? fmt::format("{}", *measured.value) : std::string()},
+                                  {"note", measured.note},
+                                  {"ranks", false},
+                                  {"bars", json::array()}});
+    }
     return row;
 }
 
-Cells in_order(const Results& results, const ViewRecord& view, std::string& metric) {
-    Cells cells;
-    for (const CellRecord& cell : results.cells) {
-        if (cell.view_key == view.key) cells.push_back(&cell);
+json place_row(const Columns& columns, const Results& results, const RankingRecord& ranking,
+               const PlaceRecord& place) {
+    const CellRecord* cell = find_cell(results, place.cell_ids.front());
+    if (cell == nullptr)
+        throw file_error("ranks a cell that it lacks, " + place.cell_ids.front(), "results.json");
+    json row = row_model(columns, *cell);
+    row["rank"] = rank_model(ranking, place);
+    row["sort"] = std::to_string(place.rank);
+    for (std::size_t i = 0; i < columns.list.size() && !row["failed"]; ++i) {
+        if (columns.list[i].id != ranking.metric) continue;
+        row["numbers"][i]["ranks"] = true;
+        row["numbers"][i]["bars"].push_back(bar_model(place, largest_of(ranking)));
     }
-    metric = ranking_metric(cells);
-    std::stable_sort(cells.begin(), cells.end(), [&](const CellRecord* a, const CellRecord* b) {
-        const auto value_a = ranked_value(*a, metric), value_b = ranked_value(*b, metric);
-        return value_a && (!value_b || *value_a < *value_b);
-    });
-    return cells;
+    return row;
+}
+
+json view_table(const Columns& columns, const Results& results, const RankingRecord& ranking) {
+    const ViewRecord& view = find_view(results, ranking.view_keys.front());
+    json rows = json::array();
+    for (const PlaceRecord& place : ranking.places)
+        rows.push_back(place_row(columns, results, ranking, place));
+    const double floor = view.truths.empty() ? 0.0 : view.truths.front().noise_floor_rmse;
+    return {{"key", view.key},
+            {"preset", ranking.preset},
+            {"radius", short_text(view.radius_m)},
+            {"floor", fixed_text(floor, 4)},
+            {"metric", metric_text(ranking.metric)},
+            {"rows", std::move(rows)}};
+}
+
+/// Cells that no ranking holds: what failed.
+json failed_rows(const Columns& columns, const Results& results) {
+    json rows = json::array();
+    for (const CellRecord& cell : results.cells) {
+        if (cell.error.empty()) continue;
+        json row = row_model(columns, cell);
+        row["preset"] = cell.preset;
+        row["view"] = cell.view_key;
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+json overall_table(const RankingRecord& ranking) {
+    json rows = json::array();
+    for (const PlaceRecord& place : ranking.places) {
+        const bool first = rows.empty();
+        rows.push_back({{"method", place.method_label},
+                        {"filter", place.filter},
+                        {"rank", rank_model(ranking, place)},
+                        {"value", fixed_text(place.value, 4)},
+                        {"sort", fmt::format("{}", place.value)},
+                        {"bars", json::array({bar_model(place, largest_of(ranking))})},
+                        {"behind", first ? kNoNumber
+                                         : fmt::format("{} to {}", fixed_text(place.behind_best.low, 4),
+                                                       fixed_text(place.behind_best.high, 4))},
+                        {"behind_sort", first ? "" : fmt::format("{}", place.behind_best.low)}});
+    }
+    return {{"views", fmt::format("{}", fmt::join(ranking.view_keys, ", "))},
+            {"preset", ranking.preset},
+            {"metric", metric_text(ranking.metric)},
+            {"rows", std::move(rows)}};
 }
 
 /// Numbers that are missing although their cells succeeded, with the reason: a dash alone would hide it.
-json gaps_of(const std::vector<Column>& list, const Results& results) {
+json gaps_of(const std::vector<RankingColumn>& list, const Results& results) {
     std::map<std::pair<std::string, std::string>, std::vector<std::string>> cells_by_gap;
     for (const CellRecord& cell : results.cells) {
         if (!cell.error.empty()) continue;
-        for (const Column& column : list) {
+        for (const RankingColumn& column : list) {
             const MeasuredMetric measured = column.value(cell);
             if (measured.value || measured.note.empty()) continue;
             cells_by_gap[{column.label, measured.note}].push_back(cell.id);
@@ -139,33 +174,24 @@ json gaps_of(const std::vector<Column>& list, const Results& results) {
 
 nlohmann::json section::ranking(const PageSource& source) {
     const Results& results = source.results;
-    const std::vector<Column> list = columns(source);
-    std::vector<int> decimals;
+    const Columns columns = columns_of(results);
     json heads = json::array();
-    for (const Column& column : list) {
-        std::vector<std::optional<double>> values;
-        for (const CellRecord& cell : results.cells) values.push_back(column.value(cell).value);
-        decimals.push_back(column.decimals.value_or(column_decimals(values)));
+    for (const RankingColumn& column : columns.list) {
         heads.push_back({{"label", column.label}, {"unit", column.unit}, {"meaning", column.meaning}});
     }
-    json model = {{"heads", heads}, {"views", json::array()}, {"gaps", gaps_of(list, results)}};
-    for (const ViewRecord& view : results.views) {
-        std::string metric;
-        const Cells cells = in_order(results, view, metric);
-        json rows = json::array();
-        int rank = 0;
-        for (const CellRecord* cell : cells) {
-            const bool placed = ranked_value(*cell, metric).has_value();
-            rows.push_back(
-                row_model(list, decimals, *cell, placed ? std::to_string(++rank) : kNoNumber, metric));
+    json model = {{"heads", heads},
+                  {"views", json::array()},
+                  {"overall", json::array()},
+                  {"failures", failed_rows(columns, results)},
+                  {"gaps", gaps_of(columns.list, results)}};
+    for (const RankingRecord& ranking : results.rankings) {
+        if (ranking.view_keys.size() == 1) {
+            model["views"].push_back(view_table(columns, results, ranking));
+        } else {
+            model["overall"].push_back(overall_table(ranking));
         }
-        const double floor = view.truths.empty() ? 0.0 : view.truths.front().noise_floor_rmse;
-        model["views"].push_back({{"key", view.key},
-                                  {"radius", short_text(view.radius_m)},
-                                  {"floor", fixed_text(floor, 4)},
-                                  {"metric", metric == "rmse_debiased" ? "debiased RMSE" : "RMSE"},
-                                  {"rows", std::move(rows)}});
     }
+    model["has_failures"] = !model["failures"].empty();
     model["has_gaps"] = !model["gaps"].empty();
     return model;
 }

@@ -33,6 +33,7 @@ nlohmann::json verdict(const PageSource& source);
 nlohmann::json ranking(const PageSource& source);
 nlohmann::json pictures(const PageSource& source);
 nlohmann::json cost(const PageSource& source);
+nlohmann::json failures(const PageSource& source);
 nlohmann::json published(const PageSource& source);
 nlohmann::json measurement(const PageSource& source);
 }  // namespace section

@@ -14,6 +14,7 @@ const std::vector<Section>& sections() {
         {"ranking", "Ranking", section::ranking},
         {"pictures", "Pictures", section::pictures},
         {"cost", "Run time against error", section::cost},
+        {"failures", "Where it fails", section::failures},
         {"published", "Published tables beside ours", section::published},
         {"measurement", "How it was measured", section::measurement},
     };

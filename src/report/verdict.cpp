@@ -3,6 +3,7 @@
 #include "report/section.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -116,6 +117,34 @@ std::string lead_sentence(const std::vector<Outcome>& outcomes) {
     return text + fmt::format(", of {} comparisons.", count);
 }
 
+/// The ranking over views; null where there is none, or one for each of several presets.
+const RankingRecord* ranking_over_views(const Results& results) {
+    const RankingRecord* found = nullptr;
+    for (const RankingRecord& ranking : results.rankings) {
+        if (ranking.view_keys.size() < 2) continue;
+        if (found != nullptr) return nullptr;
+        found = &ranking;
+    }
+    return found;
+}
+
+std::string overall_sentence(const RankingRecord& ranking) {
+    const PlaceRecord& best = ranking.places.front();
+    const std::string mean =
+        fmt::format("mean {} {}", ranking.metric == "rmse_debiased" ? "debiased RMSE" : "RMSE",
+                    fixed_text(best.value, 4));
+    const std::string where = fmt::format("Over {} views", ranking.view_keys.size());
+    if (best.ties.empty()) {
+        return fmt::format("{} {} comes closest to the ray-traced truth: {}.", where, best.method_label,
+                           mean);
+    }
+    std::vector<std::string> others;
+    for (const std::size_t other : best.ties) others.push_back(ranking.places.at(other).method_label);
+    return fmt::format(
+        "{} {} comes closest to the ray-traced truth ({}), but not surely: {} {} tied with it.", where,
+        best.method_label, mean, fmt::join(others, ", "), others.size() == 1 ? "is" : "are");
+}
+
 }  // namespace
 
 nlohmann::json section::verdict(const PageSource& source) {
@@ -129,7 +158,8 @@ nlohmann::json section::verdict(const PageSource& source) {
     } else if (outcomes.size() == 1) {
         model["lead"] = outcomes.front().sentence;
     } else {
-        model["lead"] = lead_sentence(outcomes);
+        const RankingRecord* overall = ranking_over_views(source.results);
+        model["lead"] = overall != nullptr ? overall_sentence(*overall) : lead_sentence(outcomes);
         for (const Outcome& outcome : outcomes) model["details"].push_back(outcome.sentence);
     }
     const auto failed = std::count_if(source.results.cells.begin(), source.results.cells.end(),

@@ -41,6 +41,21 @@ TEST(Verdict, NamesTheClosestMethodItsLeadAndItsCost) {
     EXPECT_THAT(sentence, HasSubstr("12.0 against 36.5 fetches"));
 }
 
+TEST(Verdict, LeadsWithTheRankingOverViewsAndItsTies) {
+    SyntheticPage page;
+    page.read_pictures();
+    RankingRecord over_views = page.results.rankings.front();
+    over_views.view_keys.push_back("atrium/close");
+    page.results.rankings.push_back(over_views);
+    EXPECT_EQ(section::verdict(page.source())["lead"],
+              "Over 2 views Alchemy AO comes closest to the ray-traced truth: mean debiased RMSE 0.0500.");
+    page.results.rankings.back().places.front().ties = {1, 2};
+    EXPECT_EQ(
+        section::verdict(page.source())["lead"],
+        "Over 2 views Alchemy AO comes closest to the ray-traced truth (mean debiased RMSE 0.0500), but not "
+        "surely: HBAO (Hussain), Crytek SSAO are tied with it.");
+}
+
 TEST(Verdict, LeavesFailedCellsOut) {
     SyntheticPage page;
     page.read_pictures();
@@ -77,18 +92,55 @@ TEST(Verdict, SaysThatNothingWasScored) {
     EXPECT_EQ(section::verdict(page.source())["lead"], "Nothing was scored.");
 }
 
-TEST(Ranking, PutsTheClosestFirstAndFailedCellsLast) {
+TEST(Ranking, PutsTheClosestFirstAndWhatFailedApart) {
     SyntheticPage page;
     page.read_pictures();
     const json model = section::ranking(page.source());
+    ASSERT_EQ(model["views"].size(), 3U);
     const json& wide = model["views"][0]["rows"];
     EXPECT_EQ(wide[0]["method"], "Alchemy AO");
-    EXPECT_EQ(wide[0]["rank"], "1");
+    EXPECT_EQ(wide[0]["rank"]["rank"], "1");
+    EXPECT_FALSE(wide[0]["rank"]["tied"].get<bool>());
     EXPECT_EQ(wide.back()["method"], "Crytek SSAO");
-    const json& close = model["views"][1]["rows"];
-    EXPECT_TRUE(close.back()["failed"].get<bool>());
-    EXPECT_EQ(close.back()["rank"], "–");
-    EXPECT_EQ(close.back()["error"], "7 pixels are NaN or infinite");
+    ASSERT_EQ(model["failures"].size(), 1U);
+    EXPECT_EQ(model["failures"][0]["view"], "atrium/close");
+    EXPECT_EQ(model["failures"][0]["error"], "7 pixels are NaN or infinite");
+}
+
+TEST(Ranking, SaysWhoIsTiedAndDrawsTheInterval) {
+    SyntheticPage page;
+    page.read_pictures();
+    RankingRecord& ranking = page.results.rankings.front();
+    ranking.places[1].rank = 1;
+    ranking.places[0].ties = {1};
+    ranking.places[1].ties = {0};
+    const json model = section::ranking(page.source());
+    const json& first = model["views"][0]["rows"][0];
+    EXPECT_TRUE(first["rank"]["tied"].get<bool>());
+    EXPECT_EQ(first["rank"]["ties"], "tied with " + ranking.places[1].method_label);
+    std::size_t bars = 0;
+    for (const json& number : first["numbers"]) {
+        EXPECT_EQ(number["ranks"].get<bool>(), !number["bars"].empty());
+        if (number["bars"].empty()) continue;
+        ++bars;
+        // 0.05 and 0.048 to 0.052 on a bar that ends at 0.202.
+        EXPECT_EQ(number["bars"][0]["at"], "24.75%");
+        EXPECT_EQ(number["bars"][0]["low"], "23.76%");
+        EXPECT_EQ(number["bars"][0]["high"], "25.74%");
+    }
+    EXPECT_EQ(bars, 1U);
+}
+
+TEST(Ranking, AddsATableOverAllViewsWhereThereIsOne) {
+    SyntheticPage page;
+    page.read_pictures();
+    RankingRecord over_views = page.results.rankings.front();
+    over_views.view_keys.push_back("atrium/close");
+    page.results.rankings.push_back(over_views);
+    const json model = section::ranking(page.source());
+    ASSERT_EQ(model["overall"].size(), 1U);
+    EXPECT_EQ(model["overall"][0]["views"], "atrium/wide, atrium/close");
+    EXPECT_EQ(model["overall"][0]["rows"][0]["value"], "0.0500");
 }
 
 TEST(Ranking, GivesTheNumbersOfARowOneWidth) {

@@ -1,0 +1,143 @@
+#include "report/number_text.h"
+#include "report/section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace aoscore {
+namespace {
+
+using nlohmann::json;
+
+/// Regions of each mask that a method shows at first; the results list more.
+constexpr std::size_t kShownOfEach = 3;
+
+std::string css_percent(double share) {
+    return fmt::format("{:.2f}%", share * 100);
+}
+
+/// What the causes are called on the page, in the order of the bars.
+struct CauseText {
+    const char* id;
+    const char* label;
+    const char* meaning;
+};
+constexpr CauseText kCauses[] = {
+    {"outside", "outside the frame", "the occluder lies outside what the camera sees"},
+    {"hidden", "hidden", "the occluder lies behind what the camera sees"},
+    {"grazing", "grazing", "the occluder turns away from the camera, or is seen at a grazing angle"},
+    {"visible", "visible", "the occluder is in the G-buffer: the method's own loss"},
+};
+
+const char* cause_label(const std::string& id) {
+    const auto found = std::ranges::find_if(kCauses, [&](const CauseText& cause) { return id == cause.id; });
+    return found == std::end(kCauses) ? "" : found->label;
+}
+
+double area_of(const MaskSummary& mask, const std::string& cause) {
+    const auto found = std::ranges::find(mask.causes, cause, &CauseShare::cause);
+    return found == mask.causes.end() ? 0.0 : found->area;
+}
+
+/// The parts of one method's bar; the whole mask where causes are not known.
+json bar_parts(const MaskSummary& mask, double widest) {
+    json parts = json::array();
+    const auto add = [&](const std::string& id, double area) {
+        parts.push_back({{"cause", id}, {"width", css_percent(widest > 0 ? area / widest : 0)}});
+    };
+    if (mask.causes.empty()) {
+        add("unknown", mask.area);
+    } else {
+        for (const CauseText& cause : kCauses) add(cause.id, area_of(mask, cause.id));
+    }
+    return parts;
+}
+
+json row_model(const CellRecord& cell, double widest) {
+    const ErrorAnalysis& analysis = *cell.analysis;
+    json shares = json::array();
+    for (const CauseText& cause : kCauses) {
+        const bool known = !analysis.missing.causes.empty();
+        const double area = area_of(analysis.missing, cause.id);
+        shares.push_back({{"text", known ? percent_text(area) : std::string(kNoNumber)},
+                          {"sort", known ? fmt::format("{}", area) : std::string()}});
+    }
+    return {{"method", cell.method_label},
+            {"preset", cell.preset},
+            {"missing", percent_text(analysis.missing.area)},
+            {"missing_sort", fmt::format("{}", analysis.missing.area)},
+            {"missing_mean", fixed_text(analysis.missing.mean, 3)},
+            {"parts", bar_parts(analysis.missing, widest)},
+            {"shares", std::move(shares)},
+            {"false", percent_text(analysis.false_occlusion.area)},
+            {"false_sort", fmt::format("{}", analysis.false_occlusion.area)},
+            {"false_mean", fixed_text(analysis.false_occlusion.mean, 3)},
+            {"false_width", css_percent(widest > 0 ? analysis.false_occlusion.area / widest : 0)}};
+}
+
+json region_model(const CellRecord& cell, const ErrorRegion& region) {
+    const std::string cause = cause_label(region.cause);
+    return {{"kind", region.kind == "missing" ? "missing" : "false"},
+            {"view", cell.view_key},
+            {"cell", cell.id},
+            {"box", fmt::format("{},{},{},{}", region.left, region.top, region.width, region.height)},
+            {"place", fmt::format("{}, {}", region.left + region.width / 2, region.top + region.height / 2)},
+            {"mean", (region.mean_error > 0 ? "+" : "") + fixed_text(region.mean_error, 2)},
+            {"area", count_text(region.area_px)},
+            {"has_cause", !cause.empty()},
+            {"cause", cause}};
+}
+
+json regions_model(const CellRecord& cell) {
+    json regions = json::array();
+    std::size_t missing = 0, others = 0;
+    for (const ErrorRegion& region : cell.analysis->regions) {
+        std::size_t& shown = region.kind == "missing" ? missing : others;
+        if (++shown <= kShownOfEach) regions.push_back(region_model(cell, region));
+    }
+    return regions;
+}
+
+json view_model(const ViewRecord& view, const Results& results) {
+    std::vector<const CellRecord*> cells;
+    double widest = 0;
+    bool causes_known = false;
+    for (const CellRecord& cell : results.cells) {
+        if (cell.view_key != view.key || !cell.analysis) continue;
+        cells.push_back(&cell);
+        widest = std::max({widest, cell.analysis->missing.area, cell.analysis->false_occlusion.area});
+        causes_known = causes_known || !cell.analysis->missing.causes.empty();
+    }
+    json rows = json::array(), methods = json::array();
+    for (const CellRecord* cell : cells) {
+        rows.push_back(row_model(*cell, widest));
+        json regions = regions_model(*cell);
+        if (regions.empty()) continue;
+        methods.push_back({{"method", cell->method_label},
+                           {"preset", cell->preset},
+                           {"open", methods.empty()},
+                           {"regions", std::move(regions)}});
+    }
+    return {{"key", view.key},
+            {"rows", std::move(rows)},
+            {"causes_known", causes_known},
+            {"has_regions", !methods.empty()},
+            {"methods", std::move(methods)}};
+}
+
+}  // namespace
+
+nlohmann::json section::failures(const PageSource& source) {
+    json model = {{"views", json::array()},
+                  {"causes", json::array()},
+                  {"threshold", short_text(source.results.mask_threshold)}};
+    for (const CauseText& cause : kCauses) {
+        model["causes"].push_back({{"id", cause.id}, {"label", cause.label}, {"meaning", cause.meaning}});
+    }
+    for (const ViewRecord& view : source.results.views)
+        model["views"].push_back(view_model(view, source.results));
+    return model;
+}
+
+}  // namespace aoscore
