@@ -1,147 +1,148 @@
 #include "cli/command.h"
+#include "cli/outcome_options.h"
 #include "core/files.h"
-#include "experiment/gate.h"
-#include "metrics/evaluate.h"
-#include "metrics/metric.h"
-#include "metrics/occlusion_masks.h"
-#include "results/image_file.h"
+#include "experiment/comparison.h"
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <memory>
 
 namespace aoscore {
 namespace {
 
 struct Options {
-    std::filesystem::path truth, test;
+    ComparisonRequest request;
+    bool srgb = false, linear = false;
     std::string json;
-    bool srgb = false;
-    double mask_threshold = 0.1;
-    std::vector<std::string> fail, warn;
+    OutcomeOptions outcome;
 };
 
-struct Comparison {
-    MetricMap metrics;
-    OcclusionMasks masks;
-    std::size_t valid_pixels = 0;
-    std::size_t nonfinite = 0;
-};
-
-Comparison compare(const Options& options) {
-    const VisibilityFile truth = read_visibility(options.truth, options.srgb);
-    const VisibilityFile test = read_visibility(options.test, options.srgb);
-    if (!truth.visibility.same_size(test.visibility)) {
-        throw Error(ExitCode::sizes_differ,
-                    fmt::format("truth is {}x{}, test is {}x{}", truth.visibility.width,
-                                truth.visibility.height, test.visibility.width, test.visibility.height),
-                    options.test.string(), "images of one size");
+Crop parse_crop(const std::string& text) {
+    std::vector<int> numbers;
+    const char *at = text.data(), *const end = at + text.size();
+    for (;;) {
+        int number = 0;
+        const auto [next, ec] = std::from_chars(at, end, number);
+        if (ec != std::errc()) break;
+        numbers.push_back(number);
+        at = next;
+        if (at == end || *at != ',') break;
+        ++at;
     }
-    Mask candidate = truth.mask;
-    for (std::size_t i = 0; i < candidate.size(); ++i) candidate.pixels[i] &= test.mask.pixels[i];
-
-    Comparison result;
-    const Mask valid = finite_pixels(truth.visibility, test.visibility, candidate, result.nonfinite);
-    for (const auto pixel : valid.pixels) result.valid_pixels += pixel;
-    const MetricInput input{truth.visibility, test.visibility, valid,
-                            truth.standard_error.empty() ? nullptr : &truth.standard_error};
-    result.metrics = evaluate(input);
-    result.masks = occlusion_masks(input, options.mask_threshold);
-    return result;
+    if (numbers.size() != 4 || at != end || numbers[0] < 0 || numbers[1] < 0 || numbers[2] < 1 ||
+        numbers[3] < 1)
+        throw CLI::ValidationError("--crop", "\"" + text + "\" is no rectangle such as 0,40,640,400");
+    return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
-nlohmann::json to_json(const Comparison& comparison, const Options& options) {
-    nlohmann::json metrics = nlohmann::json::object();
-    for (const auto& [id, metric] : comparison.metrics) {
-        metrics[id] = {{"value", metric.value ? nlohmann::json(*metric.value) : nlohmann::json()}};
-        if (!metric.note.empty()) metrics[id]["note"] = metric.note;
-    }
-    const bool any = comparison.valid_pixels > 0;
-    const auto area = [&](double value) { return any ? nlohmann::json(value) : nlohmann::json(); };
-    return {{"truth", options.truth.string()},
-            {"test", options.test.string()},
-            {"valid_pixels", comparison.valid_pixels},
-            {"nonfinite", comparison.nonfinite},
-            {"metrics", metrics},
-            {"masks",
-             {{"threshold", options.mask_threshold},
-              {"missing_area", area(comparison.masks.missing_area)},
-              {"false_area", area(comparison.masks.false_area)}}}};
+void print_line(const std::string& name, const std::string& value, const std::string& note = {}) {
+    fmt::print("{:<16} {:>12}{}{}\n", name, value, note.empty() ? "" : "  ", note);
 }
 
 void print_table(const Comparison& comparison) {
+    const std::optional<ErrorAnalysis>& analysis = comparison.analysis;
     for (const Metric& metric : metrics()) {
-        const auto found = comparison.metrics.find(std::string(metric.id));
-        if (found == comparison.metrics.end()) continue;
-        const MeasuredMetric& measured = found->second;
-        fmt::print("{:<16} {:>12}  {}\n", metric.id,
-                   measured.value ? fmt::format("{:.6f}", *measured.value) : "-", measured.note);
+        const std::string id(metric.id);
+        const MeasuredMetric& measured = comparison.metrics.at(id);
+        std::string note = measured.note;
+        if (analysis && analysis->intervals.contains(id)) {
+            const Interval& interval = analysis->intervals.at(id);
+            note += fmt::format("{}[{:.6f}, {:.6f}]", note.empty() ? "" : " ", interval.low, interval.high);
+        }
+        print_line(id, measured.value ? fmt::format("{:.6f}", *measured.value) : "-", note);
     }
-    if (comparison.valid_pixels > 0) {
-        fmt::print("{:<16} {:>12.6f}\n{:<16} {:>12.6f}\n", "missing_area", comparison.masks.missing_area,
-                   "false_area", comparison.masks.false_area);
+    if (analysis) {
+        print_line("missing_area", fmt::format("{:.6f}", analysis->missing.area));
+        print_line("false_area", fmt::format("{:.6f}", analysis->false_occlusion.area));
+        print_line("fit_rmse", fmt::format("{:.6f}", analysis->fit.rmse),
+                   fmt::format("at strength {:.3g} and exponent {:.3g}", analysis->fit.strength,
+                               analysis->fit.exponent));
+        for (const ErrorRegion& region : analysis->regions) {
+            print_line(region.kind, fmt::format("{} px", region.area_px),
+                       fmt::format("{}x{} at {}, {}; mean error {:.3f}, worst {:.3f} at {}, {}", region.width,
+                                   region.height, region.left, region.top, region.mean_error,
+                                   region.worst_error, region.worst_x, region.worst_y));
+        }
     }
-    fmt::print("{:<16} {:>12}\n{:<16} {:>12}\n", "valid_pixels", comparison.valid_pixels, "nonfinite",
-               comparison.nonfinite);
+    print_line("valid_pixels", fmt::format("{}", comparison.valid_pixels));
+    print_line("nonfinite", fmt::format("{}", comparison.nonfinite));
 }
 
-bool any_tripped(const std::vector<Gate>& gates, const MetricMap& metrics, const char* kind) {
-    bool tripped = false;
-    for (const Gate& gate : gates) {
-        if (!gate.tripped_by(metrics)) continue;
-        fmt::print(stderr, "{} {}\n", kind, gate.explain(metrics));
-        tripped = true;
+ExportTable export_table(const Comparison& comparison, const Gates::Tripped& tripped,
+                         const std::string& title) {
+    ExportTable table;
+    table.title = title;
+    table.name_columns = {"truth", "test"};
+    add_measures(table);
+    table.rows.push_back({{comparison.request.truth.string(), comparison.request.test.string()},
+                          measures_of(comparison.metrics, comparison.analysis),
+                          comparison.sound() ? "" : "nothing could be compared",
+                          tripped.failures});
+    table.document = to_json(comparison);
+    return table;
+}
+
+ExitCode run(Options options, const GlobalOptions& global) {
+    Outcome outcome(options.outcome);
+    if (options.srgb || options.linear) {
+        options.request.truth_reading.coding = options.request.test_reading.coding =
+            options.srgb ? Coding::srgb : Coding::linear;
     }
-    return tripped;
-}
-
-std::vector<Gate> parse_gates(const std::vector<std::string>& texts) {
-    std::vector<Gate> gates;
-    for (const std::string& text : texts) gates.push_back(Gate::parse(text));
-    return gates;
-}
-
-ExitCode run(const Options& options) {
-    const std::vector<Gate> fail = parse_gates(options.fail), warn = parse_gates(options.warn);
-    const Comparison comparison = compare(options);
+    options.request.seed = global.seed;
+    const Comparison comparison = compare_images(options.request);
+    const std::string where = options.request.test.string();
+    const Gates::Tripped tripped = outcome.gates().check(comparison.metrics);
     if (options.json == "-") {
-        fmt::print("{}\n", to_json(comparison, options).dump(2));
+        fmt::print("{}\n", to_json(comparison).dump(2));
     } else {
-        if (!options.json.empty())
-            write_atomically(options.json, to_json(comparison, options).dump(2) + "\n");
+        if (!options.json.empty()) write_atomically(options.json, to_json(comparison).dump(2) + "\n");
         print_table(comparison);
     }
-    if (comparison.valid_pixels == 0 || comparison.nonfinite > 0) {
-        fmt::print(stderr, "aoscore: {}: {} valid pixels, {} NaN or infinite\n", options.test.string(),
+    outcome.exports().write(export_table(comparison, tripped, global.command_line));
+    if (!comparison.sound()) {
+        fmt::print(stderr, "aoscore: {}: {} valid pixels, {} NaN or infinite\n", where,
                    comparison.valid_pixels, comparison.nonfinite);
         return ExitCode::gate_failed;
     }
-    if (any_tripped(fail, comparison.metrics, "fail")) return ExitCode::gate_failed;
-    if (any_tripped(warn, comparison.metrics, "warn")) return ExitCode::warned;
-    return ExitCode::ok;
+    if (comparison.noise) outcome.gates().require_above_noise(comparison.noise->rmse(), where);
+    Outcome::print(tripped, where);
+    return tripped.exit_code();
 }
 
 }  // namespace
 
-CommandEntry add_compare_command(CLI::App& program, const GlobalOptions&) {
-    CLI::App* app = program.add_subcommand(
-        "compare",
-        "Measure how far the visibility in TEST is from TRUTH (EXR, PNG, ...; any engine's image)");
+CommandEntry add_compare_command(CLI::App& program, const GlobalOptions& global) {
+    CLI::App* app = program.add_subcommand("compare",
+                                           "Measure how far the visibility in TEST is from TRUTH: EXR, PNG, "
+                                           "TIFF, HDR, ... of any engine. Without "
+                                           "a channel's name it takes Y, the only channel, R = G = B, or the "
+                                           "layer called AO; mask.Y is honoured");
     const auto options = std::make_shared<Options>();
-    app->add_option("truth", options->truth,
-                    "The truth: Y, the only channel, or equal R, G, B; mask.Y is honoured")
-        ->required();
-    app->add_option("test", options->test, "The image under test")->required();
-    app->add_option("--json", options->json,
-                    "Write one JSON object to this file, or to standard output for -");
-    app->add_flag("--srgb", options->srgb, "8-bit files are sRGB-coded [they are value/255]");
-    app->add_option("--mask-threshold", options->mask_threshold,
+    ComparisonRequest& request = options->request;
+    app->add_option("truth", request.truth, "The truth")->required();
+    app->add_option("test", request.test, "The image under test")->required();
+    app->add_option("--channel", request.test_reading.channel, "Of TEST, such as ViewLayer.AO.R [found]");
+    app->add_option("--truth-channel", request.truth_reading.channel, "Of TRUTH, such as V1.Y [found]");
+    CLI::Option* srgb = app->add_flag("--srgb", options->srgb,
+                                      "8- and 16-bit files are sRGB-coded, as pictures for the screen are");
+    app->add_flag("--linear", options->linear, "8- and 16-bit files are linear; floats always are")
+        ->excludes(srgb);
+    app->add_flag("--flip", request.test_reading.flip, "TEST's rows run from the bottom up");
+    app->add_flag("--invert", request.test_reading.invert, "TEST holds occlusion, not visibility");
+    app->add_option_function<std::string>(
+           "--crop", [&request](const std::string& text) { request.crop = parse_crop(text); },
+           "Compare this part of the truth alone; TEST may be cropped to it already")
+        ->type_name("X,Y,W,H");
+    app->add_option("--mask", request.mask, "An image of the truth's size: pixels above 1/2 count");
+    app->add_option("--mask-threshold", request.mask_threshold,
                     "Of missing and false occlusion, in visibility")
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();
-    app->add_option("--fail", options->fail, "Exit with 2 when this holds: rmse>0.02 (also without a value)");
-    app->add_option("--warn", options->warn, "Exit with 1 when this holds: ssim<0.9");
-    return {app, [options] { return run(*options); }};
+    app->add_option("--json", options->json,
+                    "Write one JSON object to this file, or to standard output for -");
+    add_outcome_options(*app, options->outcome);
+    return {app, [options, &global] { return run(*options, global); }};
 }
 
 }  // namespace aoscore

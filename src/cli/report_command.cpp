@@ -1,4 +1,6 @@
 #include "cli/command.h"
+#include "cli/outcome_options.h"
+#include "experiment/baseline.h"
 #include "report/report.h"
 
 #include <fmt/format.h>
@@ -6,17 +8,38 @@
 #include <memory>
 
 namespace aoscore {
+namespace {
+
+struct Options {
+    std::filesystem::path results;
+    OutcomeOptions outcome;
+};
+
+ExitCode run(const Options& options) {
+    Outcome outcome(options.outcome);
+    Results results = read_results(options.results);
+    const std::filesystem::path folder =
+        std::filesystem::is_directory(options.results) ? options.results : options.results.parent_path();
+    if (outcome.baseline()) {
+        results.baseline = against_baseline(results, *outcome.baseline());
+        write_results(results, folder);
+    }
+    fmt::print("{}\n", write_report(folder).string());
+    return outcome.conclude(results);
+}
+
+}  // namespace
 
 CommandEntry add_report_command(CLI::App& program, const GlobalOptions&) {
-    CLI::App* app =
-        program.add_subcommand("report", "Make the page of earlier results again; prints its path");
-    const auto folder = std::make_shared<std::filesystem::path>();
-    app->add_option("folder", *folder, "A folder that run or score wrote: results.json and its images")
+    CLI::App* app = program.add_subcommand(
+        "report", "Make the page of earlier results again, without rendering; prints its path");
+    const auto options = std::make_shared<Options>();
+    app->add_option("results", options->results,
+                    "What run or score wrote: results.json with its images beside it, or their folder")
         ->required();
-    return {app, [folder] {
-                fmt::print("{}\n", write_report(*folder).string());
-                return ExitCode::ok;
-            }};
+    add_outcome_options(*app, options->outcome);
+    add_baseline_option(*app, options->outcome);
+    return {app, [options] { return run(*options); }};
 }
 
 }  // namespace aoscore

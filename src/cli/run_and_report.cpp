@@ -7,13 +7,16 @@
 
 namespace aoscore {
 
-ExitCode run_and_report(const ExperimentPlan& plan, const std::filesystem::path& folder) {
+ExitCode run_and_report(ExperimentPlan plan, const std::filesystem::path& folder,
+                        const OutcomeOptions& options) {
+    Outcome outcome(options);
+    plan.baseline = outcome.baseline();
     std::filesystem::path page;
     const Results results = run_experiment(plan, folder, [&](const std::filesystem::path& staged) {
         page = folder / write_report(staged).filename();
     });
     fmt::print("{}\n", page.string());
-    return failed_cells(results) > 0 ? ExitCode::cells_failed : ExitCode::ok;
+    return outcome.conclude(results);
 }
 
 }  // namespace aoscore

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cli/outcome_options.h"
 #include "core/error.h"
 #include "experiment/plan.h"
 
@@ -7,7 +8,8 @@
 
 namespace aoscore {
 
-/// Runs the plan, makes the page, and prints its path on standard output. cells_failed when a cell failed.
-ExitCode run_and_report(const ExperimentPlan& plan, const std::filesystem::path& folder);
+/// Runs the plan, makes the page, prints its path on standard output, and concludes: Outcome::conclude().
+ExitCode run_and_report(ExperimentPlan plan, const std::filesystem::path& folder,
+                        const OutcomeOptions& options);
 
 }  // namespace aoscore

@@ -15,6 +15,7 @@ namespace {
 struct Options {
     std::vector<std::string> reports;
     std::filesystem::path out;
+    OutcomeOptions outcome;
 };
 
 ExitCode run(const Options& options, const GlobalOptions& global) {
@@ -27,7 +28,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     plan.command = global.command_line;
     const std::filesystem::path folder =
         options.out.empty() ? home_dir() / "reports" / "out" / "main" : options.out;
-    return run_and_report(plan, folder);
+    return run_and_report(std::move(plan), folder, options.outcome);
 }
 
 }  // namespace
@@ -38,6 +39,8 @@ CommandEntry add_run_command(CLI::App& program, const GlobalOptions& global) {
     const auto options = std::make_shared<Options>();
     app->add_option("report", options->reports, "Reports to rebuild (see list reports) [all]");
     app->add_option("--out", options->out, "Folder of page, results and images [reports/out/main]");
+    add_outcome_options(*app, options->outcome);
+    add_baseline_option(*app, options->outcome);
     return {app, [options, &global] { return run(*options, global); }};
 }
 

@@ -22,6 +22,7 @@ struct Options {
     TruthEffort effort;
     std::filesystem::path methods_dir;
     std::filesystem::path out;
+    OutcomeOptions outcome;
 };
 
 std::vector<MethodDescriptor> chosen_methods(const Options& options) {
@@ -53,7 +54,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     const std::string stem = std::filesystem::path(options.choice.scene).stem().string();
     const std::filesystem::path folder =
         options.out.empty() ? home_dir() / "reports" / "out" / ("score-" + stem) : options.out;
-    return run_and_report(plan, folder);
+    return run_and_report(std::move(plan), folder, options.outcome);
 }
 
 }  // namespace
@@ -71,6 +72,8 @@ CommandEntry add_score_command(CLI::App& program, const GlobalOptions& global) {
     add_truth_options(*app, options->effort);
     app->add_option("--methods-dir", options->methods_dir, "A folder of methods of your own");
     app->add_option("--out", options->out, "Folder of page, results and images [reports/out/score-SCENE]");
+    add_outcome_options(*app, options->outcome);
+    add_baseline_option(*app, options->outcome);
     return {app, [options, &global] { return run(*options, global); }};
 }
 

@@ -5,6 +5,7 @@
 #include "core/log.h"
 #include "core/staged_folder.h"
 #include "core/threads.h"
+#include "experiment/baseline.h"
 #include "experiment/live_output.h"
 #include "experiment/machine.h"
 #include "experiment/rankings.h"
@@ -127,6 +128,7 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
         results.views.push_back(std::move(outcome.view));
     }
     results.rankings = rank(results.cells, plan.seed);
+    if (plan.baseline) results.baseline = against_baseline(results, *plan.baseline);
     for (const TablePlan& table : plan.tables) {
         TableRecord record{table.definition, {}};
         for (const std::size_t index : table.cell_indices)

@@ -6,9 +6,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -79,9 +81,23 @@ std::string Gate::explain(const MetricMap& metrics) const {
             "{}: {} has no value{}", text, metric,
             found != metrics.end() && !found->second.note.empty() ? " (" + found->second.note + ")" : "");
     }
+    return fmt::format("{}: {} is {:.6g}; {} would have passed", text, metric, *measured->value,
+                       passing(*measured->value).text);
+}
+
+Gate Gate::passing(double value) const {
     const bool upper = relation == Relation::greater || relation == Relation::greater_equal;
-    return fmt::format("{}: {} is {:.6g}; a threshold {} {:.6g} would have passed", text, metric,
-                       *measured->value, upper ? "above" : "below", *measured->value);
+    const auto sign =
+        std::ranges::find(kRelations, relation, &std::pair<const char*, Relation>::second)->first;
+    // The nearest of few digits that holds, however the digits of the value go on.
+    const double step = value == 0 ? 1e-6 : std::pow(10.0, std::floor(std::log10(std::abs(value))) - 3);
+    const double nearest = upper ? std::ceil(value / step) : std::floor(value / step);
+    for (int steps = 0;; ++steps) {
+        Gate gate = *this;
+        gate.text = fmt::format("{}{}{:.6g}", metric, sign, (nearest + (upper ? steps : -steps)) * step);
+        gate.threshold = std::strtod(gate.text.c_str() + gate.text.find(sign) + std::strlen(sign), nullptr);
+        if (!gate.tripped_by({{metric, {value, ""}}})) return gate;
+    }
 }
 
 }  // namespace aoscore

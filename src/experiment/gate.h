@@ -20,7 +20,10 @@ struct Gate {
     /// Whether the measured value breaks the limit. A value that could not be had breaks every limit.
     bool tripped_by(const MetricMap& metrics) const;
 
-    /// One line: the measured value and the threshold that would have passed.
+    /// The nearest limit of its kind, of four digits, that a value does not break.
+    Gate passing(double value) const;
+
+    /// One line: the measured value and the limit that would have passed.
     std::string explain(const MetricMap& metrics) const;
 };
 

@@ -3,7 +3,6 @@
 #include "metrics/distance.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace aoscore {
@@ -62,11 +61,6 @@ ImageF tilts(const CameraFrame& frame, const PrimaryHits& hits) {
 
 }  // namespace
 
-const char* cause_name(Cause cause) {
-    constexpr std::array<const char*, kCauses> kNames{"outside", "hidden", "grazing", "visible"};
-    return kNames[static_cast<std::size_t>(cause)];
-}
-
 PixelFacts pixel_facts(const CameraFrame& frame, const Truth& truth) {
     PixelFacts facts;
     facts.depth_m = truth.hits.depth;
@@ -74,7 +68,7 @@ PixelFacts pixel_facts(const CameraFrame& frame, const Truth& truth) {
     facts.edge_distance_px = distance_to(DepthEdges(frame, truth.hits).mask());
     for (std::size_t c = 0; c < kCauses; ++c) {
         if (truth.occlusion_by_cause[c].empty()) continue;
-        facts.causes.push_back({cause_name(static_cast<Cause>(c)), &truth.occlusion_by_cause[c]});
+        facts.causes.push_back({std::string(kCauseIds[c]), &truth.occlusion_by_cause[c]});
     }
     return facts;
 }

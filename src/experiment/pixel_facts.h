@@ -12,7 +12,4 @@ namespace aoscore {
 /// none. Both of its pixels are at distance 0. The causes point into `truth`, which has to outlive them.
 PixelFacts pixel_facts(const CameraFrame& frame, const Truth& truth);
 
-/// The name of a cause, as results use it: "outside", "hidden", "grazing", "visible".
-const char* cause_name(Cause cause);
-
 }  // namespace aoscore

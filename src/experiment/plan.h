@@ -2,11 +2,13 @@
 
 #include "experiment/run_modes.h"
 #include "reference/truth.h"
+#include "results/results.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,9 +50,10 @@ struct ExperimentPlan {
     std::vector<ViewPlan> views;
     std::vector<TablePlan> tables;
     std::uint64_t seed = 1;
-    std::filesystem::path methods_dir;  ///< of the user's own methods; empty: none
-    bool keep_gbuffer = true;           ///< write the G-buffer beside the results
-    std::string command;                ///< that makes it again
+    std::filesystem::path methods_dir;        ///< of the user's own methods; empty: none
+    bool keep_gbuffer = true;                 ///< write the G-buffer beside the results
+    std::string command;                      ///< that makes it again
+    std::shared_ptr<const Results> baseline;  ///< an earlier run to be held against; null: none
 };
 
 /// A report definition: one file of reports/.

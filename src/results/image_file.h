@@ -31,7 +31,7 @@ struct ImageFile {
     std::vector<std::string> channel_names;
     std::vector<ImageF> channels;
     std::map<std::string, std::string> attributes;
-    bool eight_bit = false;  ///< stored as integers of 8 or fewer bits
+    bool integers = false;  ///< stored as such; the values are them as shares of their range
 
     /// Null when absent.
     const ImageF* channel(const std::string& name) const;
@@ -42,19 +42,6 @@ struct ImageFile {
 /// <part>.<channel>. Throws file_error for what is absent, truncated, no image, larger than 16384 px a side,
 /// deep, or does not fill its frame.
 ImageFile read_image(const std::filesystem::path& path);
-
-/// The visibility that a file holds, for `compare`: Y, else the only channel (A, mask.Y and SE.Y apart), else
-/// R where R = G = B, else the only ambient-occlusion layer as other programs name it (AO, AO.R,
-/// <layer>.AO.R, …). `srgb` undoes the sRGB coding of 8-bit files and leaves all others alone. `mask` is 1
-/// where mask.Y is above 0.5, or everywhere without one; alpha is no mask. Throws file_error when no channel
-/// or more than one qualifies, naming those there are.
-struct VisibilityFile {
-    ImageF visibility;
-    Mask mask;
-    ImageF standard_error;  ///< empty without SE.Y
-    std::string channel;
-};
-VisibilityFile read_visibility(const std::filesystem::path& path, bool srgb);
 
 /// PNG in memory: indices into a palette of up to 256 colours (0xRRGGBB), with 1, 2, 4 or 8 bits as that many
 /// need. Throws internal_error for an index beyond the palette.

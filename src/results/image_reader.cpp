@@ -132,7 +132,7 @@ ImageFile read_all_parts(OIIO::ImageInput& input, const std::string& where) {
     ImageFile file;
     file.width = first.width;
     file.height = first.height;
-    file.eight_bit = first.format.size() == 1;
+    file.integers = !first.format.is_floating_point();
     const bool exr = std::string_view(input.format_name()) == "openexr";
     file.attributes = attributes_of(first, exr);
     read_part(input, 0, where, file);

@@ -141,6 +141,27 @@ struct RankingRecord {
     std::vector<PlaceRecord> places;  ///< by value, closest first; cells that failed are left out
 };
 
+/// One cell against the cell of the same id in an earlier run.
+struct ChangeRecord {
+    std::string cell_id;
+    std::string metric;            ///< "rmse_debiased", or "rmse" where one of them lacks it
+    std::optional<double> before;  ///< of the earlier run
+    std::optional<double> now;
+    std::optional<Interval> change;  ///< of now - before, 95 % confidence, paired; empty where not comparable
+    /// "better" or "worse" where the interval leaves 0 out, "same" where it does not, "worse" for a cell that
+    /// failed now alone, "not comparable" else.
+    std::string verdict;
+    std::string reason;  ///< why not comparable, or how it failed
+};
+
+/// An earlier run, as far as this one was held against it.
+struct BaselineRecord {
+    std::string program_version;
+    std::string created_utc;
+    std::string command;
+    std::vector<ChangeRecord> changes;  ///< one a cell of this run
+};
+
 /// A published table rebuilt: the definition (reports/<id>.json) and which cell stands for each of its rows.
 struct TableRecord {
     nlohmann::json definition;          ///< as read, without change
@@ -164,16 +185,19 @@ struct Results {
     std::vector<CellRecord> cells;
     std::vector<RankingRecord>
         rankings;  ///< one for each view and preset, then one over views for each preset
+    std::optional<BaselineRecord> baseline;  ///< empty where none was asked for
     std::vector<TableRecord> tables;
     std::vector<std::string> warnings;
 };
 
 nlohmann::json to_json(const Results& results);
+nlohmann::json to_json(const ErrorAnalysis& analysis);
 /// Throws file_error for another schema version or a missing member. `where` names the file in errors.
 Results results_from_json(const nlohmann::json& json, const std::string& where);
 
 /// folder/results.json.
 void write_results(const Results& results, const std::filesystem::path& folder);
-Results read_results(const std::filesystem::path& folder);
+/// `path` is that file, or its folder.
+Results read_results(const std::filesystem::path& path);
 
 }  // namespace aoscore

@@ -15,9 +15,10 @@ void write_results(const Results& results, const std::filesystem::path& folder) 
                      to_json(results).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
-Results read_results(const std::filesystem::path& folder) {
-    const std::filesystem::path path = folder / kFileName;
-    return results_from_json(parse_json_file(path), path.string());
+Results read_results(const std::filesystem::path& path) {
+    std::error_code ec;
+    const std::filesystem::path file = std::filesystem::is_regular_file(path, ec) ? path : path / kFileName;
+    return results_from_json(parse_json_file(file), file.string());
 }
 
 }  // namespace aoscore

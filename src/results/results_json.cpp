@@ -149,6 +149,12 @@ json to_json(const Results& results) {
     return object;
 }
 
+json to_json(const ErrorAnalysis& analysis) {
+    json object = written(analysis);
+    require_finite(object, "analysis");
+    return object;
+}
+
 Results results_from_json(const json& object, const std::string& where) {
     Reader reader{StrictObject(object, where)};
     int schema_version = 0;

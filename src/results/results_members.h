@@ -135,6 +135,25 @@ void visit_members(Visit& visit, Record& record) {
     visit("places", record.places);
 }
 
+template <class Visit, RecordOf<ChangeRecord> Record>
+void visit_members(Visit& visit, Record& record) {
+    visit("cell_id", record.cell_id);
+    visit("metric", record.metric);
+    visit("before", record.before);
+    visit("now", record.now);
+    visit("change", record.change);
+    visit("verdict", record.verdict);
+    visit("reason", record.reason);
+}
+
+template <class Visit, RecordOf<BaselineRecord> Record>
+void visit_members(Visit& visit, Record& record) {
+    visit("program_version", record.program_version);
+    visit("created_utc", record.created_utc);
+    visit("command", record.command);
+    visit("changes", record.changes);
+}
+
 template <class Visit, RecordOf<TableRecord> Record>
 void visit_members(Visit& visit, Record& table) {
     visit("definition", table.definition);
@@ -157,6 +176,7 @@ void visit_members(Visit& visit, Record& results) {
     visit("views", results.views);
     visit("cells", results.cells);
     visit("rankings", results.rankings);
+    visit("baseline", results.baseline);
     visit("tables", results.tables);
     visit("warnings", results.warnings);
 }

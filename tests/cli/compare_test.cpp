@@ -138,7 +138,8 @@ TEST_F(Compare, EightBitImagesReproduceTheKnownSsimAndRmse) {
             write_atomically(folder_ / name, encode_png_gray(image));
             return name;
         };
-        const json result = compare(write_png("-truth", c.truth) + " " + write_png("-test", c.test), 0);
+        const json result =
+            compare(write_png("-truth", c.truth) + " " + write_png("-test", c.test) + " --linear", 0);
         EXPECT_NEAR(result["metrics"]["ssim"]["value"].get<double>(), c.ssim, 1e-6) << c.name;
         EXPECT_NEAR(result["metrics"]["rmse"]["value"].get<double>(), c.rmse, 1e-6) << c.name;
     }

@@ -30,7 +30,7 @@ TEST(Exr, ComesBackBitByBitWithNamesAndAttributes) {
     EXPECT_EQ(file.width, 301);
     EXPECT_EQ(file.height, 77);
     EXPECT_EQ(file.channels.size(), 3U);
-    EXPECT_FALSE(file.eight_bit);
+    EXPECT_FALSE(file.integers);
     for (const ChannelView& channel : channels) {
         ASSERT_NE(file.channel(channel.name), nullptr) << channel.name;
         EXPECT_TRUE(same_bits(*file.channel(channel.name), *channel.image)) << channel.name;

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "results/image_file.h"
+#include "results/visibility_file.h"
 #include "support/support.h"
 
 #include <gtest/gtest.h>
@@ -16,6 +17,9 @@
 #include <vector>
 
 namespace aoscore::testing {
+
+inline const VisibilityReading kLinear{.channel = {}, .coding = Coding::linear},
+    kSrgb{.channel = {}, .coding = Coding::srgb};
 
 /// Any floats at all: every bit pattern is as likely.
 inline ImageF random_bits(int width, int height, unsigned seed) {

@@ -14,6 +14,7 @@
 namespace aoscore {
 namespace {
 
+using testing::kLinear;
 using testing::output_dir;
 using testing::random_visibility;
 using testing::same_bits;
@@ -36,7 +37,7 @@ TEST(ForeignExr, TilesAreRead) {
         file.setFrameBuffer(frame_of("Y", image));
         file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
     }
-    EXPECT_TRUE(same_bits(read_visibility(path, false).visibility, image));
+    EXPECT_TRUE(same_bits(read_visibility(path, kLinear).visibility, image));
 }
 
 TEST(ForeignExr, PartsAreLayersButOnesOfAnotherSizeAreLeftOut) {
@@ -63,7 +64,7 @@ TEST(ForeignExr, PartsAreLayersButOnesOfAnotherSizeAreLeftOut) {
     }
     const ImageFile file = read_image(path);
     EXPECT_EQ(file.channel_names, (std::vector<std::string>{"Combined.Z", "ViewLayer.AO.R"}));
-    const VisibilityFile visibility = read_visibility(path, false);
+    const VisibilityFile visibility = read_visibility(path, kLinear);
     EXPECT_EQ(visibility.channel, "ViewLayer.AO.R");
     EXPECT_TRUE(same_bits(visibility.visibility, images[1]));
 }
@@ -81,7 +82,7 @@ TEST(ForeignExr, HalfFloatsAreRead) {
         file.setFrameBuffer(frame);
         file.writePixels(2);
     }
-    EXPECT_EQ(read_visibility(path, false).visibility.pixels,
+    EXPECT_EQ(read_visibility(path, kLinear).visibility.pixels,
               (std::vector<float>{0.25F, 0.5F, 1.0F, half(0.1F)}));
 }
 

@@ -50,7 +50,7 @@ TEST(GrayPng, ComesBackLevelByLevel) {
     const auto path = output_dir() / "gray.png";
     testing::write_bytes(path, encode_png_gray(levels));
     const ImageFile file = read_image(path);
-    EXPECT_TRUE(file.eight_bit);
+    EXPECT_TRUE(file.integers);
     ASSERT_EQ(file.channels.size(), 1U);
     for (std::size_t i = 0; i < levels.size(); ++i) {
         ASSERT_EQ(file.channels[0].pixels[i], static_cast<float>(levels.pixels[i]) / 255.0F);

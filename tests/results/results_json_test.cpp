@@ -172,6 +172,8 @@ TEST(Results, ListOfMembersForgetsNone) {
     EXPECT_EQ(listed<CellRecord>(), declared<CellRecord>());
     EXPECT_EQ(listed<PlaceRecord>(), declared<PlaceRecord>());
     EXPECT_EQ(listed<RankingRecord>(), declared<RankingRecord>());
+    EXPECT_EQ(listed<ChangeRecord>(), declared<ChangeRecord>());
+    EXPECT_EQ(listed<BaselineRecord>(), declared<BaselineRecord>());
     EXPECT_EQ(listed<TableRecord>(), declared<TableRecord>());
     EXPECT_EQ(listed<Results>(), declared<Results>());
 }

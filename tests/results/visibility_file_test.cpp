@@ -11,6 +11,8 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using testing::kLinear;
+using testing::kSrgb;
 using testing::output_dir;
 using testing::random_visibility;
 using testing::same_bits;
@@ -21,7 +23,7 @@ const ImageF kFirst = random_visibility(20, 10, 1), kSecond = random_visibility(
 VisibilityFile visibility_of(const std::vector<ChannelView>& channels) {
     const auto path = output_dir() / "image.exr";
     write_exr(path, channels, {});
-    return read_visibility(path, false);
+    return read_visibility(path, kLinear);
 }
 
 /// A PNG of the kinds that encode_png_gray does not write, by libpng's simple interface.
@@ -100,7 +102,7 @@ TEST(VisibilityFile, EightBitsAreValueBy255UnlessTheyAreSrgb) {
     Image<std::uint8_t> levels(16, 16);
     for (std::size_t i = 0; i < 256; ++i) levels.pixels[i] = static_cast<std::uint8_t>(i);
     testing::write_bytes(path, encode_png_gray(levels));
-    const VisibilityFile linear = read_visibility(path, false), decoded = read_visibility(path, true);
+    const VisibilityFile linear = read_visibility(path, kLinear), decoded = read_visibility(path, kSrgb);
     for (std::size_t i = 0; i < 256; ++i) {
         const double coded = static_cast<double>(i) / 255;
         EXPECT_EQ(linear.visibility.pixels[i], static_cast<float>(i) / 255.0F) << i;
@@ -113,14 +115,14 @@ TEST(VisibilityFile, EightBitsAreValueBy255UnlessTheyAreSrgb) {
 TEST(VisibilityFile, SrgbLeavesFloatsAlone) {
     const auto path = output_dir() / "image.exr";
     write_exr(path, std::vector<ChannelView>{{"Y", &kFirst}}, {});
-    EXPECT_TRUE(same_bits(read_visibility(path, true).visibility, kFirst));
+    EXPECT_TRUE(same_bits(read_visibility(path, kSrgb).visibility, kFirst));
 }
 
 TEST(VisibilityFile, AlphaNeitherDarkensNorMasks) {
     const auto path = output_dir() / "alpha.png";
     const std::vector<std::uint8_t> pixels = {200, 128, 100, 0};  // gray, alpha, gray, alpha
     write_png(path, PNG_FORMAT_GA, 2, 1, pixels.data());
-    const VisibilityFile file = read_visibility(path, false);
+    const VisibilityFile file = read_visibility(path, kLinear);
     EXPECT_EQ(file.channel, "Y");
     EXPECT_EQ(file.visibility.pixels, (std::vector<float>{200 / 255.0F, 100 / 255.0F}));
     EXPECT_EQ(file.mask.pixels, (std::vector<std::uint8_t>{1, 1}));
@@ -131,7 +133,7 @@ TEST(VisibilityFile, SixteenBitsAreValueBy65535) {
     const std::vector<std::uint16_t> pixels = {0x1234, 0xffff};
     write_png(path, PNG_FORMAT_LINEAR_Y, 2, 1, pixels.data());
     const ImageFile file = read_image(path);
-    EXPECT_FALSE(file.eight_bit);
+    EXPECT_TRUE(file.integers);
     EXPECT_EQ(file.channels.at(0).pixels, (std::vector<float>{0x1234 / 65535.0F, 1.0F}));
 }
 
@@ -141,7 +143,7 @@ TEST(VisibilityFile, PfmIsReadTopRowFirst) {
     for (const float value : {0.25F, 0.75F})
         bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
     testing::write_bytes(path, bytes);
-    EXPECT_EQ(read_visibility(path, false).visibility.pixels, (std::vector<float>{0.75F, 0.25F}));
+    EXPECT_EQ(read_visibility(path, kLinear).visibility.pixels, (std::vector<float>{0.75F, 0.25F}));
 }
 
 }  // namespace

@@ -1,0 +1,75 @@
+#include "cli/outcome_options.h"
+
+#include "experiment/experiment.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+
+namespace aoscore {
+namespace {
+
+std::shared_ptr<const Results> read_baseline(const std::filesystem::path& path) {
+    return path.empty() ? nullptr : std::make_shared<const Results>(read_results(path));
+}
+
+double noise_floor_of(const Results& results, const CellRecord& cell) {
+    for (const ViewRecord& view : results.views) {
+        if (view.key == cell.view_key && !view.truths.empty()) return view.truths.front().noise_floor_rmse;
+    }
+    return 0;
+}
+
+}  // namespace
+
+void add_outcome_options(CLI::App& app, OutcomeOptions& options) {
+    std::vector<std::string_view> extensions;
+    for (const ExportFormat& format : export_formats()) extensions.push_back(format.extension);
+    app.add_option("--fail", options.fail,
+                   "Exit with 2 when this holds: rmse>0.02 (also without a value); may be repeated");
+    app.add_option("--warn", options.warn, "Exit with 1 when this holds: ssim<0.9");
+    app.add_option(
+        "--export", options.exports,
+        fmt::format("Write the numbers to this file, by its extension: {}", fmt::join(extensions, ", ")));
+}
+
+void add_baseline_option(CLI::App& app, OutcomeOptions& options) {
+    app.add_option(
+        "--baseline", options.baseline,
+        "results.json of an earlier run: says of each cell whether it is better or worse beyond doubt; "
+        "--fail worse makes that a limit");
+}
+
+Outcome::Outcome(const OutcomeOptions& options)
+    : baseline_(read_baseline(options.baseline)),
+      gates_(options.fail, options.warn, baseline_ != nullptr),
+      exports_(options.exports) {}
+
+void Outcome::print(const Gates::Tripped& tripped, const std::string& where) {
+    for (const std::string& line : tripped.failures) fmt::print(stderr, "fail {}: {}\n", where, line);
+    for (const std::string& line : tripped.warnings) fmt::print(stderr, "warn {}: {}\n", where, line);
+}
+
+ExitCode Outcome::conclude(const Results& results) {
+    std::map<std::string, Gates::Tripped> by_cell;
+    for (const CellRecord& cell : results.cells) by_cell[cell.id] = gates_.check(cell.ranked);
+    if (results.baseline) {
+        for (const ChangeRecord& change : results.baseline->changes)
+            by_cell[change.cell_id].add(gates_.check(change));
+    }
+    Gates::Tripped all;
+    std::map<std::string, std::vector<std::string>> failures;
+    for (const auto& [id, tripped] : by_cell) {
+        print(tripped, id);
+        all.add(tripped);
+        if (!tripped.failures.empty()) failures[id] = tripped.failures;
+    }
+    exports_.write(export_table(results, failures));
+    for (const CellRecord& cell : results.cells)
+        gates_.require_above_noise(noise_floor_of(results, cell), cell.view_key);
+    if (!all.failures.empty()) return ExitCode::gate_failed;
+    return failed_cells(results) > 0 ? ExitCode::cells_failed : all.exit_code();
+}
+
+}  // namespace aoscore

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "experiment/gates.h"
+#include "results/export/export_files.h"
+#include "results/results.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace aoscore {
+
+/// What becomes of measured numbers: exit code and files.
+struct OutcomeOptions {
+    std::vector<std::string> fail, warn;
+    std::vector<std::filesystem::path> exports;
+    std::filesystem::path baseline;  ///< empty: none
+};
+/// --fail, --warn, --export.
+void add_outcome_options(CLI::App& app, OutcomeOptions& options);
+/// --baseline.
+void add_baseline_option(CLI::App& app, OutcomeOptions& options);
+
+/// Gates, open export files and the baseline, made before the work begins so that what is wrong with them
+/// costs nothing.
+class Outcome {
+  public:
+    explicit Outcome(const OutcomeOptions& options);
+
+    const Gates& gates() const { return gates_; }
+    ExportFiles& exports() { return exports_; }
+    const std::shared_ptr<const Results>& baseline() const { return baseline_; }
+
+    /// Writes the exports of a run, says on standard error which limits were tripped where, and returns the
+    /// exit code: a tripped --fail, then a failed cell, then a tripped --warn. A cell that failed has no
+    /// value and so trips every limit.
+    ExitCode conclude(const Results& results);
+
+    /// Says which were tripped.
+    static void print(const Gates::Tripped& tripped, const std::string& where);
+
+  private:
+    std::shared_ptr<const Results> baseline_;
+    Gates gates_;
+    ExportFiles exports_;
+};
+
+}  // namespace aoscore

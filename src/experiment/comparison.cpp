@@ -1,0 +1,134 @@
+#include "experiment/comparison.h"
+
+#include "core/error.h"
+#include "metrics/evaluate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace aoscore {
+namespace {
+
+template <class T>
+Image<T> cropped(const Image<T>& image, const Crop& crop) {
+    Image<T> result(crop.width, crop.height);
+    for (int y = 0; y < crop.height; ++y) {
+        const T* from = &image.at(crop.x, crop.y + y);
+        std::copy(from, from + crop.width, &result.at(0, y));
+    }
+    return result;
+}
+
+void crop_file(VisibilityFile& file, const Crop& crop) {
+    file.visibility = cropped(file.visibility, crop);
+    file.mask = cropped(file.mask, crop);
+    if (!file.standard_error.empty()) file.standard_error = cropped(file.standard_error, crop);
+}
+
+bool lies_within(const Crop& crop, const ImageF& image) {
+    return crop.width >= 1 && crop.height >= 1 && crop.x >= 0 && crop.y >= 0 &&
+           crop.width <= image.width - crop.x && crop.height <= image.height - crop.y;
+}
+
+template <class T>
+std::string size_text(const Image<T>& image) {
+    return fmt::format("{}x{}", image.width, image.height);
+}
+
+template <class T>
+void require_size(const ImageF& truth, const Image<T>& image, const char* name,
+                  const std::filesystem::path& path) {
+    if (image.same_size(truth)) return;
+    throw Error(ExitCode::sizes_differ,
+                fmt::format("truth is {}, {} is {}", size_text(truth), name, size_text(image)), path.string(),
+                "images of one size");
+}
+
+struct Pair {
+    VisibilityFile truth, test;
+    Mask candidate;  ///< pixels that all masks let count
+};
+
+Pair read_pair(const ComparisonRequest& request) {
+    Pair pair{read_visibility(request.truth, request.truth_reading),
+              read_visibility(request.test, request.test_reading),
+              {}};
+    Mask mask;
+    if (!request.mask.empty()) {
+        mask = read_mask(request.mask);
+        require_size(pair.truth.visibility, mask, "the mask", request.mask);
+    }
+    if (request.crop) {
+        const Crop& crop = *request.crop;
+        if (!lies_within(crop, pair.truth.visibility)) {
+            throw usage_error(fmt::format("{}x{} pixels at {}, {} are not within the truth", crop.width,
+                                          crop.height, crop.x, crop.y),
+                              "--crop", "a part of " + size_text(pair.truth.visibility));
+        }
+        if (pair.test.visibility.same_size(pair.truth.visibility)) crop_file(pair.test, crop);
+        crop_file(pair.truth, crop);
+        if (!mask.empty()) mask = cropped(mask, crop);
+    }
+    require_size(pair.truth.visibility, pair.test.visibility, "test", request.test);
+    pair.candidate = pair.truth.mask;
+    for (std::size_t i = 0; i < pair.candidate.size(); ++i) {
+        pair.candidate.pixels[i] &= pair.test.mask.pixels[i];
+        if (!mask.empty()) pair.candidate.pixels[i] &= mask.pixels[i];
+    }
+    return pair;
+}
+
+nlohmann::json json_of(const MeasuredMetric& metric) {
+    nlohmann::json object = {{"value", metric.value ? nlohmann::json(*metric.value) : nlohmann::json()}};
+    if (!metric.note.empty()) object["note"] = metric.note;
+    return object;
+}
+
+}  // namespace
+
+Comparison compare_images(const ComparisonRequest& request) {
+    const Pair pair = read_pair(request);
+    Comparison result;
+    result.request = request;
+    result.truth_channel = pair.truth.channel;
+    result.test_channel = pair.test.channel;
+    result.width = pair.truth.visibility.width;
+    result.height = pair.truth.visibility.height;
+    const Mask valid =
+        finite_pixels(pair.truth.visibility, pair.test.visibility, pair.candidate, result.nonfinite);
+    for (const auto pixel : valid.pixels) result.valid_pixels += pixel;
+    const MetricInput input{pair.truth.visibility, pair.test.visibility, valid,
+                            pair.truth.standard_error.empty() ? nullptr : &pair.truth.standard_error};
+    result.metrics = evaluate(input);
+    if (input.standard_error != nullptr) result.noise = noise_floor(*input.standard_error, valid);
+    result.analysis = analyse(input, {}, request.mask_threshold, request.seed);
+    return result;
+}
+
+nlohmann::json to_json(const Comparison& comparison) {
+    const ComparisonRequest& request = comparison.request;
+    nlohmann::json metrics = nlohmann::json::object();
+    for (const auto& [id, metric] : comparison.metrics) metrics[id] = json_of(metric);
+    nlohmann::json masks = {
+        {"threshold", request.mask_threshold}, {"missing_area", nullptr}, {"false_area", nullptr}};
+    if (comparison.analysis) {
+        masks["missing_area"] = comparison.analysis->missing.area;
+        masks["false_area"] = comparison.analysis->false_occlusion.area;
+    }
+    return {
+        {"truth", request.truth.string()},
+        {"truth_channel", comparison.truth_channel},
+        {"test", request.test.string()},
+        {"test_channel", comparison.test_channel},
+        {"width", comparison.width},
+        {"height", comparison.height},
+        {"valid_pixels", comparison.valid_pixels},
+        {"nonfinite", comparison.nonfinite},
+        {"noise_floor_rmse", comparison.noise ? nlohmann::json(comparison.noise->rmse()) : nlohmann::json()},
+        {"metrics", metrics},
+        {"masks", masks},
+        {"analysis", comparison.analysis ? to_json(*comparison.analysis) : nlohmann::json()}};
+}
+
+}  // namespace aoscore

@@ -1,0 +1,39 @@
+#include "results/export/export_format.h"
+
+#include "core/error.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace aoscore {
+
+const std::vector<ExportFormat>& export_formats() {
+    static const std::vector<ExportFormat> table = {
+        {".csv", "CSV", export_as::csv},          {".json", "JSON", export_as::json},
+        {".md", "Markdown", export_as::markdown}, {".tex", "LaTeX", export_as::latex},
+        {".xml", "JUnit", export_as::junit},
+    };
+    return table;
+}
+
+const ExportFormat& export_format(const std::filesystem::path& path) {
+    const std::string extension = path.extension().string();
+    const auto found = std::ranges::find(export_formats(), extension, &ExportFormat::extension);
+    if (found != export_formats().end()) return *found;
+    std::vector<std::string_view> known;
+    for (const ExportFormat& format : export_formats()) known.push_back(format.extension);
+    throw usage_error(fmt::format("no format has the extension \"{}\"", extension), path.string(),
+                      fmt::format("{}", fmt::join(known, ", ")));
+}
+
+std::string export_as::json(const ExportTable& table) {
+    return table.document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string brief_number(const std::optional<double>& number, int decimals) {
+    return number ? fmt::format("{:.{}f}", *number, decimals) : "–";
+}
+
+}  // namespace aoscore

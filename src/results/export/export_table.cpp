@@ -1,0 +1,109 @@
+#include "results/export/export_table.h"
+
+#include <functional>
+#include <set>
+
+namespace aoscore {
+namespace {
+
+/// The metrics that a table for readers shows.
+const std::set<std::string, std::less<>> kBrief = {"rmse", "rmse_debiased", "bias", "ssim", "flip"};
+
+struct Part {
+    ExportColumn column;
+    std::function<std::optional<double>(const MetricMap&, const ErrorAnalysis*)> value;
+};
+
+std::optional<double> bound(const ErrorAnalysis* analysis, const std::string& id, double Interval::*end) {
+    if (analysis == nullptr) return std::nullopt;
+    const auto found = analysis->intervals.find(id);
+    return found == analysis->intervals.end() ? std::nullopt : std::optional(found->second.*end);
+}
+
+std::vector<Part> measure_parts() {
+    std::vector<Part> parts;
+    for (const Metric& metric : metrics()) {
+        const std::string id(metric.id);
+        const std::string unit = metric.unit.empty() ? "" : " (" + std::string(metric.unit) + ")";
+        parts.push_back({{id, std::string(metric.label) + unit, 4, kBrief.contains(id)},
+                         [id](const MetricMap& map, const ErrorAnalysis*) {
+                             const auto found = map.find(id);
+                             return found == map.end() ? std::nullopt : found->second.value;
+                         }});
+    }
+    for (const char* id : {"rmse", "rmse_debiased", "mae", "bias", "psnr"}) {
+        for (const auto& [suffix, end] :
+             {std::pair("_low", &Interval::low), std::pair("_high", &Interval::high)}) {
+            parts.push_back(
+                {{std::string(id) + suffix, "", 4, false},
+                 [id, end](const MetricMap&, const ErrorAnalysis* a) { return bound(a, id, end); }});
+        }
+    }
+    const auto add = [&](const char* key, const char* label, bool brief,
+                         std::function<std::optional<double>(const ErrorAnalysis&)> value) {
+        parts.push_back({{key, label, 4, brief}, [value](const MetricMap&, const ErrorAnalysis* a) {
+                             return a == nullptr ? std::nullopt : value(*a);
+                         }});
+    };
+    add("missing_area", "Missing", true, [](const ErrorAnalysis& a) { return a.missing.area; });
+    add("missing_mean", "", false, [](const ErrorAnalysis& a) { return a.missing.mean; });
+    add("false_area", "False", true, [](const ErrorAnalysis& a) { return a.false_occlusion.area; });
+    add("false_mean", "", false, [](const ErrorAnalysis& a) { return a.false_occlusion.mean; });
+    add("fit_strength", "", false, [](const ErrorAnalysis& a) { return a.fit.strength; });
+    add("fit_exponent", "", false, [](const ErrorAnalysis& a) { return a.fit.exponent; });
+    add("fit_rmse", "", false, [](const ErrorAnalysis& a) { return a.fit.rmse; });
+    return parts;
+}
+
+std::optional<double> rank_of(const Results& results, const CellRecord& cell) {
+    for (const RankingRecord& ranking : results.rankings) {
+        if (ranking.view_keys.size() != 1) continue;
+        for (const PlaceRecord& place : ranking.places) {
+            if (place.cell_ids.front() == cell.id) return place.rank;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+void add_measures(ExportTable& table) {
+    for (Part& part : measure_parts()) table.columns.push_back(std::move(part.column));
+}
+
+std::vector<std::optional<double>> measures_of(const MetricMap& metrics,
+                                               const std::optional<ErrorAnalysis>& analysis) {
+    std::vector<std::optional<double>> numbers;
+    for (const Part& part : measure_parts())
+        numbers.push_back(part.value(metrics, analysis ? &*analysis : nullptr));
+    return numbers;
+}
+
+ExportTable export_table(const Results& results,
+                         const std::map<std::string, std::vector<std::string>>& failures) {
+    ExportTable table;
+    table.title = results.command;
+    table.document = to_json(results);
+    table.name_columns = {"view", "method", "preset", "filter"};
+    add_measures(table);
+    table.columns.push_back({"rank", "Rank", 0});
+    table.columns.push_back({"fetches_per_pixel", "Fetches", 1});
+    table.columns.push_back({"ao_ms", "AO (ms)", 1});
+    table.columns.push_back({"filter_ms", "", 1, false});
+    table.columns.push_back({"frame_ms", "", 1, false});
+    for (const CellRecord& cell : results.cells) {
+        ExportRow row{{cell.view_key, cell.method, cell.preset, cell.filter},
+                      measures_of(cell.ranked, cell.analysis),
+                      cell.error,
+                      {}};
+        for (const auto& number : {rank_of(results, cell), cell.fetches_per_pixel, cell.ao.median_ms,
+                                   cell.blur.median_ms, cell.frame_ms}) {
+            row.numbers.push_back(number);
+        }
+        if (const auto found = failures.find(cell.id); found != failures.end()) row.failures = found->second;
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+}  // namespace aoscore

@@ -1,0 +1,63 @@
+#include "results/export/export_format.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace aoscore {
+namespace {
+
+std::string escaped(const std::string& text) {
+    static const std::map<char, std::string> kSpecial = {{'&', "\\&"},
+                                                         {'%', "\\%"},
+                                                         {'$', "\\$"},
+                                                         {'#', "\\#"},
+                                                         {'_', "\\_"},
+                                                         {'{', "\\{"},
+                                                         {'}', "\\}"},
+                                                         {'~', "\\textasciitilde{}"},
+                                                         {'^', "\\textasciicircum{}"},
+                                                         {'\\', "\\textbackslash{}"},
+                                                         {'\n', " "}};
+    std::string result;
+    for (const char c : text) {
+        const auto found = kSpecial.find(c);
+        result += found == kSpecial.end() ? std::string(1, c) : found->second;
+    }
+    return result;
+}
+
+std::string number(const std::optional<double>& value, int decimals) {
+    if (!value) return "--";
+    const std::string text = brief_number(value, decimals);
+    return text.starts_with('-') ? "$" + text + "$" : text;
+}
+
+}  // namespace
+
+std::string export_as::latex(const ExportTable& table) {
+    std::string alignment(table.name_columns.size(), 'l'), head;
+    for (const std::string& name : table.name_columns) head += (head.empty() ? "" : " & ") + escaped(name);
+    for (const ExportColumn& column : table.columns) {
+        if (!column.brief) continue;
+        alignment += 'r';
+        head += " & " + escaped(column.label);
+    }
+    std::string text =
+        fmt::format("% {}\n% needs \\usepackage{{booktabs}}\n\\begin{{tabular}}{{{}}}\n\\toprule\n{} \\\\\n",
+                    escaped(table.title), alignment, head);
+    const std::string* group = nullptr;
+    for (const ExportRow& row : table.rows) {
+        if (group == nullptr || *group != row.names.front()) text += "\\midrule\n";
+        group = &row.names.front();
+        for (std::size_t i = 0; i < row.names.size(); ++i)
+            text += (i > 0 ? " & " : "") + escaped(row.names[i]);
+        for (std::size_t i = 0; i < row.numbers.size(); ++i) {
+            if (table.columns[i].brief) text += " & " + number(row.numbers[i], table.columns[i].decimals);
+        }
+        text += " \\\\\n";
+    }
+    return text + "\\bottomrule\n\\end{tabular}\n";
+}
+
+}  // namespace aoscore

@@ -1,0 +1,47 @@
+#include "results/export/export_format.h"
+
+#include <fmt/format.h>
+
+namespace aoscore {
+namespace {
+
+std::string escaped(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '|' || c == '\\' || c == '*' || c == '_' || c == '`' || c == '<') result += '\\';
+        result += c == '\n' ? ' ' : c;
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string export_as::markdown(const ExportTable& table) {
+    std::string head = "|", rule = "|";
+    for (const std::string& name : table.name_columns) {
+        head += " " + escaped(name) + " |";
+        rule += " --- |";
+    }
+    for (const ExportColumn& column : table.columns) {
+        if (!column.brief) continue;
+        head += " " + escaped(column.label) + " |";
+        rule += " ---: |";
+    }
+    std::string text = head + "\n" + rule + "\n";
+    for (const ExportRow& row : table.rows) {
+        text += "|";
+        for (const std::string& name : row.names) text += " " + escaped(name) + " |";
+        for (std::size_t i = 0; i < row.numbers.size(); ++i) {
+            if (table.columns[i].brief)
+                text += " " + brief_number(row.numbers[i], table.columns[i].decimals) + " |";
+        }
+        text += "\n";
+    }
+    for (const ExportRow& row : table.rows) {
+        if (!row.error.empty())
+            text += fmt::format("\n{} failed: {}\n", escaped(row.names[1]), escaped(row.error));
+    }
+    return text;
+}
+
+}  // namespace aoscore
