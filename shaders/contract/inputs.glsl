@@ -77,7 +77,8 @@ const int kDepthMipLevels = 6;
 vec3 tap_mip_position(vec2 image_px, int mip) {
     COUNT_TAP
     vec2 texel = floor(image_px), inside = clamp(texel, vec2(0.0), u_size_px - 1.0);
-    float depth = texelFetch(u_depth_mips, min(ivec2(inside) >> mip, textureSize(u_depth_mips, mip) - 1), mip).r;
+    // Not textureSize: where pixels differ in `mip`, llvmpipe gives them all the size of one pixel's level.
+    float depth = texelFetch(u_depth_mips, min(ivec2(inside) >> mip, max(ivec2(u_size_px) >> mip, 1) - 1), mip).r;
 #if BORDER_FAR
     depth = inside == texel ? depth : u_far;
 #endif

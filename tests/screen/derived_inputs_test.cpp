@@ -126,5 +126,23 @@ TEST(DepthMips, OfTheRotatedGridHoldDepthsOfThePicture) {
     }
 }
 
+// Coarser levels blur what taps read, no more: neighbouring pixels that read different levels must not
+// disturb each other.
+TEST(DepthMips, ChangeXegtaoLittle) {
+    const auto methods = load_methods(), filters = load_filters();
+    const MethodDescriptor& xegtao = find_method(methods, "xegtao");
+    ScreenRenderer renderer;
+    renderer.set_scene(corner_scene());
+    renderer.draw_gbuffer(CameraFrame(corner_camera(), 240, 135), {"normal_geometric"});
+    const GBufferImages images = renderer.read_gbuffer();
+    const ParameterValues wide = {{"radius", 1.5}}, wide_without_mips = {{"radius", 1.5}, {"mip_offset", 16}};
+    ImageF difference = renderer.run(request_for(xegtao, filters, "default", wide)).raw;
+    const ImageF without = renderer.run(request_for(xegtao, filters, "default", wide_without_mips)).raw;
+    for (std::size_t i = 0; i < without.size(); ++i)
+        difference.pixels[i] = std::abs(difference.pixels[i] - without.pixels[i]);
+    EXPECT_GT(mean_over(difference, images.surface), 0);
+    EXPECT_LT(mean_over(difference, images.surface), 0.01);
+}
+
 }  // namespace
 }  // namespace aoscore::testing
