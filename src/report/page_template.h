@@ -17,4 +17,8 @@ std::string escaped_html(const std::string& text);
 /// A value as the text of a script element of type application/json, which nothing in it can end.
 std::string script_json(const nlohmann::json& value);
 
+/// A script element of a type that browsers leave alone, with the base64 of a zlib stream; the page's scripts
+/// find it by its name.
+std::string data_block(const std::string& name, const std::string& base64);
+
 }  // namespace aoscore

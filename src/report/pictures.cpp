@@ -2,8 +2,8 @@
 
 #include "core/error.h"
 #include "core/threads.h"
+#include "report/stored_images.h"
 #include "report/thumbnail.h"
-#include "results/image_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,24 +22,6 @@ constexpr int kThumbnailWidth_px = 480;
 // Of visibility; two bytes of each make at most 22 MB of page.
 constexpr std::size_t kSmallPage_values = 8'000'000;
 
-fs::path inside(const fs::path& folder, const std::string& file) {
-    const fs::path relative = fs::path(file).lexically_normal();
-    if (relative.empty() || relative.is_absolute() || *relative.begin() == "..") {
-        throw file_error(fmt::format("names an image outside its folder, \"{}\"", file),
-                         (folder / "results.json").string(), "a file beside it");
-    }
-    return folder / relative;
-}
-
-const ImageF& channel_of(const ImageFile& file, const fs::path& path, const std::string& name) {
-    const ImageF* image = file.channel(name);
-    if (image == nullptr) {
-        throw file_error(fmt::format("has no channel {}", name), path.string(),
-                         fmt::format("{}", fmt::join(file.channel_names, ", ")));
-    }
-    return *image;
-}
-
 void require_size(const ImageF& image, const ViewRecord& view, const fs::path& path) {
     if (image.width == view.width && image.height == view.height) return;
     throw file_error(fmt::format("is {}x{}", image.width, image.height), path.string(),
@@ -53,7 +35,7 @@ struct Truth {
 };
 
 Truth read_truth(const ViewRecord& view, const fs::path& folder) {
-    const fs::path path = inside(folder, view.truth_file);
+    const fs::path path = stored_path(folder, view.truth_file);
     if (view.truths.empty()) throw file_error("has no truth", path.string() + ": " + view.key);
     const TruthRecord& record = view.truths.front();
     const ImageFile file = read_image(path);
@@ -119,7 +101,7 @@ ViewPictures view_pictures(const ViewRecord& view, const Truth& truth, const Enc
     const ImageF error = pictures.has_standard_error ? truth.standard_error : ImageF(view.width, view.height);
     pictures.standard_error = quantise(only_where(error, truth.valid), 0, 0, kErrorLevels);
     if (!view.gbuffer_file.empty()) {
-        const fs::path path = inside(folder, view.gbuffer_file);
+        const fs::path path = stored_path(folder, view.gbuffer_file);
         const ImageFile file = read_image(path);
         const ImageF& depth = channel_of(file, path, "Z");
         require_size(depth, view, path);
@@ -132,7 +114,7 @@ ViewPictures view_pictures(const ViewRecord& view, const Truth& truth, const Enc
 
 CellPictures cell_pictures(const CellRecord& cell, const ViewRecord& view, const Encoding& encoding,
                            const fs::path& folder) {
-    const fs::path path = inside(folder, cell.image_file);
+    const fs::path path = stored_path(folder, cell.image_file);
     const ImageFile file = read_image(path);
     const ImageF& output = channel_of(file, path, "Y");
     require_size(output, view, path);

@@ -23,13 +23,12 @@ std::string section_html(const Section& section, const PageSource& source) {
     return fill_template(read_file(fragment), section.build(source), fragment.string());
 }
 
-std::string page_html(const Results& results, const Pictures& pictures) {
-    const PageSource source{results, pictures};
+std::string page_html(const PageSource& source) {
     nlohmann::json model = {{"style", page_style()},
                             {"script", page_script()},
                             {"stage_data", stage_data(source)},
-                            {"version", results.program_version},
-                            {"created", results.created_utc},
+                            {"version", source.results.program_version},
+                            {"created", source.results.created_utc},
                             {"sections", nlohmann::json::array()}};
     for (const Section& section : sections()) {
         model["sections"].push_back({{"id", std::string(section.id)},
@@ -39,7 +38,7 @@ std::string page_html(const Results& results, const Pictures& pictures) {
     const fs::path frame = page_folder() / "template.html";
     std::string html = fill_template(read_file(frame), model, frame.string());
     // The images come last: what a reader sees first does not wait for them.
-    html.insert(html.rfind("</body>"), image_blocks(source));
+    html.insert(html.rfind("</body>"), image_blocks(source) + live_blocks(source.live));
     return html;
 }
 
@@ -47,7 +46,8 @@ std::string page_html(const Results& results, const Pictures& pictures) {
 
 fs::path write_report(const fs::path& results_folder) {
     const Results results = read_results(results_folder);
-    const std::string html = page_html(results, make_pictures(results, results_folder));
+    const std::string html =
+        page_html({results, make_pictures(results, results_folder), read_live_data(results, results_folder)});
     if (html.size() > kLargePage_bytes) {
         log_warning(
             fmt::format("the page has {} MiB: render smaller images or fewer methods", html.size() >> 20U));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "report/live_data.h"
 #include "report/pictures.h"
 #include "results/results.h"
 
@@ -14,6 +15,7 @@ namespace aoscore {
 struct PageSource {
     const Results& results;
     const Pictures& pictures;
+    const LiveData& live;
 };
 
 /// One section of the page: a row of the table in sections.cpp, a file that builds its model, and the
@@ -34,6 +36,7 @@ nlohmann::json ranking(const PageSource& source);
 nlohmann::json pictures(const PageSource& source);
 nlohmann::json cost(const PageSource& source);
 nlohmann::json failures(const PageSource& source);
+nlohmann::json live(const PageSource& source);
 nlohmann::json published(const PageSource& source);
 nlohmann::json measurement(const PageSource& source);
 }  // namespace section

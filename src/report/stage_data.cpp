@@ -78,10 +78,7 @@ void append_blocks(std::string& text, const PicturesByName& all) {
     for (const auto& [owner, pictures] : all) {
         for (const NamedImage& named : images_of(pictures)) {
             if (named.image.empty()) continue;
-            text += fmt::format("<script type=\"application/octet-stream\" data-image=\"{}\">",
-                                escaped_html(name_of(owner, named)));
-            text += named.image.data;
-            text += "</script>\n";
+            text += data_block(name_of(owner, named), named.image.data);
         }
     }
 }

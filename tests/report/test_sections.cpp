@@ -18,13 +18,14 @@ using ::testing::Not;
 struct SyntheticPage {
     Results results = testing::synthetic_results();
     Pictures pictures;
+    LiveData live;
 
     void read_pictures() {
         const std::filesystem::path folder = testing::output_dir();
         testing::write_synthetic(results, folder);
         pictures = make_pictures(results, folder);
     }
-    PageSource source() const { return {results, pictures}; }
+    PageSource source() const { return {results, pictures, live}; }
 };
 
 TEST(Verdict, NamesTheClosestMethodItsLeadAndItsCost) {

@@ -1,0 +1,50 @@
+// The G-buffers that methods are run on, unpacked when they are first needed; src/report/live_packing.h says how they lie
+// here.
+
+// 32-bit integers of an image: four planes of bytes, the highest first, of what is left after left + up - upper left.
+function unpackedIntegers(bytes, width, height) {
+  const size = width * height;
+  const values = new Uint32Array(size);
+  for (let y = 0, i = 0; y < height; y += 1) {
+    for (let x = 0; x < width; x += 1, i += 1) {
+      const folded = bytes[i] << 24 | bytes[size + i] << 16 | bytes[2 * size + i] << 8 | bytes[3 * size + i];
+      const left = x > 0 ? values[i - 1] : 0;
+      const up = y > 0 ? values[i - width] : 0;
+      const upLeft = x > 0 && y > 0 ? values[i - width - 1] : 0;
+      values[i] = left + up - upLeft + (folded >>> 1 ^ -(folded & 1));  // modulo 2^32, as the array stores it
+    }
+  }
+  return values;
+}
+
+// Unit vectors, four floats each, from octahedral codes of two 16-bit numbers.
+function unpackedNormals(bytes) {
+  const codes = new Uint16Array(bytes.buffer, bytes.byteOffset, bytes.byteLength / 2);
+  const normals = new Float32Array(2 * codes.length);
+  for (let i = 0; i < codes.length; i += 2) {
+    let x = codes[i] / 32767 - 1;
+    let y = codes[i + 1] / 32767 - 1;
+    const z = 1 - Math.abs(x) - Math.abs(y);
+    if (z < 0) {
+      const fold = x;
+      x = (1 - Math.abs(y)) * (fold < 0 ? -1 : 1);
+      y = (1 - Math.abs(fold)) * (y < 0 ? -1 : 1);
+    }
+    const length = Math.hypot(x, y, z);
+    normals[2 * i] = x / length;
+    normals[2 * i + 1] = y / length;
+    normals[2 * i + 2] = z / length;
+  }
+  return normals;
+}
+
+// {name: {format, data}} as LiveRunner takes them.
+async function unpackedInputs(view) {
+  const inputs = {};
+  for (const [name, { kind, data }] of Object.entries(view.inputs)) {
+    const bytes = await inflatedBytes(data);
+    inputs[name] = kind === 'normals' ? { format: 'RGBA', data: unpackedNormals(bytes) }
+      : { format: 'R', data: new Float32Array(unpackedIntegers(bytes, view.width, view.height).buffer) };
+  }
+  return inputs;
+}

@@ -1,0 +1,146 @@
+// Runs methods and filters of the registry on one view's G-buffer, as screen/method_runner.cpp does with GL 3.3.
+
+// Points of a kernel at its present size: the table's first ones, scaled as screen/kernel.h says.
+const kernelPoints = (kernel, parameters) => {
+  const valueOf = (member) => (member.startsWith('@') ? parameters[member.slice(1)] : member);
+  const size = Number(valueOf(kernel.size)), scale = valueOf(kernel.scale);
+  const table = kernel.tables.find(({ when }) => Object.entries(when).every(([id, choice]) => parameters[id] === choice));
+  const points = Float32Array.from(table.points.slice(0, 3 * size));
+  if (scale === 'none') return points;
+  return points.map((component, i) => {
+    const t = Math.floor(i / 3) / (scale === 'squared_of_64' ? 64 : size);
+    return component * (0.1 + 0.9 * t * t);
+  });
+};
+
+class LiveRunner {
+  constructor(contract) {
+    this.live = new LiveGl();
+    this.contract = contract;
+    this.noise = this.live.texture('RGBA', 4, 4, { data: Float32Array.from(contract.noise_4x4) });
+    this.textures = new Map();
+  }
+
+  // `inputs`: {name: {format: 'R' or 'RGBA', data}} of the G-buffer.
+  setView(view, inputs) {
+    for (const { texture } of this.textures.values()) this.live.deleteTexture(texture);
+    this.textures.clear();
+    this.view = view;
+    for (const [name, { format, data }] of Object.entries(inputs)) {
+      this.textures.set(name, { texture: this.live.texture(format, view.width, view.height, { data }) });
+    }
+  }
+
+  target(name, scale) {
+    const key = `target ${name} ${scale}`;
+    if (!this.textures.has(key)) {
+      const width = Math.ceil(this.view.width / scale), height = Math.ceil(this.view.height / scale);
+      this.textures.set(key, { texture: this.live.texture('R', width, height), width, height });
+    }
+    return this.textures.get(key);
+  }
+
+  setViewUniforms(set) {
+    const { width, height, pixel_size: pixelSize, near_m: near, far_m: far } = this.view;
+    set('u_size_px', '2f', width, height);
+    set('u_pixel_size', '2f', ...pixelSize);
+    set('u_near', '1f', near);
+    set('u_far', '1f', far);
+  }
+
+  derivedProgram(file, macros) {
+    const all = { ORTHOGRAPHIC: Number(this.view.orthographic), ...macros };
+    return this.live.program(this.contract.screen_vertex, this.contract.derived[file], all);
+  }
+
+  normalFromDepth(accurate) {
+    const key = `normal_from_depth ${accurate}`;
+    if (!this.textures.has(key)) {
+      const { width, height } = this.view;
+      const made = { texture: this.live.texture('RGBA', width, height), width, height };
+      this.textures.set(key, made);
+      this.live.draw(this.derivedProgram('normal_from_depth.frag', { ACCURATE: Number(accurate) }), made,
+        { u_linear_depth: this.textures.get('linear_depth').texture }, (set) => this.setViewUniforms(set));
+    }
+    return this.textures.get(key).texture;
+  }
+
+  // One chain is kept: a radius that is dragged makes many.
+  depthMips(filter, radius) {
+    const { width, height } = this.view;
+    const levels = Math.min(this.contract.depth_mip_levels, 1 + Math.floor(Math.log2(Math.max(width, height))));
+    if (!this.textures.has('depth_mips')) {
+      this.textures.set('depth_mips', { texture: this.live.texture('R', width, height, { levels }), of: '' });
+    }
+    const mips = this.textures.get('depth_mips');
+    if (mips.of === `${filter} ${radius}`) return mips.texture;
+    mips.of = `${filter} ${radius}`;
+    const program = this.derivedProgram('depth_mip.frag', { WEIGHTED: Number(filter === 'weighted') });
+    for (let level = 0; level < levels; level += 1) {
+      // A level may be read while another is drawn only when the drawn one is out of the sampler's reach.
+      if (level > 0) this.live.setLevels(mips.texture, level - 1);
+      const source = level === 0 ? this.textures.get('linear_depth').texture : mips.texture;
+      const target = { texture: mips.texture, level, width: Math.max(width >> level, 1), height: Math.max(height >> level, 1) };
+      this.live.draw(program, target, { u_source: source }, (set) => {
+        this.setViewUniforms(set);
+        set('u_source_level', '1i', level - 1);
+        set('u_radius', '1f', radius);
+      });
+    }
+    this.live.setLevels(mips.texture, levels - 1);
+    return mips.texture;
+  }
+
+  input(name, descriptor, parameters, previous) {
+    if (name === 'visibility' || name === 'coarser') return previous.texture;
+    if (name === 'noise_4x4') return this.noise;
+    if (name === 'normal_from_depth') return this.normalFromDepth(false);
+    if (name === 'normal_from_depth_accurate') return this.normalFromDepth(true);
+    if (name === 'depth_mips') {
+      const { filter, radius } = descriptor.depth_mips;
+      return this.depthMips(filter, radius ? parameters[radius] : 0);
+    }
+    return this.textures.get(name).texture;
+  }
+
+  setParameters(program, set, descriptor, parameters) {
+    for (const { id, type, choices } of descriptor.parameters) {
+      const value = parameters[id];
+      if (type === 'real') set(`p_${id}`, '1f', value);
+      else set(`p_${id}`, '1i', type === 'choice' ? choices.indexOf(value) : Number(value));
+    }
+    for (const kernel of descriptor.kernels) {
+      this.live.bindKernel(program, kernel.id, kernelPoints(kernel, parameters), kernel.largest);
+    }
+  }
+
+  // The passes of a method or filter; `visibility` is what a filter's first pass reads. Returns the last target.
+  passes(descriptor, parameters, border, visibility) {
+    let previous = visibility, before = 1;
+    descriptor.passes.forEach((pass, i) => {
+      const macros = {
+        ORTHOGRAPHIC: Number(this.view.orthographic), BORDER_FAR: Number(border === 'far'),
+        SCALE: pass.scale, COARSER_SCALE: before, TAP_SCALE: 1, DUAL: 0, COUNT_FETCHES: 0,
+      };
+      const program = this.live.program(this.contract.screen_vertex, descriptor.sources[pass.source], macros);
+      // Inputs first: making one draws by itself.
+      const inputs = {};
+      for (const name of pass.inputs) inputs[`u_${name}`] = this.input(name, descriptor, parameters, previous);
+      const target = this.target(`${visibility ? 'filter' : 'method'} ${i}`, pass.scale);
+      this.live.draw(program, target, inputs, (set) => {
+        this.setViewUniforms(set);
+        set('u_seed', '1ui', this.contract.seed);
+        this.setParameters(program, set, descriptor, parameters);
+      });
+      previous = target;
+      before = pass.scale;
+    });
+    return previous;
+  }
+
+  // A promise of a method's visibility, after the filter where there is one.
+  run({ method, parameters, filter, filterParameters, border }) {
+    const raw = this.passes(method, parameters, border, null);
+    return this.live.read(filter ? this.passes(filter, filterParameters, border, raw) : raw);
+  }
+}

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "results/results.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace aoscore {
+
+/// What the page runs methods on: the shaders and cameras that the run left (results/live_file.h), and the
+/// stored G-buffers.
+struct LiveData {
+    std::string missing;  ///< why nothing can be run, a sentence; empty otherwise
+
+    /// {contract, methods, filters, views}: the run's file without the methods that cannot be run. Each view
+    /// has, beside its camera, `inputs`: {name: {kind: "floats" or "normals", data: name of the block}};
+    /// scene, view, radius_m, samples, noise_floor_rmse; and `cells`: what was measured, with method, preset,
+    /// filter, parameters and the ranked metrics.
+    nlohmann::json index;
+
+    struct Refused {
+        std::string label;
+        std::string reason;
+    };
+    std::vector<Refused> refused;  ///< methods that cannot be run in a browser
+
+    /// Texts of script elements by name: G-buffer inputs, packed (live_packing.h).
+    std::vector<std::pair<std::string, std::string>> blocks;
+};
+
+/// Throws file_error for a live.json that is damaged, and where the G-buffer's file lacks a channel.
+LiveData read_live_data(const Results& results, const std::filesystem::path& folder);
+
+/// The script elements that hold it: "live index" and the blocks.
+std::string live_blocks(const LiveData& data);
+
+}  // namespace aoscore

@@ -1,0 +1,25 @@
+// Drives the section of live parameters.
+
+// What it shows once it has drawn: {method, parameters, filter, border, output, errors}.
+export async function shown(page) {
+  await page.waitForFunction(() => !document.querySelector('.live-failure').hidden
+    || document.querySelector('.live-results').getAttribute('aria-busy') === 'false', null, { timeout: 60000 });
+  return page.evaluate(() => {
+    const failure = document.querySelector('.live-failure');
+    if (!failure.hidden) throw new Error(failure.textContent);
+    const { method, parameters, filter, border, output, errors } = document.querySelector('details.live').shown;
+    return { method: method.id, parameters, filter: filter?.id ?? 'none', border, output: [...output], errors };
+  });
+}
+
+export async function openLive(page) {
+  await page.locator('details.live summary').click();
+  return shown(page);
+}
+
+// The method with the settings of a measured cell.
+export async function startFrom(page, cell) {
+  await page.locator('#live-method').selectOption(cell.method);
+  await page.locator('#live-preset').selectOption(cell.preset);
+  return shown(page);
+}
