@@ -64,22 +64,20 @@ void RayBatch::reserve(std::size_t size) {
     cell_.resize(size);
 }
 
-void RayBatch::add(const RaySource& source, std::size_t number, int first, int last) {
-    for (int replicate = 0; replicate < kReplicates; ++replicate) {
-        // Sample k is point k / kReplicates of set k mod kReplicates.
-        const int begin = (first - replicate + kReplicates - 1) / kReplicates;
-        const int end = (last - replicate + kReplicates - 1) / kReplicates;
-        if (end <= begin) continue;
-        const auto count = static_cast<std::size_t>(end - begin);
-        const std::uint64_t shifts = mix_bits(source.seed + static_cast<std::uint64_t>(replicate));
-        const PointSets::Coordinates set = points_.set(mix_bits(shifts));
-        reserve(size_ + count);
-        make_directions(
-            set.u + begin, set.v + begin, count, static_cast<std::uint32_t>(shifts),
-            static_cast<std::uint32_t>(shifts >> 32), source.frame,
-            static_cast<std::uint32_t>(number * kReplicates) + static_cast<std::uint32_t>(replicate),
-            &rays_[size_], &cell_[size_]);
+void RayBatch::add(const RaySource& source, std::size_t number, int first, int last, int block) {
+    const std::uint64_t shifts = mix_bits(source.seed);
+    const PointSets::Coordinates set = points_.set(mix_bits(shifts));
+    reserve(size_ + static_cast<std::size_t>(last - first));
+    while (first < last) {
+        const int index = first / block;
+        const int end = std::min(last, (index + 1) * block);
+        const auto count = static_cast<std::size_t>(end - first);
+        make_directions(set.u + first, set.v + first, count, static_cast<std::uint32_t>(shifts),
+                        static_cast<std::uint32_t>(shifts >> 32), source.frame,
+                        static_cast<std::uint32_t>(number * kBlocks) + static_cast<std::uint32_t>(index),
+                        &rays_[size_], &cell_[size_]);
         size_ += count;
+        first = end;
     }
 }
 

@@ -13,13 +13,13 @@ namespace aoscore {
 struct RaySource {
     glm::vec3 origin;
     glm::mat3 frame;     ///< third column: the axis of the hemisphere
-    std::uint64_t seed;  ///< of this pixel's point sets
+    std::uint64_t seed;  ///< of this pixel's points
 };
 
 /// Rays in one packet.
 inline constexpr std::size_t kPacket = 16;
 
-/// A direction, and the point set that it belongs to: kReplicates times the source, plus the replicate.
+/// A direction, and the sum that it counts for: kBlocks times the source, plus the block.
 struct DirectedRay {
     float x, y, z;
     std::uint32_t owner;
@@ -33,8 +33,8 @@ class RayBatch {
     explicit RayBatch(const PointSets& points) : points_(points) {}
 
     void clear() { size_ = 0; }
-    /// Samples [first, last) of source number `number`.
-    void add(const RaySource& source, std::size_t number, int first, int last);
+    /// Samples [first, last) of source number `number`, in blocks of `block` samples.
+    void add(const RaySource& source, std::size_t number, int first, int last, int block);
     void sort();
 
     std::size_t size() const { return size_; }

@@ -68,8 +68,10 @@ RecordedTile record(const EmbreeScene& scene, const CameraFrame& frame, const Ti
     }
     if (recorded.sources.size() != std::size_t{kTileSide} * kTileSide) return {};
     const auto rays_of_pixel = static_cast<std::size_t>(samples);
+    const int block = block_size(samples);
     RayBatch all(points);
-    for (std::size_t s = 0; s < recorded.sources.size(); ++s) all.add(recorded.sources[s], s, 0, samples);
+    for (std::size_t s = 0; s < recorded.sources.size(); ++s)
+        all.add(recorded.sources[s], s, 0, samples, block);
     all.sort();
     const auto with_origin = [&](const DirectedRay& ray, std::size_t source) {
         return single_ray(recorded.sources[source].origin, {ray.x, ray.y, ray.z}, tfar);
@@ -81,11 +83,11 @@ RecordedTile record(const EmbreeScene& scene, const CameraFrame& frame, const Ti
     PacketWriter sorted(recorded.sorted), by_pixel(recorded.by_pixel), by_block(recorded.by_block);
     for (std::size_t place = 0; place < all.size(); ++place) {
         const DirectedRay& next = all.sorted()[place];
-        sorted.add(with_origin(next, next.owner / kReplicates));
+        sorted.add(with_origin(next, next.owner / kBlocks));
     }
     for (std::size_t s = 0; s < recorded.sources.size(); ++s) {
         RayBatch one(points);
-        one.add(recorded.sources[s], 0, 0, samples);
+        one.add(recorded.sources[s], 0, 0, samples, block);
         one.sort();
         for (std::size_t place = 0; place < one.size(); ++place)
             by_pixel.add(with_origin(one.sorted()[place], s));
@@ -131,7 +133,7 @@ double ReplayRates::best() const {
 
 ReplayRates replay_rates(const EmbreeScene& scene, const CameraFrame& frame, double radius_m, int samples,
                          int tiles) {
-    const PointSets points(PointKind::scrambled_sobol, (samples + kReplicates - 1) / kReplicates);
+    const PointSets points(PointKind::scrambled_sobol, samples);
     std::vector<Tile> all = tiles_of(frame.width(), frame.height());
     std::sort(all.begin(), all.end(), [](const Tile& a, const Tile& b) {
         const auto key = [](const Tile& t) {

@@ -114,7 +114,7 @@ std::vector<Estimate> TileIntegrator::estimates(std::size_t query) const {
     for (std::size_t p = 0; p < pixels_.size(); ++p) {
         spreads.push_back(pixel_spread(tracer_.sums(p, query), samples_[p]));
     }
-    std::vector<Estimate> all = moderated_estimates(spreads);
+    std::vector<Estimate> all = moderated_estimates(spreads, plan_.first() < plan_.most());
     if (settings_.max_error > 0) {
         for (Estimate& e : all) e.standard_error = std::min(kStoppingAllowance * e.standard_error, 0.5);
     }

@@ -71,7 +71,7 @@ TileTracer::TileTracer(const EmbreeScene& scene, const std::vector<TruthQuery>& 
 
 void TileTracer::start(std::vector<RaySource> sources) {
     sources_ = std::move(sources);
-    const std::size_t owners = sources_.size() * kReplicates;
+    const std::size_t owners = sources_.size() * kBlocks;
     sums_.assign(owners * queries_.size(), 0);
     blocked_.resize(owners);
     if (observer_ != nullptr) observer_->start(sources_.size());
@@ -79,9 +79,9 @@ void TileTracer::start(std::vector<RaySource> sources) {
     origin_y_.clear();
     origin_z_.clear();
     for (const RaySource& source : sources_) {
-        origin_x_.insert(origin_x_.end(), kReplicates, source.origin.x);
-        origin_y_.insert(origin_y_.end(), kReplicates, source.origin.y);
-        origin_z_.insert(origin_z_.end(), kReplicates, source.origin.z);
+        origin_x_.insert(origin_x_.end(), kBlocks, source.origin.x);
+        origin_y_.insert(origin_y_.end(), kBlocks, source.origin.y);
+        origin_z_.insert(origin_z_.end(), kBlocks, source.origin.z);
     }
 }
 
@@ -93,13 +93,16 @@ void TileTracer::trace(std::span<const SampleRange> ranges) {
         active += range.last > range.first ? 1 : 0;
     }
     if (active == 0) return;
-    const int step = static_cast<int>(std::max<std::size_t>(kReplicates, kBatchRays / active));
+    for (std::size_t s = 0; s < ranges.size(); ++s) {
+        if (ranges[s].first > 0) merge_blocks(s, block_size(ranges[s].first), block_size(ranges[s].last));
+    }
+    const int step = static_cast<int>(std::max<std::size_t>(1, kBatchRays / active));
     for (int done = 0; done < longest; done += step) {
         batch_.clear();
         for (std::size_t s = 0; s < ranges.size(); ++s) {
             const int from = ranges[s].first + done;
             const int to = std::min(ranges[s].last, from + step);
-            if (from < to) batch_.add(sources_[s], s, from, to);
+            if (from < to) batch_.add(sources_[s], s, from, to, block_size(ranges[s].last));
         }
         batch_.sort();
         rays_ += batch_.size();
@@ -107,6 +110,21 @@ void TileTracer::trace(std::span<const SampleRange> ranges) {
             trace_occlusion();
         } else {
             trace_distance();
+        }
+    }
+}
+
+void TileTracer::merge_blocks(std::size_t source, int before, int after) {
+    const auto merged = static_cast<std::size_t>(after / before);
+    if (merged <= 1) return;
+    for (std::size_t q = 0; q < queries_.size(); ++q) {
+        double* sums = &sums_[(q * sources_.size() + source) * kBlocks];
+        for (std::size_t block = 0; block < kBlocks; ++block) {
+            double sum = 0;
+            for (std::size_t part = block * merged;
+                 part < std::min<std::size_t>((block + 1) * merged, kBlocks); ++part)
+                sum += sums[part];
+            sums[block] = sum;
         }
     }
 }
@@ -142,7 +160,7 @@ void TileTracer::trace_distance() {
         std::fill_n(query.hit.instID[0], kPacket, RTC_INVALID_GEOMETRY_ID);
         rtcIntersect16(valid.lanes, scene_.handle(), &context, &query);
         for (std::size_t lane = 0; lane < count; ++lane) {
-            if (observer_ != nullptr) tell_observer(query, lane, owner[lane] / kReplicates);
+            if (observer_ != nullptr) tell_observer(query, lane, owner[lane] / kBlocks);
             if (query.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) continue;
             const double t = query.ray.tfar[lane];
             for (std::size_t q = 0; q < queries_.size(); ++q) {

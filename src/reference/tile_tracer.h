@@ -24,16 +24,18 @@ class TileTracer {
 
     /// Begins with these pixels and sums of zero.
     void start(std::vector<RaySource> sources);
-    /// Traces these samples, one range a source, and adds to the sums.
+    /// Traces these samples, one range a source, each where the last one ended, and adds to the sums.
     void trace(std::span<const SampleRange> ranges);
 
-    /// Darkening summed by point set: kReplicates values.
+    /// Darkening summed by blocks of block_size() of the samples traced so far: kBlocks values.
     std::span<const double> sums(std::size_t source, std::size_t query) const {
-        return {&sums_[(query * sources_.size() + source) * kReplicates], kReplicates};
+        return {&sums_[(query * sources_.size() + source) * kBlocks], kBlocks};
     }
     std::uint64_t rays() const { return rays_; }
 
   private:
+    /// Sums by blocks of `before` samples become sums by blocks of `after` samples, a multiple.
+    void merge_blocks(std::size_t source, int before, int after);
     void trace_occlusion();
     void trace_distance();
     void tell_observer(const RTCRayHit16& packet, std::size_t lane, std::size_t source);

@@ -110,7 +110,7 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
     const CauseJudge judge(impl_->embree, frame, shown);
 
     const std::vector<Tile> tiles = tiles_of(width, height);
-    const PointSets points(settings.points, (SamplePlan(settings).most() + kReplicates - 1) / kReplicates);
+    const PointSets points(settings.points, SamplePlan(settings).most());
     Progress progress(what, tiles.size());
     std::atomic<std::uint64_t> rays{0}, open_pixels{0};
     const auto start = std::chrono::steady_clock::now();

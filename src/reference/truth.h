@@ -76,8 +76,16 @@ struct TruthSettings {
     bool skip_open = true;
 };
 
-/// Independently scrambled point sets a pixel.
-inline constexpr int kReplicates = 4;
+/// The rays of a pixel are summed in no more than this many consecutive blocks, see block_size().
+inline constexpr int kBlocks = 8;
+
+/// Rays in each block of the first `samples` rays of a pixel (the last block may have fewer): the least power
+/// of two that leaves no more than kBlocks of them.
+constexpr int block_size(int samples) {
+    int size = 1;
+    while (size * kBlocks < samples) size *= 2;
+    return size;
+}
 
 /// The least standard error stated for `samples` rays: half of the step that one more blocked ray would make.
 constexpr double standard_error_floor(int samples) {
@@ -99,13 +107,12 @@ struct PrimaryHits {
 
 /// Ray-traced visibility of every pixel, and how sure of it we are.
 ///
-/// The rays of a pixel are up to kReplicates independently scrambled point sets (sample k belongs to set k
-/// mod kReplicates). The standard error is that of their pooled mean: the spread of the sets' means,
-/// moderated by that of the surrounding tile since four sets alone make a t-distributed score (see
-/// moderated_estimates()). Pooled over pixels of like visibility it agrees with the true root-mean-square
-/// error to 10 %. Where all rays agree the spread says nothing, so it never goes below
-/// standard_error_floor(samples), which overstates the error of pixels that are simply open; a single sample
-/// has no spread at all and states 0.5, the largest there is.
+/// The rays of a pixel are one scrambled sequence, as independent scrambles of fewer points each would err
+/// more. The standard error comes from how far the means of its blocks lie apart, and how that shrinks as
+/// blocks grow, moderated by what the surrounding tile shows (see moderated_estimates()). Pooled over pixels
+/// of like visibility it agrees with the true root-mean-square error to 10 %. Where all rays agree the spread
+/// says nothing, so it never goes below standard_error_floor(samples), which overstates the error of pixels
+/// that are simply open; a single sample has no spread at all and states 0.5, the largest there is.
 struct Truth {
     PrimaryHits hits;
     std::vector<TruthQuery> queries;

@@ -46,11 +46,11 @@ Runs run(const ReferenceScene& scene, const TruthQuery& query, TruthSettings set
     return runs;
 }
 
-/// Bins of visibility, but for pixels of which most runs see one kind of rays only: they state the floor,
-/// which is meant to be too large.
+/// Bins of visibility, but for pixels that are open or blocked to two rays: of them many runs see one
+/// kind of rays only and state the floor, which is meant to be too large.
 void expect_calibrated(const Runs& runs, int samples) {
     constexpr std::array kBins = {0.0, 0.02, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 0.98, 1.0};
-    const double lowest = 1.0 / samples, highest = 1 - lowest;
+    const double lowest = 2.0 / samples, highest = 1 - lowest;
     int filled = 0;
     for (std::size_t b = 0; b + 1 < kBins.size(); ++b) {
         double true_sum = 0, stated_sum = 0;
@@ -139,30 +139,46 @@ TEST(StandardErrors, FallFasterThanMonteCarlo) {
     EXPECT_NEAR(slope(scene, PointKind::independent), -0.5, 0.03);
 }
 
-TEST(Estimates, PoolSetsOfUnequalSize) {
-    // 7 rays: sets of 2, 2, 2, 1.
-    const std::array sums = {1.0, 0.0, 2.0, 1.0};
+TEST(Estimates, CompareBlocksWithTheirSiblings) {
+    // 7 rays: blocks of one, of which the seventh has no sibling.
+    const std::array sums = {1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0};
     const PixelSpread pixel = pixel_spread(sums, 7);
     EXPECT_DOUBLE_EQ(pixel.visibility, 3.0 / 7);
-    EXPECT_EQ(pixel.freedom, 3);
-    const double m = 4.0 / 7;
-    const double spread = 2 * (0.5 - m) * (0.5 - m) + 2 * m * m + 2 * (1 - m) * (1 - m) + (1 - m) * (1 - m);
-    EXPECT_DOUBLE_EQ(pixel.variance, spread / (3 * 7));
+    EXPECT_EQ(pixel.pairs, (std::array{3, 1, 0}));
+    EXPECT_DOUBLE_EQ(pixel.differences[0], (0.25 + 0 + 0) / 3);
+    EXPECT_DOUBLE_EQ(pixel.differences[1], 0.25 * 0.25);
 }
 
-TEST(Estimates, OfALoneNoisyPixelAreItsOwn) {
-    const std::array sums = {10.0, 14.0, 9.0, 12.0};
+TEST(Estimates, PoolIndependentBlocksAsPlainMeans) {
+    for (const int samples : {8, 13, 64, 100, 384}) {
+        EXPECT_NEAR(pooled_variance(samples, 0.5), static_cast<double>(block_size(samples)) / samples, 1e-12)
+            << samples;
+    }
+}
+
+TEST(Estimates, PoolAlignedBlocksByTheRatio) {
+    EXPECT_NEAR(pooled_variance(512, 0.37), 0.37 * 0.37 * 0.37, 1e-12);
+    // Three of four: V(3 n) = (V(n) + 8 V(4 n)) / 9, here of pairs of blocks.
+    EXPECT_NEAR(pooled_variance(384, 0.37), (0.37 + 8 * 0.37 * 0.37 * 0.37) / 9, 1e-12);
+}
+
+TEST(Estimates, OfALoneNoisyPixelLeanOnTheUsualLaw) {
+    const std::array sums = {5.0, 9.0, 2.0, 7.0, 8.0, 4.0, 4.0, 3.0};
     const PixelSpread pixel = pixel_spread(sums, 128);
-    EXPECT_NEAR(moderated_estimates({&pixel, 1})[0].standard_error, std::sqrt(pixel.variance), 1e-15);
+    const double error = moderated_estimates({&pixel, 1}, false)[0].standard_error;
+    double spread = 0;  // as if blocks were independent
+    for (const double sum : sums) spread += std::pow(sum / 16 - (1 - pixel.visibility), 2) / (7 * 8);
+    EXPECT_LT(error, std::sqrt(spread));
+    EXPECT_GT(error, 0.3 * std::sqrt(spread));
 }
 
 TEST(Estimates, NeverStateLessThanTheFloor) {
-    const std::array sums = {0.0, 0.0, 0.0, 0.0};
+    const std::array sums = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     const PixelSpread pixel = pixel_spread(sums, 256);
-    EXPECT_EQ(moderated_estimates({&pixel, 1})[0].standard_error, standard_error_floor(256));
+    EXPECT_EQ(moderated_estimates({&pixel, 1}, false)[0].standard_error, standard_error_floor(256));
     const std::array one = {1.0};
     const PixelSpread single = pixel_spread(one, 1);
-    EXPECT_EQ(moderated_estimates({&single, 1})[0].standard_error, 0.5);
+    EXPECT_EQ(moderated_estimates({&single, 1}, false)[0].standard_error, 0.5);
 }
 
 }  // namespace
