@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -15,8 +16,8 @@
 namespace aoscore {
 namespace {
 
-constexpr int kSlopeWidth = 96, kSlopeHeight = 54;
-constexpr int kSlopeSeeds = 6;
+constexpr int kSlopeWidth = 64, kSlopeHeight = 36;
+constexpr int kSlopeSeeds = 4;
 
 /// Processor time of all threads, divided among them: the time it takes on a machine that does nothing else.
 double seconds_of(const std::function<void()>& work) {
@@ -25,25 +26,49 @@ double seconds_of(const std::function<void()>& work) {
     return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / thread_count();
 }
 
-struct Means {
-    double error = 0;      // standard error
-    double deviation = 0;  // sqrt(V (1 - V)), the standard deviation of one independent ray
-    std::uint64_t pixels = 0;
-};
-
-Means means_of(const Truth& truth) {
-    Means means;
+double mean_error(const Truth& truth) {
+    double sum = 0, pixels = 0;
     for (std::size_t i = 0; i < truth.hits.surface.size(); ++i) {
-        if (truth.hits.surface.pixels[i] == 0) continue;
-        const double v = truth.visibility[0].pixels[i];
-        means.error += truth.standard_error[0].pixels[i];
-        means.deviation += std::sqrt(v * (1 - v));
-        ++means.pixels;
+        sum += truth.standard_error[0].pixels[i];
+        pixels += truth.hits.surface.pixels[i];
     }
-    means.error /= static_cast<double>(means.pixels);
-    means.deviation /= static_cast<double>(means.pixels);
-    return means;
+    return sum / pixels;
 }
+
+/// Plain Monte Carlo over the pixels of a truth: what it would state, by the same rules.
+class PlainMonteCarlo {
+  public:
+    explicit PlainMonteCarlo(const Truth& truth) {
+        for (std::size_t i = 0; i < truth.hits.surface.size(); ++i) {
+            const double v = truth.visibility[0].pixels[i];
+            if (truth.hits.surface.pixels[i] != 0) deviations_.push_back(std::sqrt(v * (1 - v)));
+        }
+    }
+    double pixels() const { return static_cast<double>(deviations_.size()); }
+
+    /// Rays a pixel, the same for all, until the mean standard error, floor included, is `error`.
+    double samples_for(double error) const {
+        double low = 1, high = kMostSamples;
+        while (high / low > 1.001) {
+            const double samples = std::sqrt(low * high);
+            double sum = 0;
+            for (const double d : deviations_) sum += std::max(d / std::sqrt(samples), 0.5 / samples);
+            (sum / pixels() > error ? low : high) = samples;
+        }
+        return high;
+    }
+
+    /// Rays a pixel in the mean, if each pixel got as many as are best for the mean standard error and the
+    /// floor did not count: n ~ deviation^(2/3).
+    double best_samples_for(double error) const {
+        double sum = 0;
+        for (const double d : deviations_) sum += std::cbrt(d * d);
+        return std::pow(sum / pixels(), 3) / (error * error);
+    }
+
+  private:
+    std::vector<double> deviations_;
+};
 
 TruthSettings with_samples(int samples) {
     TruthSettings settings;
@@ -55,48 +80,59 @@ std::vector<TruthQuery> binary(double radius_m) {
     return {{Falloff::binary, radius_m, 0}};
 }
 
-/// The next count of the form 2^k or 3 * 2^k.
+/// The next count of the form m 2^k with m from 4 to 7.
 int next_count(int samples) {
-    return (samples & (samples - 1)) == 0 ? samples * 3 / 2 : samples / 3 * 4;
+    int step = 1;
+    while (samples >= 8 * step) step *= 2;
+    return samples + step;
 }
 
-/// Traces with more and more rays a pixel until the mean standard error is reached.
+/// The least count whose picture of a sixteenth of the pixels reaches the mean standard error.
+int samples_to_error(const ReferenceScene& reference, const Camera& camera,
+                     const ReferenceBenchmark& benchmark, double radius_m) {
+    const CameraFrame pilot(camera, benchmark.width / 4, benchmark.height / 4);
+    const auto error = [&](int samples) {
+        return mean_error(reference.trace(pilot, binary(radius_m), with_samples(samples), "pilot"));
+    };
+    // A first guess by the law of the error, a little low.
+    constexpr int kFirst = 64;
+    const double guess = 0.6 * kFirst * std::pow(error(kFirst) / benchmark.target_error, 4.0 / 3);
+    int samples = 4;
+    while (samples < guess) samples = next_count(samples);
+    while (error(samples) > benchmark.target_error) samples = next_count(samples);
+    return samples;
+}
+
 void print_time_to_error(const ReferenceScene& reference, const Camera& camera,
                          const ReferenceBenchmark& benchmark, double radius_m, double single_rate) {
-    const CameraFrame pilot(camera, benchmark.width / 4, benchmark.height / 4);
     const CameraFrame frame(camera, benchmark.width, benchmark.height);
-    int samples = 64;
-    while (means_of(reference.trace(pilot, binary(radius_m), with_samples(samples), "pilot")).error >
-           benchmark.target_error) {
-        samples = next_count(samples);
-    }
+    const int samples = samples_to_error(reference, camera, benchmark, radius_m);
     Truth truth;
-    Means means;
-    double seconds = 0;
-    while (true) {
-        seconds = seconds_of(
-            [&] { truth = reference.trace(frame, binary(radius_m), with_samples(samples), "truth"); });
-        means = means_of(truth);
-        if (means.error <= benchmark.target_error) break;
-        samples = next_count(samples);
-    }
-    const double plain_samples = std::pow(means.deviation / benchmark.target_error, 2);
-    const double plain_seconds = plain_samples * static_cast<double>(means.pixels) / (single_rate * 1e6);
+    const double seconds =
+        seconds_of([&] { truth = reference.trace(frame, binary(radius_m), with_samples(samples), "truth"); });
+    const PlainMonteCarlo plain(truth);
+    const auto plain_seconds = [&](double count) { return count * plain.pixels() / (single_rate * 1e6); };
+    // To the error that was reached, be it a little above or below the target.
+    const double error = mean_error(truth);
+    const double count = plain.samples_for(error), best = plain.best_samples_for(error);
     fmt::print(
         "R {:>6} m: {} samples, {:.1f} s to a mean standard error of {:.5f} ({:.0f} M rays, {:.1f} % of "
-        "pixels "
-        "proven open)\n",
-        radius_m, samples, seconds, means.error, static_cast<double>(truth.rays) / 1e6,
-        100.0 * static_cast<double>(truth.open_pixels) / static_cast<double>(means.pixels));
+        "pixels proven open)\n",
+        radius_m, samples, seconds, error, static_cast<double>(truth.rays) / 1e6,
+        100.0 * static_cast<double>(truth.open_pixels) / plain.pixels());
     fmt::print(
-        "            plain Monte Carlo by rtcOccluded1: {:.0f} samples, {:.0f} s; {:.1f} times as long\n",
-        plain_samples, plain_seconds, plain_seconds / seconds);
+        "            plain Monte Carlo by rtcOccluded1: {:.0f} samples, {:.0f} s, {:.1f} times as long; with "
+        "the best allocation over pixels {:.0f} samples, {:.1f} times\n",
+        count, plain_seconds(count), plain_seconds(count) / seconds, best, plain_seconds(best) / seconds);
+    const CameraFrame small(camera, benchmark.width / 4, benchmark.height / 4);
     TruthSettings adaptive = with_samples(16);
     adaptive.max_error = benchmark.target_error;
-    seconds = seconds_of([&] { truth = reference.trace(frame, binary(radius_m), adaptive, "adaptive"); });
+    const double adaptive_seconds =
+        seconds_of([&] { truth = reference.trace(small, binary(radius_m), adaptive, "adaptive"); });
     fmt::print(
-        "            every pixel to {}: {} samples in the mean, {:.1f} s, mean standard error {:.5f}\n",
-        benchmark.target_error, truth.samples, seconds, means_of(truth).error);
+        "            every pixel to {}, at a quarter of the width: {} samples in the mean, {:.1f} s, mean "
+        "standard error {:.5f}\n",
+        benchmark.target_error, truth.samples, adaptive_seconds, mean_error(truth));
 }
 
 double mean_square_error(const ReferenceScene& reference, const CameraFrame& frame, double radius_m,

@@ -136,9 +136,10 @@ void TileTracer::trace_occlusion() {
     const Origins origins{origin_x_.data(), origin_y_.data(), origin_z_.data()};
     alignas(64) std::uint32_t owner[kPacket];
     std::fill(blocked_.begin(), blocked_.end(), 0u);
+    ValidLanes valid(kPacket);
     for (std::size_t first = 0; first < batch_.size(); first += kPacket) {
         const std::size_t count = std::min(kPacket, batch_.size() - first);
-        const ValidLanes valid(count);
+        if (count < kPacket) valid = ValidLanes(count);
         fill(ray, batch_.sorted() + first, origins, reach_m_, owner);
         rtcOccluded16(valid.lanes, scene_.handle(), &context, &ray);
         for (std::size_t lane = 0; lane < count; ++lane) blocked_[owner[lane]] += ray.tfar[lane] < 0;

@@ -232,6 +232,7 @@ double wall_by_quadrature(double distance, double height, const TruthQuery& quer
                 const double ratio = t / query.radius_m;
                 g = query.falloff == Falloff::binary      ? 1
                     : query.falloff == Falloff::quadratic ? 1 - ratio * ratio
+                    : query.falloff == Falloff::xegtao    ? std::min(1.0, (1 - ratio) / 0.615)
                     : t > query.u_m                       ? query.u_m / t
                                                           : t / query.u_m;
             }
@@ -249,7 +250,7 @@ TEST(Truth, FalloffsAgreeWithQuadrature) {
     const std::vector<TruthQuery> queries = {
         {Falloff::binary, 0.7, 0},    {Falloff::binary, kInfinity, 0},     {Falloff::quadratic, 0.7, 0},
         {Falloff::quadratic, 3, 0},   {Falloff::alchemy, kInfinity, 0.25}, {Falloff::alchemy, kInfinity, 0.9},
-        {Falloff::alchemy, 1.1, 0.9},
+        {Falloff::alchemy, 1.1, 0.9}, {Falloff::xegtao, 0.9, 0},           {Falloff::xegtao, 4, 0},
     };
     // Orthographic and narrow: every pixel looks at the same distance from the wall.
     Camera camera = testing::looking({kDistance, 0.5, 0}, {kDistance, 0, 0});
