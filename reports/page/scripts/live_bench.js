@@ -1,0 +1,150 @@
+// One view, one method with its parameters, one filter with its own: drawn anew after every change.
+class LiveBench {
+  constructor(element, index) {
+    this.index = index;
+    this.form = element.querySelector('.live-controls');
+    this.failure = element.querySelector('.live-failure');
+    this.runner = new LiveRunner(index.contract);
+    this.result = new LiveResult(element, index.contract.seed);
+    this.setting = { border: 'far' };
+    this.turn = 0;
+    this.changed = false;
+    this.drawing = false;
+    this.runner.live.canvas.addEventListener('webglcontextlost', () => {
+      this.showFailure('The graphics driver gave up, perhaps for too many samples. Load the page again to go on.');
+    });
+    this.fill('view', stageData.views.map(({ key }) => [key, key]));
+    this.fill('method', index.methods.map(({ id, label }) => [id, label]));
+    this.fill('filter', index.filters.map(({ id, label }) => [id, label]));
+    this.listen();
+  }
+
+  fill(name, entries) {
+    this.form.elements[name].replaceChildren(...entries.map(([value, text]) => new Option(text, value)));
+  }
+
+  listen() {
+    const { elements } = this.form;
+    const does = {
+      view: () => this.chooseView(elements.view.value).catch((error) => this.showFailure(error.message)),
+      method: () => this.chooseMethod(elements.method.value),
+      preset: () => this.choosePreset(elements.preset.value),
+      filter: () => this.chooseFilter(elements.filter.value),
+      blur: () => this.chooseFilter(elements.blur.checked ? elements.filter.value : 'none'),
+      border: () => {
+        this.setting.border = elements.border.value;
+        this.request();
+      },
+    };
+    for (const [name, act] of Object.entries(does)) elements[name].addEventListener('change', act);
+    this.form.querySelector('[data-does=reset]').addEventListener('click', () => this.choosePreset(elements.preset.value));
+    this.form.addEventListener('submit', (event) => event.preventDefault());
+  }
+
+  showFailure(text) {
+    this.failure.textContent = text;
+    this.failure.hidden = text === '';
+  }
+
+  // The method and its values stay as they are.
+  async chooseView(key) {
+    const turn = this.turn += 1;
+    const view = this.index.views[key];
+    this.result.setBusy(true);
+    const stageView = stageData.views.find((other) => other.key === key);
+    const { truth, noise } = stageView.images;
+    const [inputs, ...images] = await Promise.all([unpackedInputs(view), imageValues(truth), imageValues(noise)]);
+    if (turn !== this.turn) return;
+    this.result.setView(stageView, ...images);
+    this.runner.setView(view, inputs);
+    this.setting.view = view;
+    if (this.setting.method) {
+      this.listPresets();
+      this.request();
+    } else {
+      this.chooseMethod(view.cells[0]?.method);
+    }
+  }
+
+  chooseMethod(id) {
+    this.setting.method = this.index.methods.find((other) => other.id === id) ?? this.index.methods[0];
+    this.form.elements.method.value = this.setting.method.id;
+    this.form.querySelector('.live-summary').textContent = this.setting.method.summary;
+    this.form.elements.preset.replaceChildren();
+    this.listPresets();
+    this.choosePreset(this.form.elements.preset.value);
+  }
+
+  // What the run measured in this view comes first.
+  listPresets() {
+    const chooser = this.form.elements.preset;
+    const kept = chooser.value;
+    const presets = Object.keys(this.setting.method.presets);
+    const group = (label, names) => {
+      const element = make('optgroup', '', ...names.map((name) => new Option(name, name)));
+      element.label = label;
+      return names.length > 0 ? [element] : [];
+    };
+    chooser.replaceChildren(...group('measured by the run', presets.filter((name) => this.measured(name))),
+      ...group('presets', presets.filter((name) => !this.measured(name))));
+    if (kept) chooser.value = kept;
+    this.result.setCell(this.measured(chooser.value));
+  }
+
+  measured(preset) {
+    return this.setting.view.cells.find((cell) => cell.method === this.setting.method.id && cell.preset === preset);
+  }
+
+  choosePreset(preset) {
+    const { method } = this.setting;
+    const cell = this.measured(preset);
+    this.result.setCell(cell);
+    this.setting.parameters = Object.fromEntries(
+      method.parameters.map(({ id }) => [id, cell?.parameters[id] ?? method.presets[preset][id]]));
+    this.setting.border = cell?.parameters.border ?? 'far';
+    this.form.elements.border.value = this.setting.border;
+    fillParameters(this.form.querySelector('.live-method-parameters'), method, this.setting.parameters, () => this.request());
+    this.chooseFilter(cell?.filter ?? method.preset_filters[preset] ?? 'none');
+  }
+
+  chooseFilter(id) {
+    const filter = this.index.filters.find((other) => other.id === id) ?? null;
+    this.setting.filter = filter;
+    this.setting.filterParameters = { ...filter?.presets.default };
+    const { blur, filter: chooser } = this.form.elements;
+    blur.checked = filter !== null;
+    if (filter) chooser.value = id;
+    fillParameters(this.form.querySelector('.live-filter-parameters'), filter ?? { parameters: [], presets: {} },
+      this.setting.filterParameters, () => this.request());
+    this.request();
+  }
+
+  // However many changes come while a picture is drawn, the next one has them all.
+  async request() {
+    this.changed = true;
+    if (this.drawing) return;
+    this.drawing = true;
+    this.result.setBusy(true);
+    while (this.changed) {
+      await new Promise((resolve) => { requestAnimationFrame(resolve); });
+      this.changed = false;
+      try {
+        await this.draw();
+      } catch (error) {
+        this.showFailure(error.message);
+      }
+    }
+    this.drawing = false;
+    this.result.setBusy(false);
+  }
+
+  async draw() {
+    const { parameters, filterParameters } = this.setting;
+    const setting = { ...this.setting, parameters: { ...parameters }, filterParameters: { ...filterParameters } };
+    const start = performance.now();
+    const output = await this.runner.run(setting);
+    if (setting.view !== this.setting.view) return;
+    this.showFailure('');
+    this.result.show(setting, output, performance.now() - start);
+  }
+}

@@ -1,0 +1,94 @@
+const liveErrorRange = 0.5;
+
+// What a live setting gives: numbers beside the measured ones, pictures, and the setting's names elsewhere.
+class LiveResult {
+  constructor(element, seed) {
+    this.element = element;
+    this.seed = seed;
+    this.shown = this.find('[name=shown]');
+    fillCaption(this.find('.live-error-caption'), {
+      title: 'Signed error', text: 'Live result minus truth. Red is too bright: occlusion is missing. Blue is too dark.',
+      bars: [{ map: 'blueRed', unit: 'output − truth', ticks: [`${signedText(-liveErrorRange, 1)} too dark`, '0',
+        `${signedText(liveErrorRange, 1)} too bright`] }],
+      keys: [{ colour: signColours.invalid, text: 'not compared' }],
+    });
+    this.shown.addEventListener('change', () => this.paintVisibility());
+    this.find('.live-pictures').addEventListener('pointermove', (event) => this.probe(event));
+    for (const button of element.querySelectorAll('[data-does=copy]')) {
+      button.addEventListener('click', () => copyText(document.getElementById(button.dataset.of), button));
+    }
+    this.find('[data-does=download]').addEventListener('click', () => {
+      downloadText(`${element.shown.method.id}-live.json`, `${this.find('#live-preset-text').value}\n`);
+    });
+  }
+
+  find(selector) {
+    return this.element.querySelector(selector);
+  }
+
+  setBusy(busy) {
+    this.find('.live-results').setAttribute('aria-busy', String(busy));
+  }
+
+  // `truth` and `noise` are imageValues().
+  setView(stageView, truth, noise) {
+    Object.assign(this, { stageView, truth, noise, output: null });
+  }
+
+  // What the run measured where the setting started from; undefined where it measured nothing.
+  setCell(cell) {
+    this.cell = cell;
+  }
+
+  show(setting, output, elapsed_ms) {
+    const { view, filter, filterParameters } = setting;
+    const errors = liveErrors(output, this.truth, this.noise, view.noise_floor_rmse);
+    this.output = output;
+    this.element.shown = { ...setting, output, errors };  // for scripts that drive the page
+    this.showErrors(errors);
+    const odd = errors.nonfinite > 0 ? ` ${errors.nonfinite} pixels are NaN or infinite and left out.` : '';
+    this.find('.live-status').textContent = `RMSE ${numberText(errors.rmse, 4)} over ${errors.count} valid pixels, `
+      + `drawn and read back in ${elapsed_ms.toFixed(0)} ms here.${odd}`;
+    this.paintVisibility();
+    paintError(this.find('.live-error'), view, output, this.truth, this.noise, liveErrorRange);
+    this.find('#live-preset-text').value = presetText(setting);
+    this.find('#live-command-text').value = commandText(setting, this.seed);
+    this.find('.live-filter-note').hidden = !filter || Object.keys(changedValues(filter, filterParameters)).length === 0;
+  }
+
+  showErrors(errors) {
+    const rows = [['Live', errors]];
+    if (this.cell) rows.push([`As measured, ${this.cell.preset}, filter ${this.cell.filter}`, this.cell]);
+    const largest = {};
+    for (const id of ['rmse', 'rmse_debiased', 'bias']) largest[id] = Math.max(...rows.map(([, row]) => Math.abs(row[id] ?? 0)));
+    this.find('.live-errors tbody').replaceChildren(...rows.map(([name, row]) => {
+      const head = make('th', 'text', name);
+      head.scope = 'row';
+      return make('tr', '', head, ...errorCells(row, largest));
+    }));
+  }
+
+  async paintVisibility() {
+    const { stageView, truth, output } = this;
+    const stored = stageView.cells.find(({ id }) => id === this.cell?.id)?.images?.output;
+    this.find('[value=stored]').disabled = !stored;
+    if (!stored && this.shown.value === 'stored') this.shown.value = 'live';
+    if (!output) return;
+    const { at } = { live: { at: (i) => output[i] }, truth }[this.shown.value] ?? await imageValues(stored);
+    if (this.output === output) paintVisibility(this.find('.live-output'), stageView, at);
+  }
+
+  probe({ target, clientX, clientY }) {
+    if (!(target instanceof HTMLCanvasElement) || !this.output) return;
+    const { width, height } = this.stageView;
+    const box = target.getBoundingClientRect();
+    const placeIn = (part, size) => Math.min(Math.max(Math.floor(part * size), 0), size - 1);
+    const x = placeIn((clientX - box.left) / box.width, width);
+    const y = placeIn((clientY - box.top) / box.height, height);
+    const i = x + y * width;
+    const truth = this.truth.at(i);
+    const error = Number.isNaN(this.noise.at(i)) ? 'not compared' : `error ${signedText(this.output[i] - truth, 4)}`;
+    this.find('.live-probe').textContent =
+      `Pixel ${x}, ${y}: live ${numberText(this.output[i], 4)}, truth ${numberText(truth, 4)}, ${error}`;
+  }
+}
