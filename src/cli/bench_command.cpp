@@ -1,8 +1,14 @@
 #include "cli/command.h"
 #include "cli/shared_options.h"
+#include "core/files.h"
+#include "core/stopwatch.h"
+#include "experiment/bench_compare.h"
 #include "experiment/bench_main.h"
 #include "experiment/bench_methods.h"
 #include "reference/benchmark.h"
+#include "report/report.h"
+
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <map>
@@ -19,6 +25,7 @@ struct Options {
     std::string view;
     std::vector<std::string> methods;
     std::filesystem::path methods_dir;
+    std::filesystem::path results;
 };
 
 void bench_reference(const Options& options) {
@@ -35,10 +42,27 @@ void bench_methods(const Options& options, const GlobalOptions& global) {
     bench_methods(scene, one_view(scene, options.view), benchmark);
 }
 
+void bench_metrics_and_page(const Options& options, const GlobalOptions& global) {
+    bench_compare(global.seed);
+    const std::filesystem::path folder =
+        options.results.empty() ? home_dir() / "reports" / "out" / "main" : options.results;
+    if (!std::filesystem::exists(folder / "results.json")) {
+        fmt::print("{:<34} {:>9}  no results in {}; aoscore run makes them\n", "page from results", "-",
+                   folder.string());
+        return;
+    }
+    const Stopwatch watch;
+    const std::filesystem::path page = write_report(folder);
+    fmt::print("{:<34} {:>9.1f} ms  {:.1f} MiB, {}\n", "page from results", 1000 * watch.seconds(),
+               static_cast<double>(std::filesystem::file_size(page)) / (1 << 20), page.string());
+}
+
 using Bench = void (*)(const Options&, const GlobalOptions&);
 
 const std::map<std::string, Bench>& benches() {
     static const std::map<std::string, Bench> table{
+        {"compare", [](const Options& options,
+                       const GlobalOptions& global) { bench_metrics_and_page(options, global); }},
         {"main", [](const Options&, const GlobalOptions& global) { bench_main(global.seed); }},
         {"methods",
          [](const Options& options, const GlobalOptions& global) { bench_methods(options, global); }},
@@ -56,7 +80,8 @@ CommandEntry add_bench_command(CLI::App& program, const GlobalOptions& global) {
     std::vector<std::string> names;
     for (const auto& [id, bench] : benches()) names.push_back(id);
     app->add_option("name", options->name,
-                    "main: the main job, cold; methods: their shaders, specialised and with uniforms; "
+                    "compare: metrics beside scikit-image, and the page; main: the main job, cold; methods: "
+                    "their shaders, specialised and with uniforms; "
                     "reference: the ray tracer")
         ->required()
         ->check(CLI::IsMember(names));
@@ -64,6 +89,8 @@ CommandEntry add_bench_command(CLI::App& program, const GlobalOptions& global) {
     app->add_option("--view", options->view, "For methods, reference: a view of it [the first]");
     app->add_option("--methods", options->methods, "For methods: only these [all]")->delimiter(',');
     app->add_option("--methods-dir", options->methods_dir, "For methods: a folder of methods of your own");
+    app->add_option("--results", options->results,
+                    "For compare: results to build the page of [reports/out/main]");
     return {app, [options, &global] {
                 benches().at(options->name)(*options, global);
                 return ExitCode::ok;

@@ -24,13 +24,15 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     ScreenRenderer renderer;
     renderer.set_scene(scene);
     const double ms = renderer.draw_gbuffer(frame, gbuffer_inputs());
-    write_gbuffer(options.out, renderer.read_gbuffer(),
-                  {{"aoscore:scene", scene.id},
-                   {"aoscore:scene_digest", scene.digest},
-                   {"aoscore:view", view.id},
-                   {"aoscore:gl_renderer", renderer.renderer()},
-                   {"aoscore:version", std::string(version())},
-                   {"comments", global.command_line}});
+    std::map<std::string, std::string> attributes = camera_attributes(frame, scene.origin);
+    attributes.merge(std::map<std::string, std::string>{{"aoscore:scene", scene.id},
+                                                        {"aoscore:scene_digest", scene.digest},
+                                                        {"aoscore:view", view.id},
+                                                        {"aoscore:gl_renderer", renderer.renderer()},
+                                                        {"aoscore:version", std::string(version())},
+                                                        {"comments", global.command_line}});
+    const GBufferImages gbuffer = renderer.read_gbuffer();
+    write_gbuffer(options.out, gbuffer, view_positions(gbuffer, frame), attributes);
     log_info(
         fmt::format("{} triangles drawn in {:.1f} ms by {}", scene.triangle_count, ms, renderer.renderer()));
     fmt::print("{}\n", options.out.string());
@@ -43,7 +45,9 @@ CommandEntry add_gbuffer_command(CLI::App& program, const GlobalOptions& global)
     CLI::App* app = program.add_subcommand(
         "gbuffer",
         "Draw the G-buffer of one view into an EXR: Z view depth in metres, depth.Z window depth, N.* "
-        "geometric and Ns.* smooth view-space normals, albedo.*, mask.Y");
+        "geometric and Ns.* smooth view-space normals, P.* view-space positions, albedo.*, mask.Y; the "
+        "camera's "
+        "matrices are in the header");
     const auto options = std::make_shared<Options>();
     add_scene_options(*app, options->choice);
     add_size_option(*app, options->size);

@@ -1,6 +1,7 @@
 #include "experiment/bench_main.h"
 
 #include "core/files.h"
+#include "core/stopwatch.h"
 #include "experiment/experiment.h"
 #include "experiment/machine.h"
 #include "scene/scene.h"
@@ -8,21 +9,10 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <filesystem>
 
 namespace aoscore {
 namespace {
-
-class Stopwatch {
-  public:
-    double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-  private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 void print_row(const char* what, double seconds, double total_seconds) {
     fmt::print("{:<44} {:>8.2f} s {:>7.1f} %\n", what, seconds, 100 * seconds / total_seconds);

@@ -4,6 +4,7 @@
 #include "results/image_file.h"
 
 #include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <array>
 #include <cmath>
@@ -45,6 +46,16 @@ void add_extras(const Truth& truth, std::vector<ChannelView>& channels, std::lis
     if (!truth.cone_angle_rad.empty()) channels.push_back({"cone.Y", &truth.cone_angle_rad});
 }
 
+/// As EXR's attributes have it: 16 numbers, row by row, for points that are row vectors.
+std::string row_vector_matrix(const glm::dmat4& matrix) {
+    std::string text;
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row)
+            text += fmt::format("{}{}", text.empty() ? "" : " ", matrix[column][row]);
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string cause_channel(std::size_t cause) {
@@ -73,7 +84,34 @@ void write_truth(const std::filesystem::path& path, const Truth& truth, const Ma
     write_exr(path, channels, attributes);
 }
 
+Image<glm::vec3> view_positions(const GBufferImages& gbuffer, const CameraFrame& frame) {
+    Image<glm::vec3> result(frame.width(), frame.height());
+    for (int y = 0; y < result.height; ++y) {
+        for (int x = 0; x < result.width; ++x) {
+            if (gbuffer.surface.at(x, y) == 0) continue;
+            result.at(x, y) =
+                frame.view_position(x + 0.5, y + 0.5, static_cast<double>(gbuffer.linear_depth.at(x, y)));
+        }
+    }
+    return result;
+}
+
+std::map<std::string, std::string> camera_attributes(const CameraFrame& frame, const glm::dvec3& origin) {
+    const glm::dmat4 view_from_world = glm::translate(frame.view_from_world(), -origin);
+    const Camera& camera = frame.camera();
+    const bool perspective = camera.projection == Camera::Projection::perspective;
+    return {{"worldToCamera", row_vector_matrix(view_from_world)},
+            {"worldToNDC", row_vector_matrix(frame.clip_from_view() * view_from_world)},
+            {"aoscore:view_space", "metres, right-handed, looking down -z"},
+            {"aoscore:projection", perspective ? "perspective" : "orthographic"},
+            perspective ? std::pair("aoscore:fovy_deg", fmt::format("{}", glm::degrees(camera.fovy_rad)))
+                        : std::pair("aoscore:half_height_m", fmt::format("{}", camera.half_height)),
+            {"aoscore:near_m", fmt::format("{}", camera.near)},
+            {"aoscore:far_m", fmt::format("{}", camera.far)}};
+}
+
 void write_gbuffer(const std::filesystem::path& path, const GBufferImages& gbuffer,
+                   const Image<glm::vec3>& positions_m,
                    const std::map<std::string, std::string>& attributes) {
     const ImageF mask = as_float(gbuffer.surface);
     std::vector<ChannelView> channels{{"Y", &gbuffer.linear_depth},
@@ -84,6 +122,7 @@ void write_gbuffer(const std::filesystem::path& path, const GBufferImages& gbuff
     add_vectors(gbuffer.normal_geometric, {"N.X", "N.Y", "N.Z"}, channels, planes);
     add_vectors(gbuffer.normal_smooth, {"Ns.X", "Ns.Y", "Ns.Z"}, channels, planes);
     add_vectors(gbuffer.albedo, {"albedo.R", "albedo.G", "albedo.B"}, channels, planes);
+    add_vectors(positions_m, {"P.X", "P.Y", "P.Z"}, channels, planes);
     write_exr(path, channels, attributes);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "reference/truth.h"
+#include "scene/camera.h"
 #include "screen/screen.h"
 
 #include <filesystem>
@@ -22,10 +23,19 @@ inline constexpr const char* kOneLayerChannel = "one_layer.Y";
 void write_truth(const std::filesystem::path& path, const Truth& truth, const Mask& valid,
                  std::map<std::string, std::string> attributes);
 
+/// What a header says of a camera: `worldToCamera` and `worldToNDC` (OpenGL's clip space), the planes
+/// `aoscore:near_m` and `aoscore:far_m`, `aoscore:projection`, and its angle or height. `origin` is what
+/// scene space has been moved by (Scene::origin).
+std::map<std::string, std::string> camera_attributes(const CameraFrame& frame, const glm::dvec3& origin);
+
+/// View-space positions of what was drawn, metres; 0 where nothing was.
+Image<glm::vec3> view_positions(const GBufferImages& gbuffer, const CameraFrame& frame);
+
 /// A G-buffer as EXR: `Z` view depth in metres, `depth.Z` window depth, `N.X/Y/Z` geometric and `Ns.X/Y/Z`
-/// smooth view-space normals, `albedo.R/G/B`, `mask.Y`, and `Y` equal to Z for viewers. What was not drawn is
+/// smooth view-space normals, `P.X/Y/Z` view-space positions
+/// in metres, `albedo.R/G/B`, `mask.Y`, and `Y` equal to Z for viewers. What was not drawn is
 /// left out.
 void write_gbuffer(const std::filesystem::path& path, const GBufferImages& gbuffer,
-                   const std::map<std::string, std::string>& attributes);
+                   const Image<glm::vec3>& positions_m, const std::map<std::string, std::string>& attributes);
 
 }  // namespace aoscore

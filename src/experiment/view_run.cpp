@@ -218,7 +218,7 @@ void Runner::write_images() {
     write_truth(run_.folder / v.truth_file, truth_, contract_.valid, {{"aoscore:view", v.key}});
     if (run_.keep_gbuffer) {
         v.gbuffer_file = stem + "-gbuffer.exr";
-        write_gbuffer(run_.folder / v.gbuffer_file, gbuffer_, {{"aoscore:view", v.key}});
+        write_gbuffer(run_.folder / v.gbuffer_file, gbuffer_, {}, {{"aoscore:view", v.key}});
     }
 }
 

@@ -6,6 +6,13 @@
 #include <functional>
 #include <span>
 
+// Built twice, with wider registers where the machine has them: the same roundings in the same order.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define AOSCORE_WIDER_WHERE_POSSIBLE __attribute__((target_clones("avx2", "default")))
+#else
+#define AOSCORE_WIDER_WHERE_POSSIBLE
+#endif
+
 namespace aoscore {
 
 using Plane = Image<double>;
@@ -15,6 +22,11 @@ using Plane = Image<double>;
 /// Kernels are given as they lie over the image (correlation), which for symmetric and antisymmetric ones
 /// differs in sign at most.
 Plane convolve_inside(const Plane& plane, std::span<const double> across, std::span<const double> down);
+
+/// sums[i] = sum over k of kernel[k] * from[k][i] for i in [0, count): the same roundings in the same order
+/// on every machine. `from` has a pointer for each weight.
+void weighted_sums(double* sums, std::span<const double* const> from, std::span<const double> kernel,
+                   std::size_t count);
 
 /// Calls body(band, first_row, rows) for fixed bands of rows on all cores; returns how many bands there are
 /// for a height, so that sums of bands can be kept and added in order.

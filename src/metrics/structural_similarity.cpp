@@ -2,6 +2,7 @@
 
 #include "metrics/convolution.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -23,51 +24,122 @@ std::array<double, kWindow_px> gaussian_window() {
     return window;
 }
 
-/// Weighted sums under the window: of the weight, of both images, of their squares and of their product.
-struct Moments {
-    Plane weight, truth, test, truth_truth, test_test, truth_test;
+/// Sums under the window. That of the weight comes last: where all pixels weigh alike it is 1 and left out.
+enum Moment : std::size_t { kTruth, kTest, kSquares, kProduct, kWeight, kMoments };
 
-    Moments(int width, int height)
-        : weight(width, height),
-          truth(weight),
-          test(weight),
-          truth_truth(weight),
-          test_test(weight),
-          truth_test(weight) {}
+struct Sums {
+    SsimMeans weighted;
+    double weight = 0;
 };
 
-Moments window_moments(const WeightedPair& pair, int first_row, int rows) {
-    Moments sums(pair.truth.width, rows + 2 * kSsimBorder_px);
-    for (std::size_t i = 0; i < sums.weight.size(); ++i) {
-        const std::size_t from = pair.truth.index(0, first_row) + i;
-        const double weight = pair.weight.pixels[from];
-        if (weight == 0) continue;  // The values may be NaN there.
-        const double truth = pair.truth.pixels[from], test = pair.test.pixels[from];
-        sums.weight.pixels[i] = weight;
-        sums.truth.pixels[i] = weight * truth;
-        sums.test.pixels[i] = weight * test;
-        sums.truth_truth.pixels[i] = weight * truth * truth;
-        sums.test_test.pixels[i] = weight * test * test;
-        sums.truth_test.pixels[i] = weight * truth * test;
-    }
-    static const std::array<double, kWindow_px> window = gaussian_window();
-    for (Plane Moments::*plane : {&Moments::weight, &Moments::truth, &Moments::test, &Moments::truth_truth,
-                                  &Moments::test_test, &Moments::truth_test}) {
-        sums.*plane = convolve_inside(sums.*plane, window, window);
-    }
-    return sums;
-}
+/// The sums of one band of rows. Rows are convolved across as they are read, and down over the last eleven of
+/// them, which stay in cache.
+class Band {
+  public:
+    Band(const WeightedPair& pair, bool weighted)
+        : pair_(pair),
+          moments_(weighted ? kMoments : kWeight),
+          width_(static_cast<std::size_t>(pair.truth.width)),
+          inner_(width_ - 2 * kSsimBorder_px),
+          terms_(moments_ * width_),
+          ring_(moments_ * kWindow_px * inner_),
+          sums_(kMoments * inner_, 1.0),
+          ssim_(inner_),
+          contrast_structure_(inner_) {}
 
-SsimMeans index_at(const Moments& sums, std::size_t i) {
-    const double weight = sums.weight.pixels[i];
-    const double truth = sums.truth.pixels[i] / weight, test = sums.test.pixels[i] / weight;
-    const double truth_variance = sums.truth_truth.pixels[i] / weight - truth * truth;
-    const double test_variance = sums.test_test.pixels[i] / weight - test * test;
-    const double covariance = sums.truth_test.pixels[i] / weight - truth * test;
-    const double luminance = (2 * truth * test + kC1) / (truth * truth + test * test + kC1);
-    const double contrast_structure = (2 * covariance + kC2) / (truth_variance + test_variance + kC2);
-    return {luminance * contrast_structure, contrast_structure};
-}
+    Sums sum(int first_row, int rows) {
+        Sums all;
+        for (int y = 0; y < rows + 2 * kSsimBorder_px; ++y) {
+            read_row(first_row + y);
+            convolve_across(static_cast<std::size_t>(y));
+            if (y < 2 * kSsimBorder_px) continue;
+            convolve_down(static_cast<std::size_t>(y));
+            find_indices();
+            add_row(first_row + y - kSsimBorder_px, all);
+        }
+        return all;
+    }
+
+  private:
+    void read_row(int y) {
+        const std::size_t from = pair_.truth.index(0, y);
+        double *truths = &terms_[kTruth * width_], *tests = &terms_[kTest * width_];
+        double *squares = &terms_[kSquares * width_], *products = &terms_[kProduct * width_];
+        for (std::size_t x = 0; x < width_; ++x) {
+            double truth = pair_.truth.pixels[from + x], test = pair_.test.pixels[from + x];
+            if (moments_ > kWeight) {
+                const double weight = pair_.weight.pixels[from + x];
+                if (weight == 0) truth = test = 0;  // The values may be NaN there.
+                terms_[kWeight * width_ + x] = weight;
+                squares[x] = weight * (truth * truth + test * test);
+                products[x] = weight * (truth * test);
+                truths[x] = weight * truth;
+                tests[x] = weight * test;
+            } else {
+                squares[x] = truth * truth + test * test;
+                products[x] = truth * test;
+                truths[x] = truth;
+                tests[x] = test;
+            }
+        }
+    }
+
+    double* ring_row(std::size_t moment, std::size_t y) {
+        return &ring_[(moment * kWindow_px + y % kWindow_px) * inner_];
+    }
+
+    void convolve_across(std::size_t y) {
+        std::array<const double*, kWindow_px> from{};
+        for (std::size_t m = 0; m < moments_; ++m) {
+            for (std::size_t k = 0; k < kWindow_px; ++k) from[k] = &terms_[m * width_ + k];
+            weighted_sums(ring_row(m, y), from, kWindow, inner_);
+        }
+    }
+
+    void convolve_down(std::size_t y) {
+        std::array<const double*, kWindow_px> from{};
+        for (std::size_t m = 0; m < moments_; ++m) {
+            for (std::size_t k = 0; k < kWindow_px; ++k) from[k] = ring_row(m, y - 2 * kSsimBorder_px + k);
+            weighted_sums(&sums_[m * inner_], from, kWindow, inner_);
+        }
+    }
+
+    AOSCORE_WIDER_WHERE_POSSIBLE void find_indices() {
+        const double* sums = sums_.data();
+        const std::size_t n = inner_;
+        double *ssim = ssim_.data(), *contrast_structure = contrast_structure_.data();
+        for (std::size_t i = 0; i < n; ++i) {
+            const double weight = sums[kWeight * n + i];
+            const double truth = sums[kTruth * n + i] / weight, test = sums[kTest * n + i] / weight;
+            const double means_squared = truth * truth + test * test;
+            const double variances = sums[kSquares * n + i] / weight - means_squared;
+            const double covariance = sums[kProduct * n + i] / weight - truth * test;
+            const double luminance = (2 * truth * test + kC1) / (means_squared + kC1);
+            contrast_structure[i] = (2 * covariance + kC2) / (variances + kC2);
+            ssim[i] = luminance * contrast_structure[i];
+        }
+    }
+
+    void add_row(int y, Sums& all) const {
+        const std::size_t from = pair_.weight.index(kSsimBorder_px, y);
+        for (std::size_t i = 0; i < inner_; ++i) {
+            const double weight = pair_.weight.pixels[from + i];
+            if (weight == 0) continue;
+            all.weighted.ssim += weight * ssim_[i];
+            all.weighted.contrast_structure += weight * contrast_structure_[i];
+            all.weight += weight;
+        }
+    }
+
+    inline static const std::array<double, kWindow_px> kWindow = gaussian_window();
+    const WeightedPair& pair_;
+    std::size_t moments_, width_, inner_;
+    std::vector<double> terms_;  ///< one row of what is summed, by moment
+    std::vector<double> ring_;   ///< eleven rows convolved across, by moment
+    std::vector<double>
+        sums_;  ///< one row under the window, by moment; the weight stays 1 where it is left out
+    std::vector<double> ssim_, contrast_structure_;
+};
 
 }  // namespace
 
@@ -84,25 +156,10 @@ std::optional<SsimMeans> structural_similarity(const WeightedPair& pair) {
     const int height = pair.truth.height - 2 * kSsimBorder_px;
     if (width <= 0 || height <= 0) return std::nullopt;
 
-    struct Sums {
-        SsimMeans weighted;
-        double weight = 0;
-    };
+    const bool weighted = std::ranges::any_of(pair.weight.pixels, [](float weight) { return weight != 1; });
     std::vector<Sums> bands(band_count(height));
     for_each_band(height, [&](std::size_t band, int first_row, int rows) {
-        const Moments moments = window_moments(pair, first_row, rows);
-        Sums sums;
-        for (int y = 0; y < rows; ++y) {
-            for (int x = 0; x < width; ++x) {
-                const double weight = pair.weight.at(x + kSsimBorder_px, first_row + y + kSsimBorder_px);
-                if (weight == 0) continue;
-                const SsimMeans index = index_at(moments, moments.weight.index(x, y));
-                sums.weighted.ssim += weight * index.ssim;
-                sums.weighted.contrast_structure += weight * index.contrast_structure;
-                sums.weight += weight;
-            }
-        }
-        bands[band] = sums;
+        bands[band] = Band(pair, weighted).sum(first_row, rows);
     });
 
     Sums all;

@@ -157,5 +157,100 @@ TEST_F(Compare, GatesDecideTheExitCode) {
     EXPECT_EQ(run_aoscore("compare truth.exr test.exr --warn 'rmse>0.02'", folder_).exit_code, 1);
 }
 
+TEST_F(Compare, EightBitFilesHaveToSayHowTheyAreCoded) {
+    Image<std::uint8_t> levels(kSide, kSide);
+    for (std::size_t i = 0; i < levels.size(); ++i) levels.pixels[i] = static_cast<std::uint8_t>(i % 256);
+    write_atomically(folder_ / "a.png", encode_png_gray(levels));
+    const auto silent = run_aoscore("compare a.png a.png", folder_);
+    EXPECT_EQ(silent.exit_code, 64);
+    EXPECT_THAT(silent.err, ::testing::HasSubstr("--srgb"));
+    EXPECT_THAT(silent.err, ::testing::HasSubstr("--linear"));
+    ImageF linear(kSide, kSide), decoded(kSide, kSide);
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        const double coded = levels.pixels[i] / 255.0;
+        linear.pixels[i] = static_cast<float>(coded);
+        decoded.pixels[i] =
+            static_cast<float>(coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4));
+    }
+    write(folder_ / "linear.exr", linear);
+    write(folder_ / "decoded.exr", decoded);
+    EXPECT_LT(compare("linear.exr a.png --linear", 0)["metrics"]["rmse"]["value"].get<double>(), 1e-6);
+    EXPECT_LT(compare("decoded.exr a.png --srgb", 0)["metrics"]["rmse"]["value"].get<double>(), 1e-6);
+    EXPECT_EQ(run_aoscore("compare a.png a.png --srgb --linear", folder_).exit_code, 64);
+}
+
+TEST_F(Compare, FlipInvertCropChannelAndMaskUndoWhatTheyName) {
+    ImageF truth = ramp(), upside_down(kSide, kSide), occlusion(kSide, kSide);
+    for (int y = 0; y < kSide; ++y) {
+        for (int x = 0; x < kSide; ++x) truth.at(x, y) += static_cast<float>(y) / 256.0F;
+    }
+    for (int y = 0; y < kSide; ++y) {
+        for (int x = 0; x < kSide; ++x) {
+            upside_down.at(x, kSide - 1 - y) = truth.at(x, y);
+            occlusion.at(x, y) = 1 - truth.at(x, y);
+        }
+    }
+    ImageF part(20, 10), spoilt = truth, left(kSide, kSide);
+    for (int y = 0; y < 10; ++y) {
+        for (int x = 0; x < 20; ++x) part.at(x, y) = truth.at(x + 7, y + 30);
+    }
+    for (int y = 0; y < kSide; ++y) {
+        for (int x = 0; x < kSide; ++x) {
+            left.at(x, y) = x < 40 ? 1.0F : 0.0F;
+            if (x >= 40) spoilt.at(x, y) = 0;
+        }
+    }
+    write(folder_ / "truth.exr", truth);
+    write(folder_ / "flipped.exr", upside_down);
+    write(folder_ / "occlusion.exr", occlusion);
+    write(folder_ / "part.exr", part);
+    write(folder_ / "spoilt.exr", spoilt);
+    write(folder_ / "left.exr", left);
+    const ImageF other(kSide, kSide, 0.5F);
+    write_exr(folder_ / "engine.exr",
+              std::vector<ChannelView>{{"ViewLayer.AO.R", &truth},
+                                       {"ViewLayer.AO.G", &truth},
+                                       {"ViewLayer.Depth.Z", &other},
+                                       {"ViewLayer.Mine.V", &other}},
+              {});
+    const auto error = [&](const std::string& arguments) {
+        return compare("truth.exr " + arguments, 0)["metrics"]["max_error"]["value"].get<double>();
+    };
+    EXPECT_GT(error("flipped.exr"), 0.2);
+    EXPECT_EQ(error("flipped.exr --flip"), 0);
+    EXPECT_GT(error("occlusion.exr"), 0.5);
+    EXPECT_LT(error("occlusion.exr --invert"), 1e-6);
+    EXPECT_EQ(error("part.exr --crop 7,30,20,10"), 0) << "a test that is cropped already";
+    EXPECT_EQ(error("spoilt.exr --crop 7,30,20,10"), 0) << "a test of the whole size";
+    EXPECT_EQ(run_aoscore("compare truth.exr part.exr", folder_).exit_code, 3);
+    EXPECT_EQ(run_aoscore("compare truth.exr part.exr --crop 60,30,20,10", folder_).exit_code, 64);
+    EXPECT_EQ(run_aoscore("compare truth.exr part.exr --crop 1,2,3", folder_).exit_code, 64);
+    EXPECT_GT(error("spoilt.exr"), 0.5);
+    EXPECT_EQ(error("spoilt.exr --mask left.exr"), 0);
+    EXPECT_EQ(error("engine.exr"), 0) << "the layer called AO is found";
+    EXPECT_GT(error("engine.exr --channel ViewLayer.Mine.V"), 0.3);
+    EXPECT_EQ(run_aoscore("compare truth.exr engine.exr --channel nonsense", folder_).exit_code, 4);
+}
+
+TEST_F(Compare, AgreesWithIdiff) {
+    ImageF test = ramp();
+    for (std::size_t i = 0; i < test.size(); ++i) test.pixels[i] += 0.07F * std::sin(static_cast<float>(i));
+    write(folder_ / "truth.exr", ramp());
+    write(folder_ / "test.exr", test);
+    const std::string command =
+        "cd '" + folder_.string() + "' && idiff truth.exr test.exr >idiff.txt 2>idiff.log; test $? -ne 127";
+    if (std::system(command.c_str()) != 0) GTEST_SKIP() << "idiff is not there (Debian: openimageio-tools)";
+    const std::string said = read_file(folder_ / "idiff.txt");
+    const auto number = [&](const std::string& name) {
+        const auto at = said.find(name + " = ");
+        return at == std::string::npos ? -1.0 : std::stod(said.substr(at + name.size() + 3));
+    };
+    const json metrics = compare("truth.exr test.exr", 0)["metrics"];
+    EXPECT_NEAR(metrics["mae"]["value"].get<double>(), number("Mean error"), 1e-6) << said;
+    EXPECT_NEAR(metrics["rmse"]["value"].get<double>(), number("RMS error"), 1e-6);
+    // Its PSNR is for the brightest value of the images, not for 1; its "Max error" has two blanks.
+    EXPECT_NEAR(metrics["max_error"]["value"].get<double>(), number("Max error "), 1e-6);
+}
+
 }  // namespace
 }  // namespace aoscore
