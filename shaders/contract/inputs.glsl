@@ -40,21 +40,28 @@ vec3 centre_normal_from_depth_accurate() {
 }
 vec4 tiled_noise() { return texelFetch(u_noise_4x4, drawn_texel() & 3, 0); }
 
-// A G-buffer of half the resolution holds the middle texel of each block of TAP_SCALE; a tap lands in the block.
-// Texels as floats: they are needed as such, and outside of the picture they need not fit an integer.
+// The picture's texel that a tap reads. Texels as floats: they are needed as such, and outside of the picture they need
+// not fit an integer. A G-buffer of half the resolution holds one texel of each block of 2x2, that on the lower right;
+// the last block of an odd size has none there.
+#if HALF_TAPS
+uniform sampler2D u_half_depth;  // metres
 vec2 tapped_texel(vec2 image_px) {
-#if TAP_SCALE > 1
-    return floor(image_px / float(TAP_SCALE)) * float(TAP_SCALE) + float(TAP_SCALE / 2);
-#else
-    return floor(image_px);
-#endif
+    vec2 texel = 2.0 * floor(0.5 * image_px) + 1.0;
+    return texel - vec2(equal(texel, u_size_px));
 }
+float depth_of_tapped(vec2 texel) {
+    return textureLod(u_half_depth, (floor(0.5 * texel) + 0.5) / ceil(0.5 * u_size_px), 0.0).r;
+}
+#else
+vec2 tapped_texel(vec2 image_px) { return floor(image_px); }
+float depth_of_tapped(vec2 texel) { return picture_texel(u_linear_depth, texel).r; }
+#endif
 
 // Taps. What lies outside of the picture is a setting of the run: BORDER_FAR 1, the depth of the background; 0, the
 // depth of the nearest texel (clamp to edge), which stretches the picture's edge outward.
 float texel_linear_depth(vec2 texel) {
     COUNT_TAP
-    float depth = picture_texel(u_linear_depth, texel).r;
+    float depth = depth_of_tapped(texel);
 #if BORDER_FAR
     return texel == clamp(texel, vec2(0.0), u_size_px - 1.0) ? depth : u_far;
 #else
@@ -75,6 +82,9 @@ vec3 tap_position(vec2 image_px) {
 // picture's texel.
 const int kDepthMipLevels = 6;
 vec3 tap_mip_position(vec2 image_px, int mip) {
+#if HALF_TAPS
+    if (mip == 0) return tap_position(image_px);  // the full picture is not to be read
+#endif
     COUNT_TAP
     vec2 texel = floor(image_px), inside = clamp(texel, vec2(0.0), u_size_px - 1.0);
     // Not textureSize: where pixels differ in `mip`, llvmpipe gives them all the size of one pixel's level.

@@ -19,7 +19,7 @@ constexpr std::array<std::pair<Falloff, const char*>, 4> kFalloffs{{
     {Falloff::xegtao, "xegtao"},
 }};
 
-double length_parameter(const MethodDescriptor& method, const ParameterValues& parameters,
+double number_parameter(const MethodDescriptor& method, const ParameterValues& parameters,
                         const std::string& id) {
     const auto found = parameters.find(id);
     if (found == parameters.end() || !found->second.is_number()) {
@@ -46,9 +46,12 @@ TruthQuery own_truth(const MethodDescriptor& method, const ParameterValues& para
     }
     query.radius_m = method.truth.radius_parameter.empty()
                          ? std::numeric_limits<double>::infinity()
-                         : length_parameter(method, parameters, method.truth.radius_parameter);
+                         : number_parameter(method, parameters, method.truth.radius_parameter);
+    if (!method.truth.radius_factor_parameter.empty()) {
+        query.radius_m *= number_parameter(method, parameters, method.truth.radius_factor_parameter);
+    }
     if (query.falloff == Falloff::alchemy) {
-        query.u_m = length_parameter(method, parameters, method.truth.u_parameter);
+        query.u_m = number_parameter(method, parameters, method.truth.u_parameter);
     }
     return query;
 }

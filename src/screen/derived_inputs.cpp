@@ -28,10 +28,10 @@ const ShaderProgram& DerivedInputs::program(const GBuffer& gbuffer, const std::s
 }
 
 void DerivedInputs::draw(const GBuffer& gbuffer, const ShaderProgram& p, GLuint source,
-                         std::initializer_list<GLuint> targets, int level) {
+                         const Target& target) {
     if (!empty_vertices_) empty_vertices_ = gl::VertexArray::create();
-    const gl::Framebuffer framebuffer = make_framebuffer(targets, level);
-    gl::Viewport(0, 0, std::max(gbuffer.width() >> level, 1), std::max(gbuffer.height() >> level, 1));
+    const gl::Framebuffer framebuffer = make_framebuffer(target.textures, target.level);
+    gl::Viewport(0, 0, target.width, target.height);
     gl::ActiveTexture(GL_TEXTURE0);
     gl::BindTexture(GL_TEXTURE_2D, source);
     gbuffer.set_view_uniforms(p);
@@ -59,7 +59,11 @@ GLuint DerivedInputs::depth_mips(const GBuffer& gbuffer, GLuint linear_depth, co
             gl::BindTexture(GL_TEXTURE_2D, mips.name());
             gl::TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, level - 1);
         }
-        draw(gbuffer, p, source, {mips.name()}, level);
+        draw(gbuffer, p, source,
+             {{mips.name()},
+              std::max(gbuffer.width() >> level, 1),
+              std::max(gbuffer.height() >> level, 1),
+              level});
     }
     gl::BindTexture(GL_TEXTURE_2D, mips.name());
     gl::TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, kMipLevels - 1);
@@ -75,9 +79,22 @@ GLuint DerivedInputs::normal_from_depth(const GBuffer& gbuffer, bool accurate) {
         program(gbuffer, "normal_from_depth.frag", fmt::format("#define ACCURATE {}\n", accurate ? 1 : 0));
     p.use();
     gl::Uniform1i(p.location("u_linear_depth"), 0);
-    draw(gbuffer, p, gbuffer.texture("linear_depth"), {normals.name()}, 0);
+    draw(gbuffer, p, gbuffer.texture("linear_depth"), {{normals.name()}, gbuffer.width(), gbuffer.height()});
     gl::check("making normals from depth");
     return textures_.emplace(key, std::move(normals)).first->second.name();
+}
+
+GLuint DerivedInputs::half_depth(const GBuffer& gbuffer, GLuint linear_depth) {
+    const std::string key = fmt::format("half_depth {}", linear_depth);
+    if (const auto found = textures_.find(key); found != textures_.end()) return found->second.name();
+    const int width = (gbuffer.width() + 1) / 2, height = (gbuffer.height() + 1) / 2;
+    gl::Texture depth = make_texture(kR32F, width, height);
+    const ShaderProgram& p = program(gbuffer, "half_depth.frag", "");
+    p.use();
+    gl::Uniform1i(p.location("u_source"), 0);
+    draw(gbuffer, p, linear_depth, {{depth.name()}, width, height});
+    gl::check("halving the depth");
+    return textures_.emplace(key, std::move(depth)).first->second.name();
 }
 
 DerivedInputs::Packed DerivedInputs::packed(const GBuffer& gbuffer, GLuint normal) {
@@ -93,7 +110,8 @@ DerivedInputs::Packed DerivedInputs::packed(const GBuffer& gbuffer, GLuint norma
     gl::Uniform1i(p.location("u_normal"), 1);
     gl::ActiveTexture(GL_TEXTURE1);
     gl::BindTexture(GL_TEXTURE_2D, normal);
-    draw(gbuffer, p, gbuffer.texture("linear_depth"), {depth.name(), normals.name()}, 0);
+    draw(gbuffer, p, gbuffer.texture("linear_depth"),
+         {{depth.name(), normals.name()}, gbuffer.width(), gbuffer.height()});
     gl::check("packing the G-buffer");
     const Packed result{depth.name(), normals.name()};
     textures_.emplace(key, std::move(depth));

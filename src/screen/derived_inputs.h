@@ -29,6 +29,9 @@ class DerivedInputs {
     /// the right and below, as derivatives of a shader would be.
     GLuint normal_from_depth(const GBuffer& gbuffer, bool accurate);
 
+    /// `linear_depth` at half the resolution, rounded up: one texel of each block of 2x2.
+    GLuint half_depth(const GBuffer& gbuffer, GLuint linear_depth);
+
     struct Packed {
         GLuint linear_depth = 0, normal = 0;
     };
@@ -37,8 +40,12 @@ class DerivedInputs {
 
   private:
     const ShaderProgram& program(const GBuffer& gbuffer, const std::string& file, const std::string& macros);
-    void draw(const GBuffer& gbuffer, const ShaderProgram& program, GLuint source,
-              std::initializer_list<GLuint> targets, int level);
+    struct Target {
+        std::initializer_list<GLuint> textures;
+        int width, height;
+        int level = 0;
+    };
+    void draw(const GBuffer& gbuffer, const ShaderProgram& program, GLuint source, const Target& target);
 
     gl::VertexArray empty_vertices_;
     std::map<std::string, gl::Texture> textures_;

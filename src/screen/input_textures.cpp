@@ -51,6 +51,9 @@ GLuint InputTextures::texture(const std::string& listed, const PassBuild& build,
                               const InputSettings& settings, GLuint previous) {
     const std::string input = replaced_normal(listed, settings.normals);
     const bool normal = input.starts_with("normal_");
+    if (input == "half_depth") {
+        return derived_.half_depth(*gbuffer_, texture("linear_depth", build, settings, previous));
+    }
     if (settings.precision == Precision::full ||
         (input != "linear_depth" && input != "depth_mips" && !normal)) {
         if (input == "depth_mips") return depth_mips(build, gbuffer_->texture("linear_depth"));

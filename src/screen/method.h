@@ -52,8 +52,9 @@ struct DepthMips {
 /// Which truth a method claims to approximate: its falloff, and which of its parameters holds the radius.
 struct OwnTruth {
     std::string falloff = "binary";
-    std::string radius_parameter;  ///< empty: infinite
-    std::string u_parameter;       ///< falloff "alchemy" only
+    std::string radius_parameter;         ///< empty: infinite
+    std::string radius_factor_parameter;  ///< multiplies the radius; empty: 1
+    std::string u_parameter;              ///< falloff "alchemy" only
 };
 
 struct Pass {

@@ -149,12 +149,17 @@ OwnTruth parse_truth(const MethodDescriptor& method, StrictObject object) {
     OwnTruth truth;
     truth.falloff = object.text_or("falloff", truth.falloff);
     truth.radius_parameter = object.text_or("radius", "");
+    truth.radius_factor_parameter = object.text_or("radius_factor", "");
     truth.u_parameter = object.text_or("u", "");
     for (const auto& [key, id] :
-         {std::pair("radius", truth.radius_parameter), std::pair("u", truth.u_parameter)}) {
+         {std::pair("radius", truth.radius_parameter),
+          std::pair("radius_factor", truth.radius_factor_parameter), std::pair("u", truth.u_parameter)}) {
         if (!id.empty() && method.find_parameter(id) == nullptr) {
             throw file_error(fmt::format("is \"{}\"", id), object.where(key), "a declared parameter");
         }
+    }
+    if (truth.radius_parameter.empty() && !truth.radius_factor_parameter.empty()) {
+        throw file_error("multiplies no radius", object.where("radius_factor"), "radius beside it");
     }
     object.finish();
     return truth;

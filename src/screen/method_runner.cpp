@@ -57,7 +57,7 @@ std::vector<MethodRunner::Step> MethodRunner::method_steps(const MethodRequest& 
         Step step{&pass, base_build(request, *request.method, request.parameters)};
         step.build.scale = pass.scale * (halved ? 2 : 1);
         step.build.coarser_scale = before;
-        step.build.tap_scale = request.resolution == Resolution::half_gbuffer ? 2 : 1;
+        step.build.half_taps = request.resolution == Resolution::half_gbuffer;
         before = step.build.scale;
         steps.push_back(step);
     }
@@ -180,7 +180,7 @@ void MethodRunner::process(const Step& step, GLuint target, const InputSettings&
 void MethodRunner::upsample(GLuint coarse, int scale) {
     const std::string macros = fmt::format(
         "#define ORTHOGRAPHIC {}\n#define BORDER_FAR 1\n#define SCALE 1\n#define COARSER_SCALE {}\n#define "
-        "TAP_SCALE 1\n"
+        "HALF_TAPS 0\n"
         "#define DUAL 0\n#define COUNT_FETCHES 0\n",
         gbuffer_->orthographic() ? 1 : 0, scale);
     auto found = upsampling_.find(macros);

@@ -161,7 +161,7 @@ std::map<std::string, int> pass_macros(const PassBuild& build) {
             {"BORDER_FAR", build.border_far ? 1 : 0},
             {"SCALE", build.scale},
             {"COARSER_SCALE", build.coarser_scale},
-            {"TAP_SCALE", build.tap_scale},
+            {"HALF_TAPS", build.half_taps ? 1 : 0},
             {"DUAL", build.dual ? 1 : 0},
             {"COUNT_FETCHES", build.count_fetches ? 1 : 0}};
 }
@@ -186,8 +186,8 @@ PassProgram::PassProgram(const PassBuild& build, const Pass& pass, const ShaderS
         if (contract_uniforms().contains(name)) continue;
         if (is_sampler(uniform.type)) {
             const std::string input = name.starts_with("u_") ? name.substr(2) : name;
-            // The dual mode's own reading of the coarse picture is the program's, not the method's.
-            if (build.dual && input == "coarser") {
+            // What a resolution mode reads for itself is the program's, not the method's.
+            if ((build.dual && input == "coarser") || (build.half_taps && input == "half_depth")) {
                 samplers_.push_back(input);
                 continue;
             }

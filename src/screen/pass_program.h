@@ -19,7 +19,7 @@ struct PassBuild {
     bool border_far = true;      ///< what taps outside of the picture read
     int scale = 1;               ///< of the pass: a pixel of it stands for scale x scale of the picture
     int coarser_scale = 1;       ///< of the pass before it
-    int tap_scale = 1;           ///< taps read the middle of blocks of this many pixels
+    bool half_taps = false;      ///< taps read a G-buffer of half the resolution
     bool dual = false;           ///< shades only where the coarse result varies
     bool uniform_form = false;   ///< parameters and kernels as uniforms, not constants
     bool count_fetches = false;  ///< with the second output o_fetches

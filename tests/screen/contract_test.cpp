@@ -30,12 +30,6 @@ class EveryMethod : public ::testing::TestWithParam<std::string> {
     }
 };
 
-std::vector<std::string> method_ids() {
-    std::vector<std::string> ids;
-    for (const MethodDescriptor& m : load_methods()) ids.push_back(m.id);
-    return ids;
-}
-
 bool in_unit_range(const ImageF& image) {
     return std::all_of(image.pixels.begin(), image.pixels.end(), [](float v) { return v >= 0 && v <= 1; });
 }
@@ -135,11 +129,8 @@ TEST_P(EveryMethod, RejectsUnknownPresetsAndParametersWithTheKnownOnes) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, EveryMethod, ::testing::ValuesIn(method_ids()), [](const auto& tested) {
-    std::string name = tested.param;
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Registry, EveryMethod, ::testing::ValuesIn(method_ids()),
+                         [](const auto& tested) { return test_name(tested.param); });
 
 // The counts that Hussain 2022 implies for its tables: one depth fetch a sample.
 TEST(Fetches, AreThoseOfThePublishedTables) {

@@ -193,17 +193,8 @@ TEST_P(Fidelity, TiltedPlaneReadsOpen) {
     }
 }
 
-std::vector<std::string> all_methods() {
-    std::vector<std::string> ids;
-    for (const MethodDescriptor& m : load_methods()) ids.push_back(m.id);
-    return ids;
-}
-
-INSTANTIATE_TEST_SUITE_P(Registry, Fidelity, ::testing::ValuesIn(all_methods()), [](const auto& tested) {
-    std::string name = tested.param;
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Registry, Fidelity, ::testing::ValuesIn(method_ids()),
+                         [](const auto& tested) { return test_name(tested.param); });
 
 }  // namespace
 }  // namespace aoscore::testing

@@ -1,3 +1,4 @@
+#include "core/error.h"
 #include "hand_made.h"
 #include "support/support.h"
 
@@ -111,8 +112,13 @@ TEST_P(EveryResolution, GivesNearlyTheFullPicture) {
     const ImageF full = renderer.run(request).raw;
     const double full_fetches = mean_over(renderer.count_fetches(request), surface);
     double before = 1;
+    const std::vector<Pass>& passes = request.method->passes;
     for (const auto resolution : {Resolution::half, Resolution::dual, Resolution::half_gbuffer}) {
         request.resolution = resolution;
+        if (!passes[0].processor.empty() || (passes.size() > 1 && resolution == Resolution::dual)) {
+            EXPECT_THROW(renderer.run(request), Error);
+            continue;
+        }
         const ImageF image = renderer.run(request).raw;
         write_png((output_dir() / (std::to_string(static_cast<int>(resolution)) + ".png")).string(), image);
         const double fetches = mean_over(renderer.count_fetches(request), surface);
@@ -135,22 +141,21 @@ TEST_P(EveryResolution, GivesNearlyTheFullPicture) {
         }
         const double error = std::sqrt(squared / count);
         EXPECT_GT(error, 0);
-        EXPECT_LT(error, 0.12);
+        EXPECT_LT(error, 0.15);
         // The dual picture repairs the half one.
         if (resolution == Resolution::dual) {
             EXPECT_LT(error, before);
         }
         before = error;
-        EXPECT_NEAR(mean_over(image, surface), mean_over(full, surface), 0.02);
+        // A tap of the coarse G-buffer lies up to a pixel beside its point, which a slope turns into
+        // occlusion.
+        const double tolerance = resolution == Resolution::half_gbuffer ? 0.04 : 0.02;
+        EXPECT_NEAR(mean_over(image, surface), mean_over(full, surface), tolerance);
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, EveryResolution, ::testing::Values("gtao", "alchemy-spiral", "hbao"),
-                         [](const auto& tested) {
-                             std::string name = tested.param;
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Methods, EveryResolution, ::testing::ValuesIn(method_ids()),
+                         [](const auto& tested) { return test_name(tested.param); });
 
 }  // namespace
 }  // namespace aoscore::testing

@@ -83,6 +83,17 @@ void write_png(const std::string& path, const ImageF& image) {
     }
 }
 
+std::vector<std::string> method_ids() {
+    std::vector<std::string> ids;
+    for (const MethodDescriptor& m : load_methods()) ids.push_back(m.id);
+    return ids;
+}
+
+std::string test_name(std::string id) {
+    std::replace(id.begin(), id.end(), '-', '_');
+    return id;
+}
+
 MethodRequest request_for(const MethodDescriptor& method, const std::vector<MethodDescriptor>& filters,
                           const std::string& preset, const ParameterValues& overrides) {
     MethodRequest request;

@@ -5,6 +5,7 @@
 #include "screen/screen.h"
 
 #include <string>
+#include <vector>
 
 namespace aoscore::testing {
 
@@ -29,6 +30,10 @@ Camera corner_camera();
 
 /// Writes a picture to look at; values from 0 to 1.
 void write_png(const std::string& path, const ImageF& image);
+
+/// The ids of the registry's methods, and a name for gtest made of such an id.
+std::vector<std::string> method_ids();
+std::string test_name(std::string id);
 
 /// A complete request with a preset's filter.
 MethodRequest request_for(const MethodDescriptor& method, const std::vector<MethodDescriptor>& filters,
