@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace aoscore {
@@ -22,38 +23,67 @@ std::pair<std::string, nlohmann::json> parse_assignment(const std::string& text)
     return {text.substr(0, equals), std::move(parsed)};
 }
 
+// The descriptor's choice of modes, where the user made none.
+void add_modes_of(const MethodDescriptor& method, const MethodOptions& options, RunModes& modes,
+                  std::vector<std::string>& warnings) {
+    for (const auto& [id, choice] : method.scored.modes) {
+        const auto& table = run_mode_options();
+        const auto mode =
+            std::find_if(table.begin(), table.end(), [&](const RunModeOption& m) { return m.id == id; });
+        if (mode == table.end() ||
+            std::find(mode->choices.begin(), mode->choices.end(), choice) == mode->choices.end()) {
+            throw file_error(fmt::format("{} {} is no mode of running", id, choice),
+                             (method.folder / "method.json").string() + ": scored.modes");
+        }
+        if (options.chosen_modes.contains(id)) continue;
+        mode->choose(modes, choice);
+        warnings.push_back(
+            fmt::format("{} is drawn with {} {}, as its descriptor says for scores (--{} {} overrides)",
+                        method.id, id, choice, id, mode->choices.front()));
+    }
+}
+
 }  // namespace
 
 void add_method_options(CLI::App& app, MethodOptions& options) {
-    app.add_option("--preset", options.preset, "Which preset of each method")->capture_default_str();
+    app.add_option("--preset", options.preset,
+                   "Which preset of each method [those it is scored with, mostly default]");
     app.add_option("--filter", options.filter, "A filter (see list methods), or none [the preset's own]");
     app.add_option("--set", options.assignments,
                    "A parameter of the methods that have it, over the preset: radius=0.5");
     for (const RunModeOption& mode : run_mode_options()) {
         app.add_option_function<std::string>(
                fmt::format("--{}", mode.id),
-               [&options, &mode](const std::string& choice) { mode.choose(options.modes, choice); },
+               [&options, &mode](const std::string& choice) {
+                   mode.choose(options.modes, choice);
+                   options.chosen_modes.emplace(mode.id);
+               },
                fmt::format("{} [{}]", mode.meaning, mode.choices.front()))
             ->check(CLI::IsMember(mode.choices));
     }
 }
 
-std::vector<CellPlan> plan_cells(const std::vector<MethodDescriptor>& methods, const MethodOptions& options) {
+std::vector<CellPlan> plan_cells(const std::vector<MethodDescriptor>& methods, const MethodOptions& options,
+                                 std::vector<std::string>& warnings) {
     std::vector<CellPlan> cells;
     for (const MethodDescriptor& method : methods) {
         CellPlan cell;
         cell.method = method.id;
-        cell.preset = options.preset;
         if (!options.filter.empty()) cell.filter = options.filter;
         cell.modes = options.modes;
-        cells.push_back(std::move(cell));
+        add_modes_of(method, options, cell.modes, warnings);
+        const std::vector<std::string> asked{options.preset};
+        for (const std::string& preset : options.preset.empty() ? method.scored.presets : asked) {
+            cell.preset = preset;
+            cells.push_back(cell);
+        }
     }
     for (const std::string& text : options.assignments) {
         const auto [parameter, value] = parse_assignment(text);
         bool taken = false;
-        for (std::size_t i = 0; i < methods.size(); ++i) {
-            if (methods[i].find_parameter(parameter) == nullptr) continue;
-            cells[i].overrides[parameter] = value;
+        for (CellPlan& cell : cells) {
+            if (find_method(methods, cell.method).find_parameter(parameter) == nullptr) continue;
+            cell.overrides[parameter] = value;
             taken = true;
         }
         if (!taken) throw usage_error("no chosen method has a parameter " + parameter, "--set " + text);

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,17 +13,21 @@ namespace aoscore {
 
 /// How methods are run, as the user asked for it: the same for every method of a score.
 struct MethodOptions {
-    std::string preset = "default";
+    std::string preset;                    ///< empty: those that each method is scored with
     std::string filter;                    ///< empty: the preset's own
     std::vector<std::string> assignments;  ///< "radius=0.5"
     RunModes modes;
+    std::set<std::string> chosen_modes;  ///< ids of the modes that the user named
 };
 
 /// --preset, --filter, --set, and one option for each of run_mode_options().
 void add_method_options(CLI::App& app, MethodOptions& options);
 
-/// One cell for each of the methods; an assignment goes to those that have the parameter. Throws usage_error
-/// for an assignment that none of them has.
-std::vector<CellPlan> plan_cells(const std::vector<MethodDescriptor>& methods, const MethodOptions& options);
+/// The cells of each method: one for the preset that was asked for, or one for each that its descriptor
+/// names; likewise for the modes of running, and what a descriptor changes there is said in `warnings`. An
+/// assignment goes to the methods that have the parameter. Throws usage_error for an assignment that none of
+/// them has, file_error for a descriptor's mode that does not exist.
+std::vector<CellPlan> plan_cells(const std::vector<MethodDescriptor>& methods, const MethodOptions& options,
+                                 std::vector<std::string>& warnings);
 
 }  // namespace aoscore

@@ -96,6 +96,8 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
     results.program_version = version();
     results.created_utc = utc_now();
     results.command = plan.command;
+    results.warnings = plan.warnings;
+    for (const std::string& warning : plan.warnings) log_warning(warning);
     results.cpu = cpu_name();
     results.threads = thread_count();
     results.seed = plan.seed;

@@ -54,6 +54,7 @@ struct ExperimentPlan {
     bool keep_gbuffer = true;                 ///< write the G-buffer beside the results
     std::string command;                      ///< that makes it again
     std::shared_ptr<const Results> baseline;  ///< an earlier run to be held against; null: none
+    std::vector<std::string> warnings;        ///< to be shown with the results
 };
 
 /// A report definition: one file of reports/.

@@ -57,6 +57,12 @@ struct OwnTruth {
     std::string u_parameter;              ///< falloff "alchemy" only
 };
 
+/// How a method enters a score where the user does not say.
+struct ScoredAs {
+    std::vector<std::string> presets = {"default"};
+    std::map<std::string, std::string> modes;  ///< mode of running -> choice, such as "resolution": "half"
+};
+
 struct Pass {
     std::string fragment;             ///< file in the method's folder; empty where a processor computes it
     std::string processor;            ///< "line_sweep": computed on the CPU from the listed inputs
@@ -81,6 +87,7 @@ struct MethodDescriptor {
     DepthMips depth_mips;
     std::vector<Pass> passes;
     OwnTruth truth;
+    ScoredAs scored;
     std::filesystem::path folder;
 
     /// The parameter of that id, null when there is none.

@@ -224,6 +224,26 @@ void check_parameters_used(const MethodDescriptor& method, const std::string& wh
     }
 }
 
+ScoredAs parse_scored(const MethodDescriptor& method, StrictObject object) {
+    ScoredAs scored;
+    if (object.has("presets")) {
+        scored.presets = object.texts_or_empty("presets");
+        if (scored.presets.empty())
+            throw file_error("is empty", object.where("presets"), "at least one preset");
+        for (const std::string& preset : scored.presets) {
+            if (!method.presets.contains(preset)) {
+                throw file_error(fmt::format("\"{}\" is no preset", preset), object.where("presets"));
+            }
+        }
+    }
+    if (object.has("modes")) {
+        StrictObject modes = object.object("modes");
+        for (const auto& [mode, choice] : modes.members()) scored.modes[mode] = modes.text(mode);
+    }
+    object.finish();
+    return scored;
+}
+
 MethodDescriptor load_descriptor(const fs::path& folder, const std::set<std::string>& inputs,
                                  bool is_filter) {
     const fs::path file = folder / "method.json";
@@ -268,6 +288,7 @@ MethodDescriptor load_descriptor(const fs::path& folder, const std::set<std::str
     if (method.passes.back().scale != 1)
         throw file_error("the last pass has a scale", top.where("passes"), "scale 1");
     if (!is_filter && top.has("truth")) method.truth = parse_truth(method, top.object("truth"));
+    if (!is_filter && top.has("scored")) method.scored = parse_scored(method, top.object("scored"));
     top.finish();
     check_parameters_used(method, where);
     return method;

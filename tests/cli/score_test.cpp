@@ -58,6 +58,36 @@ TEST(Gbuffer, FileHoldsDepthNormalsAndAlbedo) {
     }
 }
 
+// The ray march would cost more than all other methods together.
+TEST(Score, RunsAMethodAsItsDescriptorSaysAndShowsIt) {
+    const auto folder = output_dir();
+    const auto run =
+        run_aoscore("score wall --methods ray-march,ssao --size 48x32 --samples 4 --out page", folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("warning: ray-march is drawn with resolution half"));
+    EXPECT_THAT(read_file(folder / "page/index.html"), HasSubstr("ray-march is drawn with resolution half"));
+    const Results results = read_results(folder / "page");
+    std::map<std::string, nlohmann::json> resolutions;
+    for (const CellRecord& cell : results.cells) {
+        const auto mode = cell.parameters.find("resolution");
+        resolutions[cell.method + "/" + cell.preset] = mode == cell.parameters.end() ? "full" : mode->second;
+    }
+    const std::map<std::string, nlohmann::json> expected{
+        {"ray-march/default", "half"}, {"ray-march/thin", "half"}, {"ssao/default", "full"}};
+    EXPECT_EQ(resolutions, expected);
+
+    const auto asked = run_aoscore(
+        "score wall --methods ray-march --preset thin --resolution full --size 48x32 --samples 4 --out full",
+        folder);
+    ASSERT_EQ(asked.exit_code, 0) << asked.err;
+    EXPECT_THAT(asked.err, ::testing::Not(HasSubstr("is drawn with")));
+    const Results full = read_results(folder / "full");
+    for (const CellRecord& cell : full.cells) {
+        EXPECT_EQ(cell.preset, "thin");
+        EXPECT_FALSE(cell.parameters.contains("resolution"));
+    }
+}
+
 TEST(Score, PrintsThePathOfAPageAndKeepsItsResults) {
     const auto folder = output_dir();
     const auto run = run_aoscore("score wall --size 96x64 --samples 8 --out page", folder);
