@@ -1,10 +1,13 @@
 #include "browser/browser_support.h"
 #include "core/files.h"
+#include "results/image_file.h"
 #include "support/support.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
+#include <cstring>
 
 /// The page's live methods are the program's: WebGL 2 draws what OpenGL 3.3 drew, cell by cell.
 namespace aoscore {
@@ -44,6 +47,52 @@ constexpr LiveCase kCases[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Page, LivePictures, ::testing::ValuesIn(kCases),
                          [](const auto& one) { return std::string(one.param.name); });
+
+/// The only cell's picture.
+ImageF picture_of(const fs::path& folder) {
+    const Results results = read_results(folder);
+    EXPECT_EQ(results.cells.size(), 1U);
+    EXPECT_EQ(results.cells.at(0).error, "");
+    return *read_image(folder / results.cells.at(0).image_file).channel("Y");
+}
+
+// A setting found on the page is the same one in the program, by its command line and as a preset.
+TEST(LiveExport, MeasuresWhatThePageShowed) {
+    REQUIRE_BROWSER();
+    const fs::path folder = testing::output_dir();
+    testing::ProgramRun run = testing::run_aoscore(
+        "score atrium --view close --size 160x96 --samples 16 --methods ssao --quiet --out measured", folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    testing::expect_spec_holds("live-export.mjs", folder);
+
+    const std::string command = read_file(folder / "command.txt"), program = "aoscore ";
+    ASSERT_TRUE(command.starts_with(program)) << command;
+    run = testing::run_aoscore(command.substr(program.size()) + " --quiet --out by-command", folder);
+    ASSERT_EQ(run.exit_code, 0) << command << run.err;
+    const ImageF measured = picture_of(folder / "by-command");
+    const std::string bytes = read_file(folder / "live.f32");
+    ASSERT_EQ(bytes.size(), measured.size() * sizeof(float));
+    std::vector<float> shown(measured.size());
+    std::memcpy(shown.data(), bytes.data(), bytes.size());
+    std::size_t near = 0;
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        near += std::abs(shown[i] - measured.pixels[i]) <= 2.0F / 255 ? 1 : 0;
+    EXPECT_GE(static_cast<double>(near), 0.995 * static_cast<double>(shown.size()));
+
+    // As its own method's preset: merged into the descriptor, under another id.
+    const fs::path mine = folder / "methods" / "my-ssao";
+    fs::create_directories(mine.parent_path());
+    fs::copy(home_dir() / "shaders" / "methods" / "crytek-ssao", mine);
+    nlohmann::json descriptor = nlohmann::json::parse(read_file(mine / "method.json"));
+    descriptor.merge_patch(nlohmann::json::parse(read_file(folder / "preset.json")));
+    write_atomically(mine / "method.json", descriptor.dump());
+    run = testing::run_aoscore(
+        "score atrium --view close --size 160x96 --samples 16 --methods-dir methods --methods my-ssao "
+        "--preset live --border clamp --quiet --out by-preset",
+        folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(picture_of(folder / "by-preset").pixels, measured.pixels);
+}
 
 }  // namespace
 }  // namespace aoscore

@@ -42,12 +42,14 @@ class LiveResult {
 
   show(setting, output, elapsed_ms) {
     const { view, filter, filterParameters } = setting;
+    const { stageView } = this;
     const errors = liveErrors(output, this.truth, this.noise, view.noise_floor_rmse);
     this.output = output;
     this.element.shown = { ...setting, output, errors };  // for scripts that drive the page
     this.showErrors(errors);
     const odd = errors.nonfinite > 0 ? ` ${errors.nonfinite} pixels are NaN or infinite and left out.` : '';
-    this.find('.live-status').textContent = `RMSE ${numberText(errors.rmse, 4)} over ${errors.count} valid pixels, `
+    this.find('.live-status').textContent = `RMSE ${numberText(errors.rmse, 4)} over ${errors.count} valid pixels `
+      + `(the page keeps the truth in steps of 1/${Math.round(1 / stageView.images.truth.step)}), `
       + `drawn and read back in ${elapsed_ms.toFixed(0)} ms here.${odd}`;
     this.paintVisibility();
     paintError(this.find('.live-error'), view, output, this.truth, this.noise, liveErrorRange);
