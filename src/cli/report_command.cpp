@@ -13,6 +13,7 @@ namespace {
 struct Options {
     std::filesystem::path results;
     OutcomeOptions outcome;
+    bool everything = false;
 };
 
 ExitCode run(const Options& options) {
@@ -24,7 +25,7 @@ ExitCode run(const Options& options) {
         results.baseline = against_baseline(results, *outcome.baseline());
         write_results(results, folder);
     }
-    fmt::print("{}\n", write_report(folder).string());
+    fmt::print("{}\n", write_report(folder, options.everything).string());
     return outcome.conclude(results);
 }
 
@@ -39,6 +40,8 @@ CommandEntry add_report_command(CLI::App& program, const GlobalOptions&) {
         ->required();
     add_outcome_options(*app, options->outcome);
     add_baseline_option(*app, options->outcome);
+    app->add_flag("--everything", options->everything,
+                  "Keep raw outputs and the occlusion's causes in a large page too (a small one has them)");
     return {app, [options] { return run(*options); }};
 }
 

@@ -9,6 +9,7 @@ namespace aoscore {
 
 ExitCode run_and_report(ExperimentPlan plan, const std::filesystem::path& folder,
                         const OutcomeOptions& options) {
+    require_page_parts();
     Outcome outcome(options);
     plan.baseline = outcome.baseline();
     std::filesystem::path page;

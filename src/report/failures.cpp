@@ -1,3 +1,4 @@
+#include "report/causes.h"
 #include "report/number_text.h"
 #include "report/section.h"
 
@@ -17,24 +18,6 @@ std::string css_percent(double share) {
     return fmt::format("{:.2f}%", share * 100);
 }
 
-/// What the causes are called on the page, in the order of the bars.
-struct CauseText {
-    const char* id;
-    const char* label;
-    const char* meaning;
-};
-constexpr CauseText kCauses[] = {
-    {"outside", "outside the frame", "the occluder lies outside what the camera sees"},
-    {"hidden", "hidden", "the occluder lies behind what the camera sees"},
-    {"grazing", "grazing", "the occluder turns away from the camera, or is seen at a grazing angle"},
-    {"visible", "visible", "the occluder is in the G-buffer: the method's own loss"},
-};
-
-const char* cause_label(const std::string& id) {
-    const auto found = std::ranges::find_if(kCauses, [&](const CauseText& cause) { return id == cause.id; });
-    return found == std::end(kCauses) ? "" : found->label;
-}
-
 double area_of(const MaskSummary& mask, const std::string& cause) {
     const auto found = std::ranges::find(mask.causes, cause, &CauseShare::cause);
     return found == mask.causes.end() ? 0.0 : found->area;
@@ -49,7 +32,7 @@ json bar_parts(const MaskSummary& mask, double widest) {
     if (mask.causes.empty()) {
         add("unknown", mask.area);
     } else {
-        for (const CauseText& cause : kCauses) add(cause.id, area_of(mask, cause.id));
+        for (const CauseText& cause : causes()) add(cause.id, area_of(mask, cause.id));
     }
     return parts;
 }
@@ -57,7 +40,7 @@ json bar_parts(const MaskSummary& mask, double widest) {
 json row_model(const CellRecord& cell, double widest) {
     const ErrorAnalysis& analysis = *cell.analysis;
     json shares = json::array();
-    for (const CauseText& cause : kCauses) {
+    for (const CauseText& cause : causes()) {
         const bool known = !analysis.missing.causes.empty();
         const double area = area_of(analysis.missing, cause.id);
         shares.push_back({{"text", known ? percent_text(area) : std::string(kNoNumber)},
@@ -132,7 +115,7 @@ nlohmann::json section::failures(const PageSource& source) {
     json model = {{"views", json::array()},
                   {"causes", json::array()},
                   {"threshold", short_text(source.results.mask_threshold)}};
-    for (const CauseText& cause : kCauses) {
+    for (const CauseText& cause : causes()) {
         model["causes"].push_back({{"id", cause.id}, {"label", cause.label}, {"meaning", cause.meaning}});
     }
     for (const ViewRecord& view : source.results.views)

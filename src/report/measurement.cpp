@@ -54,6 +54,23 @@ std::string truth_cost_text(const ViewRecord& view) {
     return text;
 }
 
+/// What was not traced, of all rays that the picture would have taken.
+std::string savings_text(const ViewRecord& view) {
+    const TruthSavings& saved = view.savings;
+    const auto all = static_cast<double>(view.truth_rays) + static_cast<double>(saved.background_rays) +
+                     static_cast<double>(saved.open_rays) + static_cast<double>(saved.converged_rays);
+    const auto share = [&](std::uint64_t rays) {
+        return percent_text(ratio(static_cast<double>(rays), all), 1);
+    };
+    return fmt::format(
+        "{} % of the rays that {} for every pixel would be: {} % on pixels without surface, {} % on pixels "
+        "proven open, "
+        "{} % on pixels that were sure enough earlier; {} of {} tiles needed none",
+        share(saved.background_rays + saved.open_rays + saved.converged_rays), count_text(saved.most_samples),
+        share(saved.background_rays), share(saved.open_rays), share(saved.converged_rays),
+        count_text(saved.untraced_tiles), count_text(saved.tiles));
+}
+
 json view_model(const ViewRecord& view) {
     json facts = json::array({
         fact("Size",
@@ -63,6 +80,7 @@ json view_model(const ViewRecord& view) {
         fact("Ranking radius", fmt::format("{} m, {} pixels in the median", short_text(view.radius_m),
                                            fixed_text(view.radius_px_median, 1))),
         fact("Truth", truth_cost_text(view)),
+        fact("Rays saved", savings_text(view)),
         fact("G-buffer", fmt::format("{} ms, median of {} runs", fixed_text(view.gbuffer.median_ms, 1),
                                      view.gbuffer.runs_ms.size())),
     });

@@ -29,6 +29,7 @@ void require_size(const ImageF& image, const ViewRecord& view, const fs::path& p
 }
 
 struct Truth {
+    ImageFile file;
     ImageF visibility;
     ImageF standard_error;  ///< empty when the file has none
     Mask valid;
@@ -38,8 +39,9 @@ Truth read_truth(const ViewRecord& view, const fs::path& folder) {
     const fs::path path = stored_path(folder, view.truth_file);
     if (view.truths.empty()) throw file_error("has no truth", path.string() + ": " + view.key);
     const TruthRecord& record = view.truths.front();
-    const ImageFile file = read_image(path);
     Truth truth;
+    truth.file = read_image(path);
+    const ImageFile& file = truth.file;
     truth.visibility = channel_of(file, path, record.channel);
     require_size(truth.visibility, view, path);
     if (const ImageF* error = file.channel(record.se_channel)) truth.standard_error = *error;
@@ -74,7 +76,7 @@ ImageF only_where(const ImageF& values, const Mask& valid) {
 /// What all pictures of a page have in common.
 struct Encoding {
     int visibility_levels;
-    bool raw;
+    bool extras;  ///< raw outputs, and occlusion by cause
 };
 
 /// A large page is kept small by what it shows least of.
@@ -92,6 +94,19 @@ Encoding encoding_for(const Results& results, bool everything) {
     return {small ? kLevelsOfTwoBytes : kLevelsOfOneByte, small || everything};
 }
 
+std::map<std::string, QuantisedImage> occlusion_pictures(const ViewRecord& view, const Truth& truth,
+                                                         const fs::path& folder) {
+    std::map<std::string, std::string> channels;
+    for (const CauseRecord& cause : view.causes) channels[cause.id] = cause.channel;
+    if (!view.one_layer_channel.empty()) channels["one_layer"] = view.one_layer_channel;
+    std::map<std::string, QuantisedImage> pictures;
+    for (const auto& [id, channel] : channels) {
+        const ImageF& occlusion = channel_of(truth.file, stored_path(folder, view.truth_file), channel);
+        pictures[id] = quantise(occlusion, 0, 1, kLevelsOfOneByte);
+    }
+    return pictures;
+}
+
 ViewPictures view_pictures(const ViewRecord& view, const Truth& truth, const Encoding& encoding,
                            const fs::path& folder) {
     ViewPictures pictures;
@@ -100,6 +115,7 @@ ViewPictures view_pictures(const ViewRecord& view, const Truth& truth, const Enc
     pictures.has_standard_error = !truth.standard_error.empty();
     const ImageF error = pictures.has_standard_error ? truth.standard_error : ImageF(view.width, view.height);
     pictures.standard_error = quantise(only_where(error, truth.valid), 0, 0, kErrorLevels);
+    if (encoding.extras) pictures.occlusion = occlusion_pictures(view, truth, folder);
     if (!view.gbuffer_file.empty()) {
         const fs::path path = stored_path(folder, view.gbuffer_file);
         const ImageFile file = read_image(path);
@@ -123,7 +139,7 @@ CellPictures cell_pictures(const CellRecord& cell, const ViewRecord& view, const
     pictures.output = quantise(output, 0, 1, encoding.visibility_levels);
     pictures.output_thumbnail = gray_thumbnail(output, kThumbnailWidth_px);
     if (const ImageF* raw = file.channel("raw.Y")) {
-        if (encoding.raw) pictures.raw = quantise(*raw, 0, 1, encoding.visibility_levels);
+        if (encoding.extras) pictures.raw = quantise(*raw, 0, 1, encoding.visibility_levels);
         pictures.raw_thumbnail = gray_thumbnail(*raw, kThumbnailWidth_px);
     }
     return pictures;

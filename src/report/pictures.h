@@ -26,6 +26,10 @@ struct ViewPictures {
     bool has_standard_error = false;
     QuantisedImage depth;  ///< m; no number where there is no surface; empty when the G-buffer was not kept
     double depth_high_m = 0;  ///< nearer than this lie 99 % of the valid pixels
+    /// Of the ranking's occlusion, what has each cause ("outside", …), and what one depth layer could show of
+    /// it
+    /// ("one_layer"); empty where they were not traced, and where the page would become too large.
+    std::map<std::string, QuantisedImage> occlusion;
     Picture truth_thumbnail;
 };
 
@@ -41,9 +45,9 @@ struct Pictures {
 };
 
 /// Reads the EXR files of the results and encodes every picture of the page, on all threads. Small pages keep
-/// 65535 levels of visibility and what the methods gave before their filters; large ones 255 levels, and that
-/// only where `everything` is asked for. Throws file_error where a file or channel is missing, differs in
-/// size, or lies outside the folder.
+/// 65535 levels of visibility, what the methods gave before their filters and what the occlusion's causes
+/// are; large ones 255 levels, and that only where `everything` is asked for. Throws file_error where a file
+/// or channel is missing, differs in size, or lies outside the folder.
 Pictures make_pictures(const Results& results, const std::filesystem::path& folder, bool everything = false);
 
 }  // namespace aoscore

@@ -1,4 +1,5 @@
 #include "core/error.h"
+#include "report/baseline_table.h"
 #include "report/number_text.h"
 #include "report/ranking_columns.h"
 #include "report/section.h"
@@ -182,6 +183,7 @@ nlohmann::json section::ranking(const PageSource& source) {
     json model = {{"heads", heads},
                   {"views", json::array()},
                   {"overall", json::array()},
+                  {"baselines", baseline_tables(results)},
                   {"failures", failed_rows(columns, results)},
                   {"gaps", gaps_of(columns.list, results)}};
     for (const RankingRecord& ranking : results.rankings) {

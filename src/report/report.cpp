@@ -44,10 +44,15 @@ std::string page_html(const PageSource& source) {
 
 }  // namespace
 
-fs::path write_report(const fs::path& results_folder) {
+void require_page_parts() {
+    page_style();
+    page_script();
+}
+
+fs::path write_report(const fs::path& results_folder, bool everything) {
     const Results results = read_results(results_folder);
-    const std::string html =
-        page_html({results, make_pictures(results, results_folder), read_live_data(results, results_folder)});
+    const std::string html = page_html({results, make_pictures(results, results_folder, everything),
+                                        read_live_data(results, results_folder)});
     if (html.size() > kLargePage_bytes) {
         log_warning(
             fmt::format("the page has {} MiB: render smaller images or fewer methods", html.size() >> 20U));

@@ -4,8 +4,14 @@
 
 namespace aoscore {
 
+/// Whether a page can be made at all: throws file_error when one of its libraries is not installed. Asked
+/// before long work.
+void require_page_parts();
+
 /// Makes one self-contained HTML page, folder/index.html, from folder/results.json and the images beside it
-/// alone. Returns its path. Throws file_error when the results are missing or of another version.
-std::filesystem::path write_report(const std::filesystem::path& results_folder);
+/// alone. `everything` keeps raw outputs and occlusion by
+/// cause in large pages too. Returns its path. Throws file_error when the results are missing or of another
+/// version.
+std::filesystem::path write_report(const std::filesystem::path& results_folder, bool everything = false);
 
 }  // namespace aoscore

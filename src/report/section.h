@@ -36,6 +36,7 @@ nlohmann::json ranking(const PageSource& source);
 nlohmann::json pictures(const PageSource& source);
 nlohmann::json cost(const PageSource& source);
 nlohmann::json failures(const PageSource& source);
+nlohmann::json distributions(const PageSource& source);
 nlohmann::json live(const PageSource& source);
 nlohmann::json published(const PageSource& source);
 nlohmann::json measurement(const PageSource& source);

@@ -15,6 +15,7 @@ const std::vector<Section>& sections() {
         {"pictures", "Pictures", section::pictures},
         {"cost", "Run time against error", section::cost},
         {"failures", "Where it fails", section::failures},
+        {"distributions", "Errors in detail", section::distributions},
         {"live", "Live parameters", section::live},
         {"published", "Published tables beside ours", section::published},
         {"measurement", "How it was measured", section::measurement},

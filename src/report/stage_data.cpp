@@ -1,5 +1,6 @@
 #include "report/stage_data.h"
 
+#include "report/causes.h"
 #include "report/number_text.h"
 #include "report/page_template.h"
 
@@ -12,12 +13,15 @@ using nlohmann::json;
 
 /// An image of the page and the name it goes by.
 struct NamedImage {
-    const char* kind;
+    std::string kind;
     const QuantisedImage& image;
 };
 
 std::vector<NamedImage> images_of(const ViewPictures& pictures) {
-    return {{"truth", pictures.truth}, {"noise", pictures.standard_error}, {"depth", pictures.depth}};
+    std::vector<NamedImage> list = {
+        {"truth", pictures.truth}, {"noise", pictures.standard_error}, {"depth", pictures.depth}};
+    for (const auto& [id, image] : pictures.occlusion) list.push_back({id, image});
+    return list;
 }
 
 std::vector<NamedImage> images_of(const CellPictures& pictures) {
@@ -86,7 +90,10 @@ void append_blocks(std::string& text, const PicturesByName& all) {
 }  // namespace
 
 std::string stage_data(const PageSource& source) {
-    json data = {{"threshold", source.results.mask_threshold}, {"views", json::array()}};
+    json data = {
+        {"threshold", source.results.mask_threshold}, {"causes", json::array()}, {"views", json::array()}};
+    for (const CauseText& cause : causes())
+        data["causes"].push_back({{"id", cause.id}, {"label", cause.label}});
     for (const ViewRecord& view : source.results.views) data["views"].push_back(view_data(view, source));
     return script_json(data);
 }

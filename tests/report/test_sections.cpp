@@ -144,6 +144,22 @@ TEST(Ranking, AddsATableOverAllViewsWhereThereIsOne) {
     EXPECT_EQ(model["overall"][0]["rows"][0]["value"], "0.0500");
 }
 
+TEST(Ranking, HoldsEachCellAgainstTheBaseline) {
+    SyntheticPage page;
+    EXPECT_TRUE(section::ranking(page.source())["baselines"].empty());
+    page.results.baseline = BaselineRecord{"0.0.9", "2025-01-01T00:00:00Z", "aoscore run", {}};
+    const std::string cell = page.results.cells.front().id;
+    page.results.baseline->changes = {{cell, "rmse_debiased", 0.1, 0.2, Interval{0.08, 0.12}, "worse", ""},
+                                      {cell, "rmse", {}, 0.2, {}, "not comparable", "new"}};
+    const json rows = section::ranking(page.source())["baselines"][0]["rows"];
+    EXPECT_EQ(rows[0]["method"], "Crytek SSAO");
+    EXPECT_EQ(rows[0]["change"], "0.0800 to 0.1200");
+    EXPECT_TRUE(rows[0]["worse"].get<bool>());
+    EXPECT_EQ(rows[1]["before"], "–");
+    EXPECT_EQ(rows[1]["verdict"], "not comparable");
+    EXPECT_EQ(rows[1]["reason"], "new");
+}
+
 TEST(Ranking, GivesTheNumbersOfARowOneWidth) {
     SyntheticPage page;
     page.read_pictures();

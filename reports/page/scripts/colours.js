@@ -17,6 +17,8 @@ const signColours = {
   nonfinite: 0xff00ff,
 };
 
+const causeColours = { outside: 0x56b4e9, hidden: 0xd55e00, grazing: 0xe69f00, visible: 0x777777 };
+
 function cssColour(colour) {
   return `#${colour.toString(16).padStart(6, '0')}`;
 }
@@ -26,19 +28,22 @@ function pixelOf(colour) {
   return (0xff000000 | (colour & 0xff) << 16 | (colour & 0xff00) | colour >> 16) >>> 0;
 }
 
+// `part` of the way from one colour to another, in sRGB.
+function mixedColour(from, to, part) {
+  let colour = 0;
+  for (const shift of [16, 8, 0]) {
+    const a = from >> shift & 255;
+    colour |= Math.round(a + ((to >> shift & 255) - a) * part) << shift;
+  }
+  return colour;
+}
+
 // The map at `position`, which is held to [0, 1].
 function colourAt(map, position) {
   const points = colourMaps[map];
   const place = Math.min(Math.max(position, 0), 1) * (points.length - 1);
   const low = Math.min(Math.floor(place), points.length - 2);
-  const part = place - low;
-  let colour = 0;
-  for (const shift of [16, 8, 0]) {
-    const a = points[low] >> shift & 255;
-    const b = points[low + 1] >> shift & 255;
-    colour |= Math.round(a + (b - a) * part) << shift;
-  }
-  return colour;
+  return mixedColour(points[low], points[low + 1], place - low);
 }
 
 // `steps` pixels from end to end of a map.

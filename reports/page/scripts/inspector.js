@@ -30,6 +30,10 @@ class Inspector {
       const metres = (await imageValues(depth)).at(i);
       rows.push({ name: 'Depth', value: Number.isNaN(metres) ? 'no surface' : `${numberText(metres, 3)} m`, error: '' });
     }
+    for (const { id, label } of occlusionParts(view)) {
+      const occlusion = (await imageValues(view.images[id])).at(i);
+      rows.push({ name: label, value: numberText(occlusion, decimalsOf(view.images[id])), error: '' });
+    }
     if (turn !== this.turn) return;
     this.body.replaceChildren(...rows.map(({ name, value, error: off }) => {
       const head = make('th', '', name);
@@ -42,4 +46,10 @@ class Inspector {
 function quantisationText({ images }) {
   const levels = Math.round(1 / images.truth.step);
   return `Visibility is kept in steps of 1/${levels}: what stands here is within half a step of the EXR files.`;
+}
+
+// What is known of the truth's occlusion: its causes, and what one layer of depth could show of it.
+function occlusionParts({ images }) {
+  return [...stageData.causes.map(({ id, label }) => ({ id, label: `Occluded: ${label}` })),
+    { id: 'one_layer', label: 'Occluded, in one layer' }].filter(({ id }) => images[id]);
 }

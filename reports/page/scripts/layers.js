@@ -94,6 +94,34 @@ function maskLayer(view, cell) {
   };
 }
 
+// The truth's occlusion by what causes most of it: the more is occluded, the fuller the colour.
+function causeLayer(view) {
+  const { truth, noise } = view.images;
+  const present = stageData.causes.filter(({ id }) => view.images[id]);
+  return {
+    key: `causes ${view.key}`, title: 'Causes of the truth’s occlusion',
+    text: 'What most of the occluding rays meet: nothing in one layer of depth shows the first three.',
+    width: view.width, height: view.height, bars: [],
+    keys: present.map(({ id, label }) => ({ colour: causeColours[id], text: label })),
+    async load() {
+      const [base, compared, ...causes] = await Promise.all([truth, noise, ...present.map(({ id }) => view.images[id])].map(imageValues));
+      const shades = present.map(({ id }) => Array.from({ length: 256 }, (_, i) => pixelOf(mixedColour(0xffffff, causeColours[id], i / 255))));
+      const invalid = pixelOf(signColours.invalid);
+      return {
+        value: (i) => 1 - base.at(i), decimals: decimalsOf(truth), signed: false,
+        paint: (pixels) => {
+          for (let i = 0; i < pixels.length; i += 1) {
+            let most = 0;
+            for (let c = 1; c < causes.length; c += 1) if (causes[c].at(i) > causes[most].at(i)) most = c;
+            const occlusion = Math.min(Math.max(1 - base.at(i), 0), 1);
+            pixels[i] = compared.codes[i] === compared.none ? invalid : shades[most][Math.round(occlusion * 255)];
+          }
+        },
+      };
+    },
+  };
+}
+
 // By picture and method; what belongs to the view is the same for every method.
 const layerKinds = {
   truth: (view) => visibilityLayer(`truth ${view.key}`, 'Truth',
@@ -115,13 +143,18 @@ const layerKinds = {
     text: 'Output minus truth. Red is too bright: occlusion is missing. Blue is too dark.', view,
     test: cell.images.output, base: view.images.truth, unit: 'output − truth', options }),
   masks: maskLayer,
+  causes: causeLayer,
 };
-const viewPictures = new Set(['truth', 'noise', 'depth']);
+const viewPictures = new Set(['truth', 'noise', 'depth', 'causes']);
+
+function hasCauses(view) {
+  return stageData.causes.some(({ id }) => view.images[id]);
+}
 
 // The layer of a picture, or of the output where there is no such picture: a method without a filter is its own raw.
 function layerOf(picture, view, cell, options) {
   const images = viewPictures.has(picture) ? view.images : cell.images;
-  const absent = { raw: !images.raw, depth: !images.depth, noise: !view.noiseHigh }[picture];
+  const absent = { raw: !images.raw, depth: !images.depth, noise: !view.noiseHigh, causes: !hasCauses(view) }[picture];
   return layerKinds[absent ? 'output' : picture](view, cell, options);
 }
 

@@ -111,7 +111,7 @@ class Stage {
       control.hidden = !control.dataset.modes.split(' ').includes(choice.mode);
     }
     const absent = { raw: !this.view.cells.some(({ images }) => images?.raw), depth: !this.view.images.depth,
-      noise: !this.view.noiseHigh };
+      noise: !this.view.noiseHigh, causes: !hasCauses(this.view) };
     for (const input of this.radios('picture')) input.closest('label').hidden = Boolean(absent[input.value]);
     if (absent[choice.picture]) this.choose('picture', 'output');
     const { against } = this.form.elements;
