@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -31,6 +32,11 @@ void require_one_size(const MetricInput& input) {
     require(input.test, "the test image");
     require(input.valid, "the mask");
     if (input.standard_error != nullptr) require(*input.standard_error, "the standard error");
+}
+
+bool has_valid_pixel(const MetricInput& input) {
+    require_one_size(input);
+    return std::ranges::any_of(input.valid.pixels, [](std::uint8_t valid) { return valid != 0; });
 }
 
 std::optional<double> mean_over_valid(const MetricInput& input, const std::function<double(double)>& term) {

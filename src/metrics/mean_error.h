@@ -19,6 +19,9 @@ MetricValue undefined(std::string why);
 /// Throws sizes_differ unless all images of the input have one size.
 void require_one_size(const MetricInput& input);
 
+/// Whether any pixel counts. Throws sizes_differ unless all images have one size.
+bool has_valid_pixel(const MetricInput& input);
+
 /// Mean of term(test - truth) over the valid pixels; empty without any. Rows are summed on all cores, their
 /// sums in order.
 std::optional<double> mean_over_valid(const MetricInput& input, const std::function<double(double)>& term);

@@ -15,6 +15,10 @@ namespace {
 constexpr std::array<double, 5> kExponents = {0.0448, 0.2856, 0.3001, 0.2363, 0.1333};
 constexpr int kSmallestSide_px = (2 * kSsimBorder_px + 1) << (kExponents.size() - 1);
 
+struct WeightedPair {
+    ImageF truth, test, weight;
+};
+
 /// Half the size (an odd last row or column is dropped): weighted means of 2x2 pixels, and their mean weight.
 WeightedPair halved(const WeightedPair& pair) {
     const int width = pair.truth.width / 2, height = pair.truth.height / 2;
@@ -42,16 +46,16 @@ WeightedPair halved(const WeightedPair& pair) {
 }  // namespace
 
 MetricValue measure::ms_ssim(const MetricInput& input) {
-    if (!mean_squared_error(input)) return undefined(kNoValidPixel);
+    if (!has_valid_pixel(input)) return undefined(kNoValidPixel);
     if (std::min(input.truth.width, input.truth.height) < kSmallestSide_px) {
         return undefined(fmt::format("the image is smaller than {0}x{0} px", kSmallestSide_px));
     }
     double product = 1;
     bool anticorrelated = false;
-    WeightedPair pair = weighted_pair(input);
+    WeightedPair pair{input.truth, input.test, weights_of(input.valid)};
     for (std::size_t scale = 0; scale < kExponents.size(); ++scale) {
         if (scale > 0) pair = halved(pair);
-        const std::optional<SsimMeans> means = structural_similarity(pair);
+        const std::optional<SsimMeans> means = structural_similarity(pair.truth, pair.test, pair.weight);
         if (!means)
             return undefined(fmt::format("no valid pixel {} px inside the border at 1/{} size",
                                          kSsimBorder_px, 1 << scale));

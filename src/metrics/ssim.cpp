@@ -7,8 +7,9 @@
 namespace aoscore {
 
 MetricValue measure::ssim(const MetricInput& input) {
-    if (!mean_squared_error(input)) return undefined(kNoValidPixel);
-    const std::optional<SsimMeans> means = structural_similarity(weighted_pair(input));
+    if (!has_valid_pixel(input)) return undefined(kNoValidPixel);
+    const std::optional<SsimMeans> means =
+        structural_similarity(input.truth, input.test, weights_of(input.valid));
     if (!means) return undefined(fmt::format("no valid pixel {} px inside the border", kSsimBorder_px));
     return defined(means->ssim);
 }

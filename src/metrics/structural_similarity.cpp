@@ -27,6 +27,10 @@ std::array<double, kWindow_px> gaussian_window() {
 /// Sums under the window. That of the weight comes last: where all pixels weigh alike it is 1 and left out.
 enum Moment : std::size_t { kTruth, kTest, kSquares, kProduct, kWeight, kMoments };
 
+struct WeightedImages {
+    const ImageF &truth, &test, &weight;
+};
+
 struct Sums {
     SsimMeans weighted;
     double weight = 0;
@@ -36,7 +40,7 @@ struct Sums {
 /// them, which stay in cache.
 class Band {
   public:
-    Band(const WeightedPair& pair, bool weighted)
+    Band(const WeightedImages& pair, bool weighted)
         : pair_(pair),
           moments_(weighted ? kMoments : kWeight),
           width_(static_cast<std::size_t>(pair.truth.width)),
@@ -132,7 +136,7 @@ class Band {
     }
 
     inline static const std::array<double, kWindow_px> kWindow = gaussian_window();
-    const WeightedPair& pair_;
+    const WeightedImages& pair_;
     std::size_t moments_, width_, inner_;
     std::vector<double> terms_;  ///< one row of what is summed, by moment
     std::vector<double> ring_;   ///< eleven rows convolved across, by moment
@@ -143,20 +147,20 @@ class Band {
 
 }  // namespace
 
-WeightedPair weighted_pair(const MetricInput& input) {
-    WeightedPair pair{input.truth, input.test, ImageF(input.valid.width, input.valid.height)};
-    for (std::size_t i = 0; i < pair.weight.size(); ++i) {
-        pair.weight.pixels[i] = input.valid.pixels[i] != 0 ? 1.0F : 0.0F;
-    }
-    return pair;
+ImageF weights_of(const Mask& valid) {
+    ImageF weight(valid.width, valid.height);
+    for (std::size_t i = 0; i < valid.size(); ++i) weight.pixels[i] = valid.pixels[i] != 0 ? 1.0F : 0.0F;
+    return weight;
 }
 
-std::optional<SsimMeans> structural_similarity(const WeightedPair& pair) {
+std::optional<SsimMeans> structural_similarity(const ImageF& truth, const ImageF& test,
+                                               const ImageF& weight) {
+    const WeightedImages pair{truth, test, weight};
     const int width = pair.truth.width - 2 * kSsimBorder_px;
     const int height = pair.truth.height - 2 * kSsimBorder_px;
     if (width <= 0 || height <= 0) return std::nullopt;
 
-    const bool weighted = std::ranges::any_of(pair.weight.pixels, [](float weight) { return weight != 1; });
+    const bool weighted = std::ranges::any_of(pair.weight.pixels, [](float w) { return w != 1; });
     std::vector<Sums> bands(band_count(height));
     for_each_band(height, [&](std::size_t band, int first_row, int rows) {
         bands[band] = Band(pair, weighted).sum(first_row, rows);
