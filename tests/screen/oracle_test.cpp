@@ -1,6 +1,7 @@
 #include "oracle.h"
 
 #include "hand_made.h"
+#include "oracle_cases.h"
 #include "oracle_formulas.h"
 #include "support/support.h"
 
@@ -8,17 +9,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <set>
 
 namespace aoscore::testing {
 namespace {
 
-using glm::dvec2;
 using glm::dvec3;
 using namespace formula;
-
-constexpr double kPi = std::numbers::pi;
-constexpr int kSize = 121;
 
 // A slope, a bump, a hollow and a steep step, 6 m away. No texel of it is where a formula changes abruptly.
 double terrain(double x, double y) {
@@ -27,7 +24,7 @@ double terrain(double x, double y) {
     return -6 + 0.25 * x + bump + hollow + 0.2 * smooth_step(0.2, 0.26, y + 0.3 * x);
 }
 
-Scene terrain_scene() {
+Scene relief_scene(const std::function<double(double, double)>& z) {
     // Wider than the picture and twice as fine.
     constexpr int kCells = 2 * kSize + 80;
     const double extent = kCells * kPixel / 4;
@@ -36,7 +33,7 @@ Scene terrain_scene() {
     for (int j = 0; j <= kCells; ++j) {
         for (int i = 0; i <= kCells; ++i) {
             const double x = -extent + i * kPixel / 2, y = -extent + j * kPixel / 2;
-            mesh.positions.emplace_back(x, y, terrain(x, y));
+            mesh.positions.emplace_back(x, y, z(x, y));
         }
     }
     const auto at = [](int i, int j) { return static_cast<unsigned>(j * (kCells + 1) + i); };
@@ -54,206 +51,6 @@ Scene terrain_scene() {
 // The pixels that are compared: far enough from the border for every radius.
 const std::vector<glm::ivec2> kPixels = {{60, 60}, {46, 52}, {70, 76}, {72, 45}, {52, 66}, {64, 48}};
 
-// A method at high quality, what its shader's mean over seeds must be, and how near.
-struct Case {
-    const char* name;
-    const char* method;
-    ParameterValues settings;
-    std::function<double(const Field&, const Point&)> expected;
-    double tolerance;
-    int seeds;
-};
-
-void PrintTo(const Case& c, std::ostream* out) {
-    *out << c.name;
-}
-
-const std::vector<Case>& cases() {
-    static const std::vector<Case> all = {
-        {"crytek",
-         "crytek-ssao",
-         {{"samples", 256}, {"radius", kRadius}, {"kernel_scale", "none"}},
-         [](const Field& f, const Point& p) {
-             return point_test(
-                 f, p, [](Random& r) { return oracle::cube_direction(r) * oracle::unit(r); },
-                 [&](const dvec3&, double z) { return std::abs(z - p.p.z) < kRadius ? 1.0 : 0.0; }, 0.025);
-         },
-         0.02,
-         24},
-        {"crytek_fade",
-         "crytek-ssao",
-         {{"samples", 256},
-          {"radius", kRadius},
-          {"kernel_scale", "none"},
-          {"range_check", "fade"},
-          {"bias", 0.0}},
-         [](const Field& f, const Point& p) {
-             const glm::dmat3 frame = oracle::basis(p.n);
-             return oracle::mean(60000, [&](Random& r) {
-                 const dvec3 s = p.p + frame * (oracle::cube_direction(r) * oracle::unit(r)) * kRadius;
-                 const double z = f.z(s.x, s.y), open = z < s.z ? 1.0 : 0.0;
-                 return open + (0.5 - open) * std::clamp((-p.p.z - -z) / -z, 0.0, 1.0);
-             });
-         },
-         0.02,
-         24},
-        {"starcraft",
-         "starcraft-ssao",
-         {{"samples", 256}, {"radius", kRadius}},
-         [](const Field& f, const Point& p) {
-             return point_test(
-                 f, p, [](Random& r) { return in_volume(oracle::hemisphere_direction(r), r); },
-                 [&](const dvec3&, double z) { return 1 - std::clamp((-p.p.z + z) / -z, 0.0, 1.0); });
-         },
-         0.02,
-         16},
-        {"ssao",
-         "ssao",
-         {{"samples", 256}, {"radius", kRadius}},
-         [](const Field& f, const Point& p) {
-             return point_test(
-                 f, p, [](Random& r) { return in_volume(oracle::hemisphere_direction(r), r); },
-                 [&](const dvec3&, double z) { return smooth_step(0, 1, kRadius / std::abs(p.p.z - z)); });
-         },
-         0.02,
-         16},
-        {"hemisphere",
-         "hemisphere-ssao",
-         {{"samples", 256}, {"radius", kRadius}},
-         [](const Field& f, const Point& p) { return point_test(f, p, oracle::cosine_direction, always); },
-         0.02,
-         16},
-        {"monte_carlo",
-         "monte-carlo-points",
-         {{"samples", 256}, {"radius", kRadius}, {"falloff", "quadratic"}},
-         [](const Field& f, const Point& p) {
-             // The mean of the cosine over the hemisphere is one half.
-             return point_test(
-                 f, p, [](Random& r) { return in_volume(oracle::hemisphere_direction(r), r); },
-                 [&](const dvec3& o, double z) {
-                     return std::abs(z - p.p.z) < kRadius ? 2 * (1 - glm::dot(o, o)) * o.z / glm::length(o)
-                                                          : 0.0;
-                 });
-         },
-         0.02,
-         16},
-        {"n8ao",
-         "n8ao",
-         {{"samples", 256}, {"radius", kRadius}, {"bias", 0.0}},
-         [](const Field& f, const Point& p) {
-             return point_test(
-                 f, p, [](Random& r) { return oracle::cosine_direction(r) * oracle::unit(r); },
-                 [&](const dvec3&, double z) { return smooth_step(0, 1, kRadius / std::abs(p.p.z - z)); });
-         },
-         0.02,
-         16},
-        {"alchemy",
-         "alchemy",
-         {{"samples", 256}, {"radius", kRadius}},
-         [](const Field& f, const Point& p) { return alchemy(f, p, 0.128, 1.56); },
-         0.015,
-         12},
-        {"alchemy_spiral",
-         "alchemy-spiral",
-         {{"samples", 9}, {"radius", kRadius}},
-         [](const Field& f, const Point& p) {
-             // The very taps: their rotation is a function of the pixel (y runs down).
-             const double column = p.p.x / kPixel + kSize / 2.0, row = kSize / 2.0 - p.p.y / kPixel;
-             const double turn = 2.3734372915 * column + 3.58540627421 * row;
-             double sum = 0;
-             for (int i = 0; i < 9; ++i) {
-                 const double alpha = (i + 0.5) / 9, angle = 2 * kPi * alpha + turn;
-                 const dvec2 at = alpha * kRadius * dvec2(std::cos(angle), -std::sin(angle));
-                 const dvec3 v = oracle::surface(f, p.p.x + at.x, p.p.y + at.y) - p.p;
-                 sum += std::max(0.0, glm::dot(v, p.n) + p.p.z * 0.001) / (glm::dot(v, v) + 1e-4);
-             }
-             return std::pow(std::max(0.0, 1 - 2 * 0.128 / 9 * sum), 1.56);
-         },
-         0.03,
-         1},
-        {"sao",
-         "sao",
-         {{"samples", 256}, {"turns", 37}, {"radius", kRadius}, {"intensity", 0.1}, {"full_radius_log2", 16}},
-         sao,
-         0.02,
-         12},
-        {"cacao", "cacao", {{"pairs", 128}, {"radius", kRadius}}, cacao, 0.02, 12},
-        {"sphere_caps", "sphere-caps", {{"samples", 256}, {"radius", kRadius}}, sphere_caps, 0.04, 16},
-        {"volumetric_sphere",
-         "volumetric-sphere",
-         {{"samples", 256}, {"radius", kRadius}},
-         [](const Field& f, const Point& p) { return volumetric(f, p, false); },
-         0.015,
-         12},
-        {"volumetric_hemisphere",
-         "volumetric-hemisphere",
-         {{"samples", 256}, {"radius", kRadius}},
-         [](const Field& f, const Point& p) { return volumetric(f, p, true); },
-         0.015,
-         12},
-        {"tangent_sphere",
-         "tangent-sphere",
-         {{"samples", 256}, {"radius", kRadius}},
-         tangent_sphere,
-         0.015,
-         12},
-        {"hbao",
-         "hbao",
-         {{"directions", 64}, {"steps", 32}, {"radius", kRadius}, {"bias", 0.3}, {"threshold", 3.1416}},
-         [](const Field& f, const Point& p) { return hbao(f, p, 0.3); },
-         0.015,
-         8},
-        {"hbao_hussain",
-         "hbao-hussain",
-         {{"directions", 64}, {"steps", 20}, {"radius", kRadius}, {"step_uv", 2.5 / kSize}},
-         [](const Field& f, const Point& p) { return hbao_hussain(f, p, 2.5 * kPixel, 20); },
-         0.02,
-         1},
-        {"hbao_plus",
-         "hbao-plus",
-         {{"directions", 64}, {"steps", 32}, {"radius", kRadius}},
-         hbao_plus,
-         0.015,
-         8},
-        {"gtao",
-         "gtao",
-         {{"slices", 32}, {"steps", 60}, {"radius", kRadius}, {"step_power", 1.0}},
-         gtao,
-         0.02,
-         4},
-        {"xegtao",
-         "xegtao",
-         {{"slices", 32}, {"steps", 80}, {"radius", kRadius}, {"step_power", 1.0}, {"mip_offset", 16.0}},
-         xegtao,
-         0.04,
-         4},
-        {"bitmask",
-         "visibility-bitmask",
-         {{"slices", 32}, {"steps", 60}, {"radius", kRadius}, {"step_power", 1.0}, {"thickness", 1000.0}},
-         uniform_sectors,
-         0.03,
-         4},
-        {"bitmask_cosine",
-         "visibility-bitmask",
-         {{"slices", 32},
-          {"steps", 60},
-          {"radius", kRadius},
-          {"step_power", 1.0},
-          {"thickness", 1000.0},
-          {"weights", "cosine"}},
-         gtao,
-         0.03,
-         4},
-        {"ray_march",
-         "ray-march",
-         {{"directions", 256}, {"steps", 100}, {"radius", kRadius}},
-         ray_march,
-         0.03,
-         1},
-    };
-    return all;
-}
-
 class Estimator : public ::testing::TestWithParam<Case> {};
 
 TEST_P(Estimator, AgreesWithItsPapersFormulaInDoublePrecision) {
@@ -264,7 +61,7 @@ TEST_P(Estimator, AgreesWithItsPapersFormulaInDoublePrecision) {
     camera.half_height = kSize * kPixel / 2;
     const CameraFrame frame(camera, kSize, kSize);
     ScreenRenderer renderer;
-    renderer.set_scene(terrain_scene());
+    renderer.set_scene(relief_scene(terrain));
     renderer.draw_gbuffer(frame, {"normal_geometric"});
     const GBufferImages images = renderer.read_gbuffer();
     MethodRequest request;
@@ -295,10 +92,50 @@ TEST_P(Estimator, AgreesWithItsPapersFormulaInDoublePrecision) {
 INSTANTIATE_TEST_SUITE_P(Methods, Estimator, ::testing::ValuesIn(cases()),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
+// In a bowl all levels look alike from pixel to pixel, so that bringing one up changes nothing: the picture
+// is the darkest level, or the product of all. A level is the mean over a checkerboard of its own pixels.
+TEST(MultiResolution, ReadsItsLevelsFormulasAtTheBottomOfABowl) {
+    constexpr double kCurvature = 1.5, kBottom = -6, kStrength = 2;
+    const auto bowl = [](double x, double y) { return kBottom + kCurvature / 2 * (x * x + y * y); };
+    const auto methods = load_methods();
+    Camera camera = front_camera();
+    camera.projection = Camera::Projection::orthographic;
+    camera.half_height = kSize * kPixel / 2;
+    ScreenRenderer renderer;
+    renderer.set_scene(relief_scene(bowl));
+    renderer.draw_gbuffer(CameraFrame(camera, kSize, kSize), {"normal_geometric"});
+    double darkest = 1, product = 1;
+    for (const int scale : {1, 2, 4, 8}) {
+        double sum = 0, taps = 0;
+        for (int y = -2; y <= 2; ++y) {
+            for (int x = -2; x <= 2; ++x) {
+                if (((x + y) & 1) != 0 || (x == 0 && y == 0)) continue;
+                const double dx = x * scale * kPixel, dy = y * scale * kPixel;
+                const dvec3 v(dx, dy, bowl(dx, dy) - kBottom);
+                const double d = glm::length(v);
+                sum += std::max(1 - d * d / (kRadius * kRadius), 0.0) * v.z / d;
+                taps += 1;
+            }
+        }
+        const double open = 1 - kStrength * sum / taps;
+        darkest = std::min(darkest, open);
+        product *= open;
+    }
+    ASSERT_LT(product, darkest - 0.05);
+    MethodRequest request;
+    request.method = &find_method(methods, "multi-resolution");
+    for (const auto& [join, expected] : {std::pair("max", darkest), std::pair("product", product)}) {
+        request.parameters =
+            request.method->values("default", {{"radius", kRadius}, {"strength", kStrength}, {"join", join}});
+        const double read = static_cast<double>(renderer.run(request).raw.at(kSize / 2, kSize / 2));
+        std::printf("multi-resolution, %s: read %.4f, expected %.4f\n", join, read, expected);
+        EXPECT_NEAR(read, expected, 0.01) << join;
+    }
+}
+
 // A new method must be checked like the others, or be named here with the reason.
 TEST(Estimators, OfAllMethodsAreChecked) {
-    // Multi-resolution is defined by its passes: its levels are HBAO+'s estimator over a fixed window.
-    // The line sweep has no radius: closed_form_test.cpp has it.
+    // The line sweep has no radius: closed_form_test.cpp has it. Multi-resolution is checked above.
     std::set<std::string> checked = {"multi-resolution", "line-sweep"};
     for (const Case& c : cases()) checked.insert(c.method);
     for (const MethodDescriptor& m : load_methods()) EXPECT_TRUE(checked.contains(m.id)) << m.id;
