@@ -147,11 +147,12 @@ json contract_data(std::uint64_t seed) {
         for (const float number : {texel.x, texel.y, texel.z, texel.w}) noise.push_back(short_number(number));
     }
     json derived = json::object();
-    for (const char* file : {"depth_mip.frag", "normal_from_depth.frag"})
+    for (const char* file : {"depth_mip.frag", "normal_from_depth.frag", "upsample.frag"})
         derived[file] = gbuffer_shader(file);
     return {{"screen_vertex", gbuffer_shader("screen.vert")},
             {"derived", std::move(derived)},
             {"noise_4x4", std::move(noise)},
+            {"macros", pass_macros({})},
             {"depth_mip_levels", DerivedInputs::kMipLevels},
             {"seed", static_cast<std::uint32_t>(seed)}};
 }

@@ -21,9 +21,9 @@ namespace aoscore {
 ///   depth_mips: {filter, radius: parameter}.
 nlohmann::json method_data(const MethodDescriptor& method, std::uint64_t seed);
 
-/// What all methods share: screen_vertex, the triangle that fills the picture; derived, the shaders of the
-/// inputs that are made from depth, by file; noise_4x4, four numbers a texel, row by row; depth_mip_levels;
-/// seed.
+/// What all methods share: screen_vertex, the triangle that fills the picture; derived, by file, the shaders
+/// that make inputs from depth and that bring up a result of lower resolution; noise_4x4, four numbers a
+/// texel, row by row; depth_mip_levels; macros, those of a plain pass at full resolution; seed.
 nlohmann::json contract_data(std::uint64_t seed);
 
 }  // namespace aoscore

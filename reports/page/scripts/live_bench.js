@@ -6,7 +6,7 @@ class LiveBench {
     this.failure = element.querySelector('.live-failure');
     this.runner = new LiveRunner(index.contract);
     this.result = new LiveResult(element, index.contract.seed);
-    this.setting = { border: 'far' };
+    this.setting = { border: 'far', resolution: 'full' };
     this.turn = 0;
     this.changed = false;
     this.drawing = false;
@@ -31,10 +31,8 @@ class LiveBench {
       preset: () => this.choosePreset(elements.preset.value),
       filter: () => this.chooseFilter(elements.filter.value),
       blur: () => this.chooseFilter(elements.blur.checked ? elements.filter.value : 'none'),
-      border: () => {
-        this.setting.border = elements.border.value;
-        this.request();
-      },
+      border: () => this.chooseMode('border', elements.border.value),
+      resolution: () => this.chooseMode('resolution', elements.resolution.value),
     };
     for (const [name, act] of Object.entries(does)) elements[name].addEventListener('change', act);
     this.form.querySelector('[data-does=reset]').addEventListener('click', () => this.choosePreset(elements.preset.value));
@@ -101,10 +99,16 @@ class LiveBench {
     this.result.setCell(cell);
     this.setting.parameters = Object.fromEntries(
       method.parameters.map(({ id }) => [id, cell?.parameters[id] ?? method.presets[preset][id]]));
-    this.setting.border = cell?.parameters.border ?? 'far';
-    this.form.elements.border.value = this.setting.border;
+    this.chooseMode('border', cell?.parameters.border ?? 'far');
+    this.chooseMode('resolution', cell?.parameters.resolution === 'half' ? 'half' : 'full');
     fillParameters(this.form.querySelector('.live-method-parameters'), method, this.setting.parameters, () => this.request());
     this.chooseFilter(cell?.filter ?? method.preset_filters[preset] ?? 'none');
+  }
+
+  chooseMode(name, choice) {
+    this.setting[name] = choice;
+    this.form.elements[name].value = choice;
+    this.request();
   }
 
   chooseFilter(id) {

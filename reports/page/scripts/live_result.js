@@ -1,5 +1,13 @@
 const liveErrorRange = 0.5;
 
+// Modes of a measured cell beside the usual ones; what cannot be chosen here is not drawn here.
+function modesText({ parameters: { resolution, normals, precision } }) {
+  const text = resolution ? `, resolution ${resolution}` : '';
+  const odd = [...(resolution && resolution !== 'half' ? ['resolution'] : []), ...(normals ? [`normals ${normals}`] : []),
+    ...(precision ? [`precision ${precision}`] : [])];
+  return odd.length > 0 ? `${text} (not drawn here: ${odd.join(', ')})` : text;
+}
+
 // What a live setting gives: numbers beside the measured ones, pictures, and the setting's names elsewhere.
 class LiveResult {
   constructor(element, seed) {
@@ -60,7 +68,7 @@ class LiveResult {
 
   showErrors(errors) {
     const rows = [['Live', errors]];
-    if (this.cell) rows.push([`As measured, ${this.cell.preset}, filter ${this.cell.filter}`, this.cell]);
+    if (this.cell) rows.push([`As measured, ${this.cell.preset}, filter ${this.cell.filter}${modesText(this.cell)}`, this.cell]);
     const largest = {};
     for (const id of ['rmse', 'rmse_debiased', 'bias']) largest[id] = Math.max(...rows.map(([, row]) => Math.abs(row[id] ?? 0)));
     this.find('.live-errors tbody').replaceChildren(...rows.map(([name, row]) => {

@@ -114,33 +114,47 @@ class LiveRunner {
     }
   }
 
-  // The passes of a method or filter; `visibility` is what a filter's first pass reads. Returns the last target.
-  passes(descriptor, parameters, border, visibility) {
-    let previous = visibility, before = 1;
+  macros(border, scale, coarserScale) {
+    return { ...this.contract.macros, ORTHOGRAPHIC: Number(this.view.orthographic), BORDER_FAR: Number(border === 'far'),
+      SCALE: scale, COARSER_SCALE: coarserScale };
+  }
+
+  // The passes of a method or filter, drawn at 1/divisor of their sizes; `visibility` is what a filter's first pass reads.
+  // Returns the last target.
+  passes(descriptor, parameters, border, visibility, divisor = 1) {
+    let previous = visibility;
+    let before = 1;
     descriptor.passes.forEach((pass, i) => {
-      const macros = {
-        ORTHOGRAPHIC: Number(this.view.orthographic), BORDER_FAR: Number(border === 'far'),
-        SCALE: pass.scale, COARSER_SCALE: before, TAP_SCALE: 1, DUAL: 0, COUNT_FETCHES: 0,
-      };
-      const program = this.live.program(this.contract.screen_vertex, descriptor.sources[pass.source], macros);
+      const scale = pass.scale * divisor;
+      const program = this.live.program(this.contract.screen_vertex, descriptor.sources[pass.source],
+        this.macros(border, scale, before));
       // Inputs first: making one draws by itself.
       const inputs = {};
       for (const name of pass.inputs) inputs[`u_${name}`] = this.input(name, descriptor, parameters, previous);
-      const target = this.target(`${visibility ? 'filter' : 'method'} ${i}`, pass.scale);
+      const target = this.target(`${visibility ? 'filter' : 'method'} ${i}`, scale);
       this.live.draw(program, target, inputs, (set) => {
         this.setViewUniforms(set);
         set('u_seed', '1ui', this.contract.seed);
         this.setParameters(program, set, descriptor, parameters);
       });
       previous = target;
-      before = pass.scale;
+      before = scale;
     });
-    return previous;
+    return before === 1 ? previous : this.upsampled(previous, before);
+  }
+
+  // Brought up to the picture's size by nearness in depth.
+  upsampled(coarser, scale) {
+    const program = this.derivedProgram('upsample.frag', this.macros('far', 1, scale));
+    const target = this.target('upsampled', 1);
+    const inputs = { u_coarser: coarser.texture, u_linear_depth: this.textures.get('linear_depth').texture };
+    this.live.draw(program, target, inputs, (set) => this.setViewUniforms(set));
+    return target;
   }
 
   // A promise of a method's visibility, after the filter where there is one.
-  run({ method, parameters, filter, filterParameters, border }) {
-    const raw = this.passes(method, parameters, border, null);
+  run({ method, parameters, filter, filterParameters, border, resolution }) {
+    const raw = this.passes(method, parameters, border, null, resolution === 'half' ? 2 : 1);
     return this.live.read(filter ? this.passes(filter, filterParameters, border, raw) : raw);
   }
 }
