@@ -35,5 +35,6 @@ CommandEntry add_compare_command(CLI::App& program, const GlobalOptions& global)
 CommandEntry add_report_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_list_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_bench_command(CLI::App& program, const GlobalOptions& global);
+CommandEntry add_cache_command(CLI::App& program, const GlobalOptions& global);
 
 }  // namespace aoscore

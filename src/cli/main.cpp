@@ -3,6 +3,7 @@
 #include "core/files.h"
 #include "core/interrupt.h"
 #include "core/log.h"
+#include "core/shell.h"
 #include "core/threads.h"
 
 #include <fmt/format.h>
@@ -15,9 +16,9 @@
 namespace aoscore {
 namespace {
 
-constexpr std::array<AddCommand, 8> kCommands{add_run_command,     add_score_command,   add_reference_command,
+constexpr std::array<AddCommand, 9> kCommands{add_run_command,     add_score_command,   add_reference_command,
                                               add_gbuffer_command, add_compare_command, add_report_command,
-                                              add_list_command,    add_bench_command};
+                                              add_list_command,    add_bench_command,   add_cache_command};
 
 constexpr const char* kFooter =
     "Exit codes: 0 ok, 1 a --warn limit was tripped, 2 a --fail limit was tripped or nothing could be "
@@ -25,20 +26,9 @@ constexpr const char* kFooter =
     "3 sizes differ, 4 a file cannot be read, understood or written, 5 some cells failed, 64 wrong usage,\n"
     "70 internal or OpenGL failure, 130 interrupted.";
 
-std::string quoted(const std::string& argument) {
-    const bool plain =
-        !argument.empty() && argument.find_first_not_of(
-                                 "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                                 "-_./,=:@%+") == std::string::npos;
-    if (plain) return argument;
-    std::string result = "'";
-    for (const char c : argument) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return result + "'";
-}
-
 std::string command_line(int argc, char** argv) {
     std::string line = "aoscore";
-    for (int i = 1; i < argc; ++i) line += " " + quoted(argv[i]);
+    for (int i = 1; i < argc; ++i) line += " " + shell_quoted(argv[i]);
     return line;
 }
 

@@ -1,13 +1,15 @@
 #include "cli/command.h"
 #include "cli/shared_options.h"
-#include "core/files.h"
 #include "experiment/experiment.h"
 #include "experiment/image_output.h"
-#include "reference/truth.h"
+#include "experiment/truth_provenance.h"
+#include "reference/cache/truth_cache.h"
 
 #include <fmt/format.h>
 
+#include <map>
 #include <memory>
+#include <string>
 
 namespace aoscore {
 namespace {
@@ -20,12 +22,12 @@ struct Options {
     bool shading_normals = false;
     TruthExtras extras;
     std::filesystem::path out;
+    std::filesystem::path truth_cache;
 };
 
 ExitCode run(const Options& options, const GlobalOptions& global) {
     const Scene scene = load_with_warnings(options.choice.scene);
     const View& view = one_view(scene, options.choice.view);
-    const CameraFrame frame(view.camera, options.size.width, options.size.height);
     std::vector<TruthQuery> queries;
     for (const double radius : options.radii) queries.push_back({Falloff::binary, radius, 0});
     if (queries.empty()) {
@@ -39,15 +41,16 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     settings.seed = global.seed;
     settings.shading_normals = options.shading_normals;
     settings.extras = options.extras;
-    const Truth truth =
-        ReferenceScene(scene).trace(frame, queries, settings, fmt::format("truth {}/{}", scene.id, view.id));
-    write_truth(options.out, truth, truth.hits.surface,
-                {{"aoscore:scene", scene.id},
-                 {"aoscore:scene_digest", scene.digest},
-                 {"aoscore:view", view.id},
-                 {"aoscore:seed", fmt::format("{}", global.seed)},
-                 {"aoscore:version", std::string(version())},
-                 {"comments", global.command_line}});
+    const ReferenceScene reference(scene);
+    const TruthRequest request{scene.digest, view.camera, options.size.width, options.size.height,
+                               queries,      settings,    reference.build()};
+    const CachedTruth traced = trace_truth(options.truth_cache, reference, request,
+                                           {scene_name(scene), view.id, global.command_line},
+                                           fmt::format("truth {}/{}", scene.id, view.id));
+    std::map<std::string, std::string> header = truth_provenance(
+        scene, traced, reference_command(scene, view.id, traced.made_for, options.out.string()));
+    header["aoscore:view"] = view.id;
+    write_truth(options.out, traced.truth, traced.truth.hits.surface, header);
     fmt::print("{}\n", options.out.string());
     return ExitCode::ok;
 }
@@ -66,6 +69,7 @@ CommandEntry add_reference_command(CLI::App& program, const GlobalOptions& globa
     add_truth_options(*app, options->effort);
     app->add_flag("--shading-normals", options->shading_normals, "Hemisphere about the smooth normal");
     add_extras_options(*app, options->extras);
+    add_cache_option(*app, options->truth_cache);
     app->add_option("--out", options->out, "EXR file to write")->required();
     return {app, [options, &global] { return run(*options, global); }};
 }

@@ -1,5 +1,6 @@
 #include "cli/command.h"
 #include "cli/run_and_report.h"
+#include "cli/shared_options.h"
 #include "core/files.h"
 #include "core/log.h"
 #include "experiment/plan.h"
@@ -16,6 +17,7 @@ struct Options {
     std::vector<std::string> reports;
     std::filesystem::path out;
     OutcomeOptions outcome;
+    std::filesystem::path truth_cache;
 };
 
 ExitCode run(const Options& options, const GlobalOptions& global) {
@@ -26,6 +28,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     ExperimentPlan plan = plan_reports(ids);
     plan.seed = global.seed;
     plan.command = global.command_line;
+    plan.truth_cache = options.truth_cache;
     const std::filesystem::path folder =
         options.out.empty() ? home_dir() / "reports" / "out" / "main" : options.out;
     return run_and_report(std::move(plan), folder, options.outcome);
@@ -38,6 +41,7 @@ CommandEntry add_run_command(CLI::App& program, const GlobalOptions& global) {
         program.add_subcommand("run", "Rebuild published tables: truth, methods, page (the main job)");
     const auto options = std::make_shared<Options>();
     app->add_option("report", options->reports, "Reports to rebuild (see list reports) [all]");
+    add_cache_option(*app, options->truth_cache);
     app->add_option("--out", options->out, "Folder of page, results and images [reports/out/main]");
     add_outcome_options(*app, options->outcome);
     add_baseline_option(*app, options->outcome);

@@ -23,6 +23,7 @@ struct Options {
     std::filesystem::path methods_dir;
     std::filesystem::path out;
     OutcomeOptions outcome;
+    std::filesystem::path truth_cache;
 };
 
 std::vector<MethodDescriptor> chosen_methods(const Options& options) {
@@ -41,6 +42,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     plan.seed = global.seed;
     plan.methods_dir = options.methods_dir;
     plan.command = global.command_line;
+    plan.truth_cache = options.truth_cache;
     ViewPlan view;
     view.scene = options.choice.scene;
     view.view = options.choice.view;
@@ -71,6 +73,7 @@ CommandEntry add_score_command(CLI::App& program, const GlobalOptions& global) {
     add_radii_option(*app, options->radii);
     add_truth_options(*app, options->effort);
     app->add_option("--methods-dir", options->methods_dir, "A folder of methods of your own");
+    add_cache_option(*app, options->truth_cache);
     app->add_option("--out", options->out, "Folder of page, results and images [reports/out/score-SCENE]");
     add_outcome_options(*app, options->outcome);
     add_baseline_option(*app, options->outcome);

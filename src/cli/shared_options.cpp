@@ -1,5 +1,7 @@
 #include "cli/shared_options.h"
 
+#include "reference/cache/truth_cache.h"
+
 #include <fmt/format.h>
 
 #include <charconv>
@@ -66,6 +68,13 @@ void add_truth_options(CLI::App& app, TruthEffort& effort) {
     app.add_option("--error", effort.max_error,
                    "Trace until every pixel's standard error is at most this, such as 0.01")
         ->check(CLI::Range(1e-4, 0.5));
+}
+
+void add_cache_option(CLI::App& app, std::filesystem::path& folder) {
+    folder = default_cache_dir();
+    app.add_flag_callback(
+        "--no-cache", [&folder] { folder.clear(); },
+        "Trace the truth anew, and keep nothing of it (see the subcommand cache)");
 }
 
 void add_extras_options(CLI::App& app, TruthExtras& extras) {

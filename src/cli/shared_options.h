@@ -31,6 +31,9 @@ struct TruthEffort {
 /// --samples N and --error E.
 void add_truth_options(CLI::App& app, TruthEffort& effort);
 
+/// --no-cache: leaves `folder`, that of the kept truths, empty. Without it `folder` is the user's cache.
+void add_cache_option(CLI::App& app, std::filesystem::path& folder);
+
 /// --causes, --one-layer-bound and --bent-normals.
 void add_extras_options(CLI::App& app, TruthExtras& extras);
 

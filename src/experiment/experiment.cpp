@@ -118,9 +118,9 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
         const std::string key = view_key(p, results);
         log_info(fmt::format("{}: {} triangles, {}x{}", key, current->triangle_count, p.plan->width,
                              p.plan->height));
-        ViewOutcome outcome =
-            run_view({*p.scene, *p.view, *reference, renderer, *p.plan, p.cells, key, plan.seed,
-                      results.mask_threshold, plan.keep_gbuffer, gbuffer_inputs_of(registry), folder});
+        ViewOutcome outcome = run_view({*p.scene, *p.view, *reference, renderer, *p.plan, p.cells, key,
+                                        plan.seed, results.mask_threshold, plan.keep_gbuffer,
+                                        plan.truth_cache, plan.command, gbuffer_inputs_of(registry), folder});
         frames.emplace(key, CameraFrame(p.view->camera, p.plan->width, p.plan->height));
         for (CellRecord& cell : outcome.cells) {
             cell_ids[p.plan_index].push_back(cell.id);

@@ -3,21 +3,14 @@
 #include "core/error.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace aoscore {
 namespace {
-
-constexpr std::array<std::pair<Falloff, const char*>, 4> kFalloffs{{
-    {Falloff::binary, "binary"},
-    {Falloff::quadratic, "quadratic"},
-    {Falloff::alchemy, "alchemy"},
-    {Falloff::xegtao, "xegtao"},
-}};
 
 double number_parameter(const MethodDescriptor& method, const ParameterValues& parameters,
                         const std::string& id) {
@@ -33,17 +26,12 @@ double number_parameter(const MethodDescriptor& method, const ParameterValues& p
 
 TruthQuery own_truth(const MethodDescriptor& method, const ParameterValues& parameters) {
     TruthQuery query;
-    bool known = false;
-    for (const auto& [falloff, name] : kFalloffs) {
-        if (method.truth.falloff == name) {
-            query.falloff = falloff;
-            known = true;
-        }
-    }
-    if (!known) {
+    const auto known = std::ranges::find(kFalloffIds, method.truth.falloff);
+    if (known == kFalloffIds.end()) {
         throw file_error("unknown falloff " + method.truth.falloff, method.id + "/method.json: truth.falloff",
-                         "binary, quadratic, alchemy, xegtao");
+                         fmt::format("{}", fmt::join(kFalloffIds, ", ")));
     }
+    query.falloff = static_cast<Falloff>(known - kFalloffIds.begin());
     query.radius_m = method.truth.radius_parameter.empty()
                          ? std::numeric_limits<double>::infinity()
                          : number_parameter(method, parameters, method.truth.radius_parameter);
@@ -57,10 +45,7 @@ TruthQuery own_truth(const MethodDescriptor& method, const ParameterValues& para
 }
 
 std::string falloff_name(Falloff falloff) {
-    for (const auto& [value, name] : kFalloffs) {
-        if (value == falloff) return name;
-    }
-    throw internal_error("falloff without a name");
+    return std::string(kFalloffIds[static_cast<std::size_t>(falloff)]);
 }
 
 std::string truth_id(const TruthQuery& query) {

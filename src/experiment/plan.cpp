@@ -97,14 +97,19 @@ void add_report(ExperimentPlan& plan, const ReportDefinition& report) {
     view.view = object.text("view");
     std::tie(view.width, view.height) = read_size(object);
     view.samples = object.integer("samples", 1, 1 << 20);
+    view.max_error = object.number_or("error", 0, 1e-4, 0.5);
     view.radius_m = object.number("radius_m", kSmallestRadius_m, kLargestRadius_m);
     std::vector<StrictObject> rows = object.objects("rows");
     object.finish();
 
     const int samples = view.samples;
+    const double max_error = view.max_error;
     table.view_index = find_or_add(plan.views, std::move(view), same_picture);
     ViewPlan& shared = plan.views[table.view_index];
     shared.samples = std::max(shared.samples, samples);
+    // The smaller of the two, where 0 asks for none.
+    if (shared.max_error == 0 || (max_error > 0 && max_error < shared.max_error))
+        shared.max_error = max_error;
     for (StrictObject& row : rows) {
         table.cell_indices.push_back(find_or_add(shared.cells, read_row(row), std::equal_to<>()));
     }

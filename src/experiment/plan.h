@@ -50,9 +50,10 @@ struct ExperimentPlan {
     std::vector<ViewPlan> views;
     std::vector<TablePlan> tables;
     std::uint64_t seed = 1;
-    std::filesystem::path methods_dir;        ///< of the user's own methods; empty: none
-    bool keep_gbuffer = true;                 ///< write the G-buffer beside the results
-    std::string command;                      ///< that makes it again
+    std::filesystem::path methods_dir;  ///< of the user's own methods; empty: none
+    std::filesystem::path truth_cache;  ///< folder of the truths that are kept; empty: all are traced anew
+    bool keep_gbuffer = true;           ///< write the G-buffer beside the results
+    std::string command;                ///< that makes it again
     std::shared_ptr<const Results> baseline;  ///< an earlier run to be held against; null: none
     std::vector<std::string> warnings;        ///< to be shown with the results
 };

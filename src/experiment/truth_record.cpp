@@ -66,6 +66,7 @@ void record_truth(const Truth& truth, const Mask& valid, ViewRecord& view) {
     view.open_pixels = truth.open_pixels;
     view.truth_seconds = truth.seconds;
     view.truth_rays = truth.rays;
+    view.truth_rays_now = truth.rays_now;
     view.background_pixels = 0;
     for (const std::uint8_t surface : truth.hits.surface.pixels) view.background_pixels += surface == 0;
     view.savings = truth_savings(truth);

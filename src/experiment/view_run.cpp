@@ -11,16 +11,19 @@
 #include "experiment/pixel_facts.h"
 #include "experiment/run_modes.h"
 #include "experiment/timing.h"
+#include "experiment/truth_provenance.h"
 #include "experiment/truth_record.h"
 #include "experiment/view_description.h"
 #include "metrics/analysis.h"
 #include "metrics/evaluate.h"
 #include "metrics/metric.h"
+#include "reference/cache/truth_cache.h"
 #include "results/image_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <span>
 
@@ -44,7 +47,7 @@ class Runner {
         outcome_.view = describe_view(run_.scene, run_.view, frame_, run_.key);
         outcome_.view.radius_m =
             ranking_radius(run_.plan.radius_m, run_.view, run_.scene, outcome_.view.warnings);
-        trace_truth();
+        obtain_truth();
         facts_ = pixel_facts(frame_, truth_);
         draw_gbuffer();
         check_contract();
@@ -61,7 +64,7 @@ class Runner {
 
   private:
     // All truths of the view come from the same rays: the ranking's first, then every method's own.
-    void trace_truth() {
+    void obtain_truth() {
         std::vector<TruthQuery> queries{{Falloff::binary, outcome_.view.radius_m, 0}};
         for (const ResolvedCell& cell : run_.cells) {
             if (std::find(queries.begin(), queries.end(), cell.own) == queries.end())
@@ -72,8 +75,18 @@ class Runner {
         settings.max_error = run_.plan.max_error;
         settings.seed = run_.seed;
         settings.extras = run_.plan.extras;
-        truth_ = run_.reference.trace(frame_, queries, settings, "truth " + run_.key);
-        if (run_.plan.max_error > 0) outcome_.view.max_error = run_.plan.max_error;
+        const TruthRequest request{run_.scene.digest,     run_.view.camera,   run_.plan.width,
+                                   run_.plan.height,      std::move(queries), settings,
+                                   run_.reference.build()};
+        const TruthLabel label{scene_name(run_.scene), run_.view.id, run_.command};
+        CachedTruth traced =
+            trace_truth(run_.truth_cache, run_.reference, request, label, "truth " + run_.key);
+        header_ = truth_provenance(run_.scene, traced, run_.command);
+        header_["aoscore:view"] = run_.key;
+        truth_ = std::move(traced.truth);
+        ViewRecord& view = outcome_.view;
+        view.truth_origin = origin_id(traced.origin);
+        if (traced.made_for.settings.max_error > 0) view.max_error = traced.made_for.settings.max_error;
     }
 
     void draw_gbuffer() {
@@ -206,6 +219,7 @@ class Runner {
     CameraFrame frame_;
     ViewOutcome outcome_;
     Truth truth_;
+    std::map<std::string, std::string> header_;  // of the truth file
     GBufferImages gbuffer_;
     CameraContract contract_;
     PixelFacts facts_;
@@ -215,7 +229,7 @@ void Runner::write_images() {
     ViewRecord& v = outcome_.view;
     const std::string stem = "views/" + file_name(run_.key);
     v.truth_file = stem + "-truth.exr";
-    write_truth(run_.folder / v.truth_file, truth_, contract_.valid, {{"aoscore:view", v.key}});
+    write_truth(run_.folder / v.truth_file, truth_, contract_.valid, header_);
     if (run_.keep_gbuffer) {
         v.gbuffer_file = stem + "-gbuffer.exr";
         write_gbuffer(run_.folder / v.gbuffer_file, gbuffer_, {}, {{"aoscore:view", v.key}});

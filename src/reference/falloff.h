@@ -10,8 +10,18 @@ namespace aoscore {
 /// The part of the radius over which XeGTAO's falloff fades.
 inline constexpr double kXegtaoFade = 0.615;
 
-/// g(t): how much a hit at distance `t` (>= 0, infinity for a miss) darkens, in [0,1].
-inline double darkening(const TruthQuery& query, double t) {
+/// Darkenings are whole multiples of this: sums of as many as a pixel may have are exact in double precision,
+/// whatever the order and however many rounds they come in. No grey level in float32 shows it.
+inline constexpr double kDarkeningStep = 0x1p-16;
+
+/// The multiple of `step`, a power of two, next to `x`; |x| < 2^50 step.
+inline double in_steps(double x, double step) {
+    const double large = 0x1.8p52 * step;  // whose last place is one step
+    return (x + large) - large;
+}
+
+/// g(t) before rounding.
+inline double exact_darkening(const TruthQuery& query, double t) {
     if (!(t <= query.radius_m) || std::isinf(t)) return 0;
     switch (query.falloff) {
         case Falloff::binary:
@@ -28,6 +38,12 @@ inline double darkening(const TruthQuery& query, double t) {
         }
     }
     return 0;
+}
+
+/// g(t): how much a hit at distance `t` (>= 0, infinity for a miss) darkens, in [0,1], rounded to
+/// kDarkeningStep.
+inline double darkening(const TruthQuery& query, double t) {
+    return in_steps(exact_darkening(query, t), kDarkeningStep);
 }
 
 }  // namespace aoscore

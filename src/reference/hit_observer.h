@@ -46,11 +46,16 @@ class HitObserver {
     struct Sums {
         std::array<double, kCauses> by_cause{};
         double one_layer = 0;
-        glm::dvec3 open_direction{0};  ///< uniformly weighted: each ray's by 1 / (2 cos)
+        /// Uniformly weighted: each ray's by 1 / (2 cos); multiples of kDirectionStep.
+        glm::dvec3 open_direction{0};
+        bool operator==(const Sums&) const = default;
     };
+    static constexpr double kDirectionStep = 0x1p-20;
 
     void start(std::size_t sources) { sums_.assign(sources, {}); }
     void observe(std::size_t source, const ObservedRay& ray);
+    /// Goes on from sums of an earlier trace; after start().
+    void restore(std::size_t source, const Sums& sums) { sums_[source] = sums; }
     const Sums& sums(std::size_t source) const { return sums_[source]; }
 
   private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace aoscore {
@@ -29,5 +30,21 @@ inline std::vector<Tile> tiles_of(int width, int height) {
 inline std::size_t tiles_at_a_time(std::size_t tiles) {
     return std::clamp<std::size_t>(tiles / 64, 1, 16);
 }
+
+/// The tiles of a picture in groups of so many.
+class TileGroups {
+  public:
+    TileGroups(int width, int height)
+        : tiles_(tiles_of(width, height)), size_(tiles_at_a_time(tiles_.size())) {}
+
+    std::size_t count() const { return (tiles_.size() + size_ - 1) / size_; }
+    std::span<const Tile> group(std::size_t g) const {
+        return std::span(tiles_).subspan(g * size_, std::min(size_, tiles_.size() - g * size_));
+    }
+
+  private:
+    std::vector<Tile> tiles_;
+    std::size_t size_;
+};
 
 }  // namespace aoscore

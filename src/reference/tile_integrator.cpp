@@ -3,14 +3,9 @@
 #include "core/sampling.h"
 
 #include <algorithm>
-#include <numbers>
 
 namespace aoscore {
 namespace {
-
-/// To stop where an error is estimated to be small prefers pixels whose estimate came out too small: by this
-/// much, as tests over many seeds show.
-constexpr double kStoppingAllowance = 1.06;
 
 /// Below this many rays a pixel, to prove it open costs more than to trace it.
 constexpr int kLeastSamplesToSkip = 32;
@@ -19,15 +14,24 @@ glm::dvec3 ray_origin(const SurfaceHit& hit) {
     return hit.position + hit.offset_m * hit.normal;
 }
 
+bool look(const EmbreeScene& scene, const CameraFrame& frame, int x, int y, SurfaceHit& hit) {
+    const Camera& camera = frame.camera();
+    return scene.first_hit(frame.ray(x + 0.5, y + 0.5), camera.near, camera.far, hit);
+}
+
+/// The geometric normal in view space.
+glm::vec3 view_normal(const CameraFrame& frame, const SurfaceHit& hit) {
+    return glm::vec3(glm::dmat3(frame.view_from_world()) * hit.normal);
+}
+
 }  // namespace
 
 bool find_surface(const EmbreeScene& scene, const CameraFrame& frame, int x, int y, PrimaryHits& hits,
                   SurfaceHit& hit) {
-    const Camera& camera = frame.camera();
-    if (!scene.first_hit(frame.ray(x + 0.5, y + 0.5), camera.near, camera.far, hit)) return false;
+    if (!look(scene, frame, x, y, hit)) return false;
     hits.surface.at(x, y) = 1;
     hits.depth.at(x, y) = static_cast<float>(hit.depth);
-    hits.normal.at(x, y) = glm::vec3(glm::dmat3(frame.view_from_world()) * hit.normal);
+    hits.normal.at(x, y) = view_normal(frame, hit);
     return true;
 }
 
@@ -35,10 +39,6 @@ RaySource ray_source(const SurfaceHit& hit, const TruthSettings& settings, std::
     return {glm::vec3(ray_origin(hit)),
             glm::mat3(frame_about(settings.shading_normals ? hit.shading_normal : hit.normal)),
             mix_bits(mix_bits(settings.seed) ^ pixel)};
-}
-
-double cone_angle_rad(const glm::dvec3& bent_normal) {
-    return std::numbers::pi / 2 * (1 - std::clamp(2 * glm::length(bent_normal) - 1, 0.0, 1.0));
 }
 
 TileIntegrator::TileIntegrator(const EmbreeScene& scene, const CameraFrame& frame,
@@ -55,123 +55,115 @@ TileIntegrator::TileIntegrator(const EmbreeScene& scene, const CameraFrame& fram
     for (const TruthQuery& query : queries) reach_m_ = std::max(reach_m_, query.radius_m);
 }
 
-void TileIntegrator::integrate(const Tile& tile, Truth& truth) {
-    find_surfaces(tile, truth.hits);
-    // About a smooth normal, rays may also go below the tangent plane.
-    if (settings_.skip_open && !settings_.shading_normals && plan_.first() >= kLeastSamplesToSkip)
-        skip_open(truth);
-    if (surfaces_.empty()) return;
-    std::vector<RaySource> sources;
-    sources.reserve(surfaces_.size());
-    for (std::size_t p = 0; p < surfaces_.size(); ++p) {
-        sources.push_back(ray_source(surfaces_[p], settings_, pixels_[p]));
+TileState TileIntegrator::trace(const Tile& tile, const TileState* begun) {
+    TileState state;
+    find_surfaces(tile, state);
+    list_traced();
+    state.samples.assign(state.surfaces(), 0);
+    if (settings_.extras.any()) state.extras.assign(state.surfaces(), {});
+    if (!traced_.empty()) {
+        std::vector<RaySource> sources;
+        sources.reserve(traced_.size());
+        for (const std::size_t s : traced_) {
+            sources.push_back(ray_source(surfaces_[s], settings_, pixels_[s]));
+        }
+        tracer_.start(std::move(sources));
+        samples_.assign(traced_.size(), 0);
+        if (begun != nullptr) restore(*begun);
+        trace_all();
     }
-    tracer_.start(std::move(sources));
-    samples_.assign(pixels_.size(), 0);
-    trace_all();
-    store(truth);
+    store(state);
+    return state;
 }
 
-void TileIntegrator::find_surfaces(const Tile& tile, PrimaryHits& hits) {
+void TileIntegrator::find_surfaces(const Tile& tile, TileState& state) {
     surfaces_.clear();
     pixels_.clear();
     SurfaceHit hit;
     for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1; ++x) {
-            if (!find_surface(scene_, frame_, x, y, hits, hit)) continue;
+            if (!look(scene_, frame_, x, y, hit)) continue;
             surfaces_.push_back(hit);
-            pixels_.push_back(hits.depth.index(x, y));
+            pixels_.push_back(static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width()) +
+                              static_cast<std::size_t>(x));
+            state.places.push_back(
+                static_cast<std::uint16_t>((y - tile.y0) * (tile.x1 - tile.x0) + x - tile.x0));
+            state.depths_m.push_back(static_cast<float>(hit.depth));
+            state.normals.push_back(view_normal(frame_, hit));
         }
     }
 }
 
-void TileIntegrator::skip_open(Truth& truth) {
-    std::vector<UpwardPoint> points;
-    points.reserve(surfaces_.size());
-    for (const SurfaceHit& hit : surfaces_) points.push_back({ray_origin(hit), hit.normal, hit.offset_m / 2});
-    const std::vector<char> open = open_space_.prove(points, reach_m_);
-    std::size_t kept = 0;
-    for (std::size_t p = 0; p < pixels_.size(); ++p) {
-        if (open[p] == 0) {
-            surfaces_[kept] = surfaces_[p];
-            pixels_[kept++] = pixels_[p];
-            continue;
-        }
-        for (ImageF& error : truth.standard_error) error.pixels[pixels_[p]] = kProvenError;
-        if (settings_.extras.bent_normals) {
-            truth.bent_normal.pixels[pixels_[p]] = 0.5f * truth.hits.normal.pixels[pixels_[p]];
-            truth.cone_angle_rad.pixels[pixels_[p]] = std::numbers::pi_v<float> / 2;
-        }
+void TileIntegrator::list_traced() {
+    // About a smooth normal, rays may also go below the tangent plane.
+    const bool skips =
+        settings_.skip_open && !settings_.shading_normals && plan_.first() >= kLeastSamplesToSkip;
+    std::vector<char> open(surfaces_.size(), 0);
+    if (skips) {
+        std::vector<UpwardPoint> points;
+        points.reserve(surfaces_.size());
+        for (const SurfaceHit& hit : surfaces_)
+            points.push_back({ray_origin(hit), hit.normal, hit.offset_m / 2});
+        open = open_space_.prove(points, reach_m_);
     }
-    open_pixels_ += pixels_.size() - kept;
-    surfaces_.resize(kept);
-    pixels_.resize(kept);
+    traced_.clear();
+    for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+        if (open[s] == 0) traced_.push_back(s);
+    }
 }
 
-std::vector<Estimate> TileIntegrator::estimates(std::size_t query) const {
-    std::vector<PixelSpread> spreads;
-    spreads.reserve(pixels_.size());
-    for (std::size_t p = 0; p < pixels_.size(); ++p) {
-        spreads.push_back(pixel_spread(tracer_.sums(p, query), samples_[p]));
+void TileIntegrator::restore(const TileState& begun) {
+    // Where a pixel already has more rays than a trace from nothing would begin with, that trace might have
+    // stopped earlier.
+    const bool usable = begun.surfaces() == surfaces_.size() && !begun.sums.empty() &&
+                        std::ranges::all_of(traced_, [&](std::size_t s) {
+                            return begun.samples[s] <= static_cast<std::uint32_t>(plan_.first());
+                        });
+    if (!usable) return;
+    for (std::size_t i = 0; i < traced_.size(); ++i) {
+        samples_[i] = static_cast<int>(begun.samples[traced_[i]]);
+        for (std::size_t q = 0; q < queries_.size(); ++q) {
+            tracer_.restore(i, q, begun.sums_of(q, queries_.size(), traced_[i]));
+        }
+        if (settings_.extras.any()) observer_.restore(i, begun.extras[traced_[i]]);
     }
-    std::vector<Estimate> all = moderated_estimates(spreads, plan_.first() < plan_.most());
-    if (settings_.max_error > 0) {
-        for (Estimate& e : all) e.standard_error = std::min(kStoppingAllowance * e.standard_error, 0.5);
-    }
-    return all;
 }
 
 void TileIntegrator::trace_all() {
-    std::vector<SampleRange> ranges(pixels_.size(), {0, plan_.first()});
+    std::vector<SampleRange> ranges;
+    ranges.reserve(traced_.size());
+    for (const int samples : samples_) ranges.push_back({samples, plan_.first()});
     bool more = true;
     while (more) {
         tracer_.trace(ranges);
-        for (std::size_t p = 0; p < pixels_.size(); ++p) {
-            samples_[p] = ranges[p].last;
-            ranges[p].first = ranges[p].last;
+        for (std::size_t i = 0; i < traced_.size(); ++i) {
+            samples_[i] = ranges[i].last;
+            ranges[i].first = ranges[i].last;
         }
         if (plan_.first() == plan_.most()) return;
         more = false;
         for (std::size_t q = 0; q < queries_.size(); ++q) {
-            const std::vector<Estimate> now = estimates(q);
-            for (std::size_t p = 0; p < pixels_.size(); ++p) {
-                ranges[p].last = std::max(ranges[p].last, plan_.next(samples_[p], now[p].standard_error));
-                more = more || ranges[p].last > ranges[p].first;
+            const std::vector<Estimate> now =
+                stated_estimates(samples_, settings_, [&](std::size_t i) { return tracer_.sums(i, q); });
+            for (std::size_t i = 0; i < traced_.size(); ++i) {
+                ranges[i].last = std::max(ranges[i].last, plan_.next(samples_[i], now[i].standard_error));
+                more = more || ranges[i].last > ranges[i].first;
             }
         }
     }
 }
 
-void TileIntegrator::store(Truth& truth) const {
-    for (std::size_t q = 0; q < queries_.size(); ++q) {
-        const std::vector<Estimate> last = estimates(q);
-        for (std::size_t p = 0; p < pixels_.size(); ++p) {
-            truth.visibility[q].pixels[pixels_[p]] = static_cast<float>(last[p].visibility);
-            truth.standard_error[q].pixels[pixels_[p]] = static_cast<float>(last[p].standard_error);
+void TileIntegrator::store(TileState& state) const {
+    if (traced_.empty()) return;
+    const std::size_t width = tracer_.sums(0, 0).size();
+    state.sums.assign(queries_.size() * state.surfaces() * width, 0);
+    for (std::size_t i = 0; i < traced_.size(); ++i) {
+        const std::size_t s = traced_[i];
+        state.samples[s] = static_cast<std::uint32_t>(samples_[i]);
+        if (settings_.extras.any()) state.extras[s] = observer_.sums(i);
+        for (std::size_t q = 0; q < queries_.size(); ++q) {
+            std::ranges::copy(tracer_.sums(i, q), &state.sums[(q * state.surfaces() + s) * width]);
         }
-    }
-    for (std::size_t p = 0; p < pixels_.size(); ++p) {
-        truth.sample_counts.pixels[pixels_[p]] = static_cast<std::uint32_t>(samples_[p]);
-        if (settings_.extras.any()) store_extras(p, truth);
-    }
-}
-
-void TileIntegrator::store_extras(std::size_t surface, Truth& truth) const {
-    const HitObserver::Sums& sums = observer_.sums(surface);
-    const std::size_t pixel = pixels_[surface];
-    const double samples = samples_[surface];
-    if (settings_.extras.causes) {
-        for (std::size_t c = 0; c < kCauses; ++c) {
-            truth.occlusion_by_cause[c].pixels[pixel] = static_cast<float>(sums.by_cause[c] / samples);
-        }
-    }
-    if (settings_.extras.one_layer_bound) {
-        truth.one_layer_bound.pixels[pixel] = static_cast<float>(sums.one_layer / samples);
-    }
-    if (settings_.extras.bent_normals) {
-        const glm::dvec3 bent = glm::dmat3(frame_.view_from_world()) * (sums.open_direction / samples);
-        truth.bent_normal.pixels[pixel] = glm::vec3(bent);
-        truth.cone_angle_rad.pixels[pixel] = static_cast<float>(cone_angle_rad(bent));
     }
 }
 

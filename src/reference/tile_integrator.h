@@ -1,11 +1,11 @@
 #pragma once
 
 #include "reference/embree_scene.h"
-#include "reference/estimate.h"
 #include "reference/hit_observer.h"
 #include "reference/open_space.h"
 #include "reference/sample_plan.h"
 #include "reference/tile.h"
+#include "reference/tile_state.h"
 #include "reference/tile_tracer.h"
 #include "reference/truth.h"
 
@@ -20,33 +20,29 @@ bool find_surface(const EmbreeScene& scene, const CameraFrame& frame, int x, int
 /// The rays of pixel number `pixel` of the image, which sees `hit`.
 RaySource ray_source(const SurfaceHit& hit, const TruthSettings& settings, std::size_t pixel);
 
-/// Cone angle of a bent normal, see Truth::cone_angle_rad.
-double cone_angle_rad(const glm::dvec3& bent_normal);
-
-/// Makes the truth of one tile after another. Tiles depend on nothing but their place, so that any thread may
-/// do any of them.
+/// Traces one tile after another. Tiles depend on nothing but their place, so that any thread may do any of
+/// them.
 class TileIntegrator {
   public:
     TileIntegrator(const EmbreeScene& scene, const CameraFrame& frame, const std::vector<TruthQuery>& queries,
                    const TruthSettings& settings, const PointSets& points, const CauseJudge& judge);
 
-    /// Fills the tile's pixels of all images of `truth`.
-    void integrate(const Tile& tile, Truth& truth);
+    /// All that the settings ask for, going on from `begun`, what is there of this very tile, queries and
+    /// extras, where that gives the same state as tracing all of it; null: nothing is there.
+    TileState trace(const Tile& tile, const TileState* begun = nullptr);
     /// Of all tiles so far.
     std::uint64_t rays() const { return tracer_.rays(); }
-    std::uint64_t open_pixels() const { return open_pixels_; }
 
   private:
-    /// Where the tile's surfaces lie; also into truth.hits.
-    void find_surfaces(const Tile& tile, PrimaryHits& hits);
-    /// Takes the pixels that are proven open out of the list and stores them.
-    void skip_open(Truth& truth);
-    /// Estimates of all pixels for one query.
-    std::vector<Estimate> estimates(std::size_t query) const;
+    /// Where the tile's surfaces lie.
+    void find_surfaces(const Tile& tile, TileState& state);
+    /// Lists the surfaces that are not proven open.
+    void list_traced();
+    /// Takes over what was traced earlier.
+    void restore(const TileState& begun);
     /// Traces what the plan asks for, until it asks for no more.
     void trace_all();
-    void store(Truth& truth) const;
-    void store_extras(std::size_t surface, Truth& truth) const;
+    void store(TileState& state) const;
 
     const EmbreeScene& scene_;
     const CameraFrame& frame_;
@@ -57,10 +53,10 @@ class TileIntegrator {
     TileTracer tracer_;
     OpenSpace open_space_;
     double reach_m_ = 0;
-    std::uint64_t open_pixels_ = 0;
     std::vector<SurfaceHit> surfaces_;
     std::vector<std::size_t> pixels_;  // of surfaces, into images
-    std::vector<int> samples_;         // of surfaces, traced so far
+    std::vector<std::size_t> traced_;  // surfaces that get rays
+    std::vector<int> samples_;         // of those, traced so far
 };
 
 }  // namespace aoscore

@@ -5,6 +5,7 @@
 #include "reference/ray_batch.h"
 #include "reference/truth.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,10 @@ class TileTracer {
 
     /// Begins with these pixels and sums of zero.
     void start(std::vector<RaySource> sources);
+    /// Goes on from sums of an earlier trace, as sums() gave them; after start().
+    void restore(std::size_t source, std::size_t query, std::span<const double> sums) {
+        std::ranges::copy(sums, &sums_[(query * sources_.size() + source) * sums.size()]);
+    }
     /// Traces these samples, one range a source, each where the last one ended, and adds to the sums.
     void trace(std::span<const SampleRange> ranges);
 

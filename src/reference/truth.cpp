@@ -8,6 +8,9 @@
 #include "reference/flush_denormals.h"
 #include "reference/tile.h"
 #include "reference/tile_integrator.h"
+#include "reference/tile_state.h"
+#include "reference/tile_store.h"
+#include "reference/truth_development.h"
 
 #include <fmt/format.h>
 
@@ -15,12 +18,56 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace aoscore {
 namespace {
 
-void check(const std::vector<TruthQuery>& queries, const TruthSettings& settings) {
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// What all threads share while they trace one truth.
+struct TraceWork {
+    TraceWork(const EmbreeScene& scene, const CameraFrame& f, const std::vector<TruthQuery>& q,
+              const TruthSettings& s, PrimaryHits shown)
+        : embree(scene),
+          frame(f),
+          queries(q),
+          settings(s),
+          hits(std::move(shown)),
+          judge(scene, frame, hits),
+          points(s.points, SamplePlan(s).most()) {}
+
+    /// A group of tiles, from what is there of them.
+    GroupState trace(std::span<const Tile> tiles, const GroupState& begun, std::uint64_t& rays) const {
+        const FlushDenormals flush;
+        const auto start = std::chrono::steady_clock::now();
+        TileIntegrator integrator(embree, frame, queries, settings, points, judge);
+        GroupState state;
+        for (std::size_t i = 0; i < tiles.size(); ++i) {
+            throw_if_interrupted();
+            state.tiles.push_back(
+                integrator.trace(tiles[i], begun.tiles.empty() ? nullptr : &begun.tiles[i]));
+        }
+        state.seconds = begun.seconds + seconds_since(start);
+        rays = integrator.rays();
+        return state;
+    }
+
+    const EmbreeScene& embree;
+    const CameraFrame& frame;
+    const std::vector<TruthQuery>& queries;
+    const TruthSettings& settings;
+    const PrimaryHits hits;  // what is hidden shows only once the whole picture is there
+    const CauseJudge judge;
+    const PointSets points;
+};
+
+}  // namespace
+
+void check_truth_request(const std::vector<TruthQuery>& queries, const TruthSettings& settings) {
     if (settings.samples < 1 || settings.samples > kMostSamples) {
         throw usage_error(fmt::format("{} samples a pixel", settings.samples), "samples",
                           fmt::format("1 to {}", kMostSamples));
@@ -40,31 +87,30 @@ void check(const std::vector<TruthQuery>& queries, const TruthSettings& settings
     }
 }
 
-PrimaryHits empty_hits(int width, int height) {
-    return {Mask(width, height), ImageF(width, height), Image<glm::vec3>(width, height, glm::vec3(0))};
-}
-
-void make_room_for_extras(const TruthExtras& extras, Truth& truth) {
-    const int width = truth.hits.surface.width, height = truth.hits.surface.height;
-    if (extras.causes) truth.occlusion_by_cause.fill(ImageF(width, height, 0.0f));
-    if (extras.one_layer_bound) truth.one_layer_bound = ImageF(width, height, 0.0f);
-    if (extras.bent_normals) {
-        truth.bent_normal = Image<glm::vec3>(width, height, glm::vec3(0));
-        truth.cone_angle_rad = ImageF(width, height, 0.0f);
-    }
-}
-
-int mean_samples(const Truth& truth) {
-    std::uint64_t surfaces = 0, samples = 0;
-    for (const std::uint8_t s : truth.hits.surface.pixels) surfaces += s;
-    for (const std::uint32_t n : truth.sample_counts.pixels) samples += n;
-    return surfaces == 0 ? 0 : static_cast<int>((samples + surfaces / 2) / surfaces);
-}
-
-}  // namespace
-
 struct ReferenceScene::Impl {
-    Impl(const Scene& scene, const TraceBuild& build) : embree(scene, build) {}
+    Impl(const Scene& scene, const TraceBuild& b) : build(b), embree(scene, b) {}
+
+    PrimaryHits hits(const CameraFrame& frame) const {
+        PrimaryHits found = empty_hits(frame.width(), frame.height());
+        const std::vector<Tile> tiles = tiles_of(frame.width(), frame.height());
+        parallel_for(tiles.size(), [&](std::size_t i) {
+            throw_if_interrupted();
+            const FlushDenormals flush;
+            const Tile& tile = tiles[i];
+            SurfaceHit hit;
+            for (int y = tile.y0; y < tile.y1; ++y) {
+                for (int x = tile.x0; x < tile.x1; ++x) find_surface(embree, frame, x, y, found, hit);
+            }
+        });
+        return found;
+    }
+
+    /// The whole picture where extras judge by it, else nothing.
+    PrimaryHits shown(const CameraFrame& frame, const TruthExtras& extras) const {
+        return extras.causes || extras.one_layer_bound ? hits(frame) : PrimaryHits{};
+    }
+
+    TraceBuild build;
     EmbreeScene embree;
 };
 
@@ -78,60 +124,60 @@ std::size_t ReferenceScene::peak_bytes() const {
     return impl_->embree.peak_bytes();
 }
 
+const TraceBuild& ReferenceScene::build() const {
+    return impl_->build;
+}
+
 PrimaryHits ReferenceScene::primary_hits(const CameraFrame& frame) const {
-    PrimaryHits hits = empty_hits(frame.width(), frame.height());
-    const std::vector<Tile> tiles = tiles_of(frame.width(), frame.height());
-    parallel_for(tiles.size(), [&](std::size_t i) {
-        throw_if_interrupted();
-        const FlushDenormals flush;
-        const Tile& tile = tiles[i];
-        SurfaceHit hit;
-        for (int y = tile.y0; y < tile.y1; ++y) {
-            for (int x = tile.x0; x < tile.x1; ++x) find_surface(impl_->embree, frame, x, y, hits, hit);
-        }
-    });
-    return hits;
+    return impl_->hits(frame);
 }
 
 Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQuery>& queries,
-                            const TruthSettings& settings, const std::string& what) const {
-    check(queries, settings);
-    const int width = frame.width(), height = frame.height();
-    Truth truth;
-    truth.hits = empty_hits(width, height);
-    truth.queries = queries;
-    truth.visibility.assign(queries.size(), ImageF(width, height, 1.0f));
-    truth.standard_error.assign(queries.size(), ImageF(width, height, 0.0f));
-    truth.sample_counts = Image<std::uint32_t>(width, height, 0);
-    make_room_for_extras(settings.extras, truth);
-    // What is hidden shows only once the whole picture is there.
-    const bool judges = settings.extras.causes || settings.extras.one_layer_bound;
-    const PrimaryHits shown = judges ? primary_hits(frame) : PrimaryHits{};
-    const CauseJudge judge(impl_->embree, frame, shown);
+                            const TruthSettings& settings, const std::string& what, TileStore* store) const {
+    check_truth_request(queries, settings);
+    const TileGroups groups(frame.width(), frame.height());
+    const std::vector<std::size_t> all_queries = numbers_up_to(queries.size());
+    const TileDevelopment development{queries.size(), all_queries, settings};
+    Truth truth = empty_truth(frame, queries, settings.extras);
+    std::vector<std::size_t> kept, wanted;
+    for (std::size_t g = 0; g < groups.count(); ++g) {
+        (store != nullptr && store->has(g) ? kept : wanted).push_back(g);
+    }
+    if (!kept.empty()) develop_kept(groups, kept, *store, frame, development, truth);
 
-    const std::vector<Tile> tiles = tiles_of(width, height);
-    const PointSets points(settings.points, SamplePlan(settings).most());
-    Progress progress(what, tiles.size());
-    std::atomic<std::uint64_t> rays{0}, open_pixels{0};
+    const TraceWork work(impl_->embree, frame, queries, settings, impl_->shown(frame, settings.extras));
+    Progress progress(what, wanted.size());
+    std::atomic<std::uint64_t> rays{0};
     const auto start = std::chrono::steady_clock::now();
-    const std::size_t group = tiles_at_a_time(tiles.size());
-    parallel_for((tiles.size() + group - 1) / group, [&](std::size_t g) {
-        const FlushDenormals flush;
-        TileIntegrator integrator(impl_->embree, frame, queries, settings, points, judge);
-        for (std::size_t i = g * group; i < std::min(tiles.size(), (g + 1) * group); ++i) {
-            throw_if_interrupted();
-            integrator.integrate(tiles[i], truth);
-            progress.step();
-        }
-        rays += integrator.rays();
-        open_pixels += integrator.open_pixels();
+    parallel_for(wanted.size(), [&](std::size_t i) {
+        const std::size_t g = wanted[i];
+        std::uint64_t group_rays = 0;
+        const GroupState begun = store != nullptr ? store->begun(g) : GroupState{};
+        const GroupState state = work.trace(groups.group(g), begun, group_rays);
+        if (store != nullptr) store->keep(g, state);
+        develop_group(groups, g, state.tiles, frame, development, truth);
+        rays += group_rays;
+        progress.step();
     });
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    truth.rays = rays;
-    truth.open_pixels = open_pixels;
-    truth.samples = settings.max_error > 0 ? mean_samples(truth) : settings.samples;
-    truth.seconds = elapsed.count();
+    truth.seconds += seconds_since(start);
+    truth.rays_now = rays;
+    count_samples(settings, truth);
     return truth;
+}
+
+std::vector<GroupState> ReferenceScene::trace_groups(const CameraFrame& frame,
+                                                     const std::vector<TruthQuery>& queries,
+                                                     const TruthSettings& settings,
+                                                     const std::vector<std::size_t>& numbers) const {
+    check_truth_request(queries, settings);
+    const TraceWork work(impl_->embree, frame, queries, settings, impl_->shown(frame, settings.extras));
+    const TileGroups groups(frame.width(), frame.height());
+    std::vector<GroupState> states(numbers.size());
+    parallel_for(numbers.size(), [&](std::size_t i) {
+        std::uint64_t rays = 0;
+        states[i] = work.trace(groups.group(numbers[i]), {}, rays);
+    });
+    return states;
 }
 
 }  // namespace aoscore

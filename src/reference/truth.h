@@ -23,6 +23,11 @@ enum class Falloff {
                 ///< Algorithm, 2011)
 };
 
+inline constexpr std::size_t kFalloffs = 4;
+/// Their names in files, results and method descriptors, in the order of Falloff.
+inline constexpr std::array<std::string_view, kFalloffs> kFalloffIds{"binary", "quadratic", "xegtao",
+                                                                     "alchemy"};
+
 /// One truth to be read from a set of rays.
 struct TruthQuery {
     Falloff falloff = Falloff::binary;
@@ -129,10 +134,23 @@ struct Truth {
     ImageF cone_angle_rad;
     Image<std::uint32_t> sample_counts;  ///< rays of each pixel; 0 where none were needed
     int samples = 0;                     ///< rays a pixel with a surface (the mean, rounded, if they differ)
-    std::uint64_t rays = 0;              ///< occlusion rays traced
+    std::uint64_t rays = 0;              ///< that all pixels got together
+    std::uint64_t rays_now = 0;          ///< of these, traced in this very call: the others were kept
     std::uint64_t open_pixels = 0;       ///< proven open without a ray
-    double seconds = 0;                  ///< tracing only
+    double seconds = 0;                  ///< tracing only, that of kept tiles included
 };
+
+class TileStore;
+struct GroupState;
+
+/// Throws usage_error for queries or settings out of range.
+void check_truth_request(const std::vector<TruthQuery>& queries, const TruthSettings& settings);
+
+/// The truth whose tiles a store has, of those queries whose numbers are in `which`: no ray is traced.
+/// `queries` and `settings` are what the tiles were traced for; extras are taken as far as `extras` says.
+Truth kept_truth(const CameraFrame& frame, const std::vector<TruthQuery>& queries,
+                 const TruthSettings& settings, const std::vector<std::size_t>& which,
+                 const TruthExtras& extras, const TileStore& store);
 
 /// How a scene is laid out for tracing; the picture does not depend on it beyond rounding.
 struct TraceBuild {
@@ -151,13 +169,21 @@ class ReferenceScene {
 
     /// The most memory Embree has held for this scene so far, bytes.
     std::size_t peak_bytes() const;
+    /// As it was laid out.
+    const TraceBuild& build() const;
 
     PrimaryHits primary_hits(const CameraFrame& frame) const;
 
     /// Integrates all queries from the same rays. The same image for any thread count. `what` names the work
-    /// for its progress bar. Throws interrupted_error on Ctrl-C, usage_error for settings out of range.
+    /// for its progress bar. With a store, tiles that it has are taken from there and all others are put
+    /// there. Throws interrupted_error on Ctrl-C, usage_error for settings out of range.
     Truth trace(const CameraFrame& frame, const std::vector<TruthQuery>& queries,
-                const TruthSettings& settings, const std::string& what) const;
+                const TruthSettings& settings, const std::string& what, TileStore* store = nullptr) const;
+
+    /// All that is known of the tiles of these groups (see TileGroups), traced without a store.
+    std::vector<GroupState> trace_groups(const CameraFrame& frame, const std::vector<TruthQuery>& queries,
+                                         const TruthSettings& settings,
+                                         const std::vector<std::size_t>& numbers) const;
 
   private:
     struct Impl;

@@ -51,6 +51,10 @@ std::string truth_cost_text(const ViewRecord& view) {
     if (view.open_pixels > 0) {
         text += fmt::format("; {} pixels were proven open without a ray", count_text(view.open_pixels));
     }
+    if (view.truth_rays_now < view.truth_rays) {
+        text += fmt::format("; {}: only {} of the rays were traced in this run", view.truth_origin,
+                            count_text(view.truth_rays_now));
+    }
     return text;
 }
 

@@ -89,6 +89,9 @@ struct ViewRecord {
     std::optional<double> max_error;  ///< the standard error that every pixel was traced to
     std::size_t open_pixels = 0;      ///< proven open without tracing a ray
     double truth_seconds = 0;
+    /// "traced", "resumed" after an interruption, "refined" from fewer rays, or "cached": not traced again.
+    std::string truth_origin = "traced";
+    std::uint64_t truth_rays_now = 0;   ///< traced in this run
     std::uint64_t truth_rays = 0;       ///< that the truth is made of
     std::size_t background_pixels = 0;  ///< without surface
     TruthSavings savings;

@@ -83,6 +83,8 @@ void visit_members(Visit& visit, Record& view) {
     visit("max_error", view.max_error);
     visit("open_pixels", view.open_pixels);
     visit("truth_seconds", view.truth_seconds);
+    visit("truth_origin", view.truth_origin);
+    visit("truth_rays_now", view.truth_rays_now);
     visit("truth_rays", view.truth_rays);
     visit("background_pixels", view.background_pixels);
     visit("savings", view.savings);

@@ -38,9 +38,10 @@ TEST(Reference, ImageDoesNotDependOnTheThreadCount) {
     const auto folder = output_dir();
     for (const char* threads : {"1", "2"}) {
         const std::string n = threads;
-        const auto run = run_aoscore(
-            "reference sphere --size 64x48 --samples 16 --radius 1 --threads " + n + " --out t" + n + ".exr",
-            folder);
+        const auto run =
+            run_aoscore("reference sphere --size 64x48 --samples 16 --radius 1 --no-cache --threads " + n +
+                            " --out t" + n + ".exr",
+                        folder);
         ASSERT_EQ(run.exit_code, 0) << run.err;
     }
     const ImageFile one = read_image(folder / "t1.exr"), two = read_image(folder / "t2.exr");

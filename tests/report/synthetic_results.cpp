@@ -59,7 +59,7 @@ ViewRecord view_record(const std::string& view) {
     record.gbuffer_file = "views/atrium-" + view + "-gbuffer.exr";
     record.samples = 64;
     record.truth_seconds = 3.5;
-    record.truth_rays = 1234567;
+    record.truth_rays = record.truth_rays_now = 1234567;
     record.gbuffer = {{10, 11, 12}, 11, 0.5};
     record.truths.push_back({"ranked", "binary", 0.5, {}, "V0.Y", "SE0.Y", 0.02, 0.031});
     record.truths.push_back({"quadratic-0.549", "quadratic", 0.549, {}, "V0.Y", "SE0.Y", 0.01, 0.02});

@@ -29,8 +29,11 @@ fs::path shared_dir() {
 
 ProgramRun run_aoscore(const std::string& arguments, const fs::path& folder, const std::string& prefix) {
     const fs::path out = folder / "stdout.txt", err = folder / "stderr.txt";
-    const std::string command = "cd '" + folder.string() + "' && " + prefix + " '" AOSCORE_PROGRAM "' " +
-                                arguments + " >'" + out.string() + "' 2>'" + err.string() + "'";
+    // No test may be served by what another one, or the user, has traced.
+    const std::string command = "cd '" + folder.string() + "' && export AOSCORE_CACHE='" +
+                                (folder / "truth-cache").string() + "' && " + prefix +
+                                " '" AOSCORE_PROGRAM "' " + arguments + " >'" + out.string() + "' 2>'" +
+                                err.string() + "'";
     const int status = std::system(command.c_str());
     ProgramRun run;
     run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

@@ -20,7 +20,8 @@ struct ProgramRun {
     std::string out;
     std::string err;
 };
-/// Runs the built `aoscore` with these arguments, in `folder`. `prefix` is put before it: "timeout 5".
+/// Runs the built `aoscore` with these arguments, in `folder`, with a truth cache of its own there. `prefix`
+/// is put before it: "timeout 5".
 ProgramRun run_aoscore(const std::string& arguments, const std::filesystem::path& folder,
                        const std::string& prefix = {});
 

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "reference/cache/truth_cache.h"
+#include "scene/scene.h"
+
+#include <map>
+#include <string>
+
+namespace aoscore {
+
+/// The header of a truth file: what its truth depends on, and `command`, which makes it again. Beside our own
+/// attributes EXR's standard ones: comments (the command), capDate, and the matrices worldToCamera (to a
+/// camera that looks down -z) and worldToNDC (-1 to 1 in the picture, after division by w).
+std::map<std::string, std::string> truth_provenance(const Scene& scene, const CachedTruth& traced,
+                                                    const std::string& command);
+
+/// The call of `aoscore reference` that traces this request again, into `out`. All queries must be binary.
+std::string reference_command(const Scene& scene, const std::string& view_id, const TruthRequest& traced,
+                              const std::string& out);
+
+}  // namespace aoscore

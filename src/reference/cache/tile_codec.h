@@ -1,0 +1,15 @@
+#pragma once
+
+#include "reference/tile_store.h"
+
+#include <string>
+#include <string_view>
+
+namespace aoscore {
+
+/// A group's tiles as bytes, without loss, and back. decode() throws file_error naming `where` for bytes that
+/// encode() cannot have made.
+std::string encode(const GroupState& state);
+GroupState decode(std::string_view bytes, const std::string& where);
+
+}  // namespace aoscore
