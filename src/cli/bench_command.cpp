@@ -47,13 +47,13 @@ void bench_metrics_and_page(const Options& options, const GlobalOptions& global)
     const std::filesystem::path folder =
         options.results.empty() ? home_dir() / "reports" / "out" / "main" : options.results;
     if (!std::filesystem::exists(folder / "results.json")) {
-        fmt::print("{:<34} {:>9}  no results in {}; aoscore run makes them\n", "page from results", "-",
+        fmt::print("{:<30} {:>8}  no results in {}; aoscore run makes them\n", "page from results", "-",
                    folder.string());
         return;
     }
     const Stopwatch watch;
     const std::filesystem::path page = write_report(folder);
-    fmt::print("{:<34} {:>9.1f} ms  {:.1f} MiB, {}\n", "page from results", 1000 * watch.seconds(),
+    fmt::print("{:<30} {:>8.1f} ms  {:.1f} MiB, {}\n", "page from results", 1000 * watch.seconds(),
                static_cast<double>(std::filesystem::file_size(page)) / (1 << 20), page.string());
 }
 

@@ -14,11 +14,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <random>
 #include <sstream>
+#include <string_view>
+#include <vector>
 
 namespace aoscore {
 namespace {
@@ -47,14 +51,31 @@ Pair made_up_pair(std::uint64_t seed) {
     return pair;
 }
 
-double fastest(const std::function<void()>& work, int runs = kRuns) {
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < runs; ++i) {
-        const Stopwatch watch;
-        work();
-        least = std::min(least, watch.seconds());
+/// By the wall clock, and processor time, which other programs hardly touch.
+struct Cost {
+    double wall_s = std::numeric_limits<double>::infinity(), processor_s = wall_s;
+    void keep_least(const Cost& other) {
+        wall_s = std::min(wall_s, other.wall_s);
+        processor_s = std::min(processor_s, other.processor_s);
     }
-    return least;
+};
+
+Cost cost_of(const std::function<void()>& work) {
+    const Stopwatch watch;
+    const std::clock_t start = std::clock();
+    work();
+    return {watch.seconds(), static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC};
+}
+
+void print_cost(std::string_view what, const Cost& cost, const std::string& note = {}) {
+    fmt::print("{:<30} {:>8.1f} ms {:>8.1f} ms processor  {}\n", what, 1000 * cost.wall_s,
+               1000 * cost.processor_s, note);
+}
+
+void measure(std::string_view what, const std::function<void()>& work) {
+    Cost least;
+    for (int i = 0; i < kRuns; ++i) least.keep_least(cost_of(work));
+    print_cost(what, least);
 }
 
 void write_raw(const std::filesystem::path& path, const ImageF& image) {
@@ -63,45 +84,56 @@ void write_raw(const std::filesystem::path& path, const ImageF& image) {
                static_cast<std::streamsize>(image.size() * sizeof(float)));
 }
 
-/// What scikit-image says and how long it takes: value, fastest double and single run. Empty without it.
-std::vector<double> ask_scikit_image(const std::filesystem::path& folder) {
+struct ScikitImage {
+    double value = 0;
+    Cost in_double, in_single;
+};
+
+/// Empty without it.
+std::optional<ScikitImage> ask_scikit_image(const std::filesystem::path& folder) {
     const std::string command = fmt::format(
-        "cd '{}' && /usr/bin/python3 '{}' {} {} truth.raw test.raw {} >ssim.txt 2>/dev/null", folder.string(),
-        (home_dir() / "src/experiment/skimage_ssim.py").string(), kWidth, kHeight, 1);
+        "cd '{}' && /usr/bin/python3 '{}' {} {} truth.raw test.raw 1 >ssim.txt 2>/dev/null", folder.string(),
+        (home_dir() / "src/experiment/skimage_ssim.py").string(), kWidth, kHeight);
     const int status = std::system(command.c_str());
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return {};
-    std::istringstream lines(read_file(folder / "ssim.txt"));
-    std::vector<double> numbers(3);
-    for (double& number : numbers) lines >> number;
-    return numbers;
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return std::nullopt;
+    std::istringstream said(read_file(folder / "ssim.txt"));
+    ScikitImage answer;
+    said >> answer.value;
+    for (Cost* cost : {&answer.in_double, &answer.in_single}) said >> cost->wall_s >> cost->processor_s;
+    return answer;
 }
 
-void compare_ssim(const Pair& pair, const std::function<double()>& ours) {
+std::string times(const Cost& theirs, const Cost& ours) {
+    return fmt::format("{:.1f} times ours, {:.1f} by processor time", theirs.wall_s / ours.wall_s,
+                       theirs.processor_s / ours.processor_s);
+}
+
+void compare_ssim(const Pair& pair, const std::function<double()>& ssim) {
     const std::filesystem::path folder =
         std::filesystem::temp_directory_path() / fmt::format("aoscore-bench-{}", getpid());
     std::filesystem::create_directories(folder);
     write_raw(folder / "truth.raw", pair.truth);
     write_raw(folder / "test.raw", pair.test);
-    double value = 0, theirs = 0, our_s = std::numeric_limits<double>::infinity(), double_s = our_s,
-           single_s = our_s;
+    double value = 0;
+    Cost ours;
+    std::optional<ScikitImage> theirs;
     for (int i = 0; i < kRuns; ++i) {
-        our_s = std::min(our_s, fastest([&] { value = ours(); }, 1));
-        const std::vector<double> numbers = ask_scikit_image(folder);
-        if (numbers.empty()) {
-            fmt::print("{:<34} {:>9}  python3-skimage is not there\n", "SSIM by scikit-image", "-");
-            break;
-        }
-        theirs = numbers[0];
-        double_s = std::min(double_s, numbers[1]);
-        single_s = std::min(single_s, numbers[2]);
+        ours.keep_least(cost_of([&] { value = ssim(); }));
+        const std::optional<ScikitImage> run = ask_scikit_image(folder);
+        if (!run) break;
+        if (!theirs) theirs = run;
+        theirs->in_double.keep_least(run->in_double);
+        theirs->in_single.keep_least(run->in_single);
     }
     std::filesystem::remove_all(folder);
-    fmt::print("{:<34} {:>9.1f} ms  {:.12f}\n", "SSIM", 1000 * our_s, value);
-    if (!std::isfinite(double_s)) return;
-    fmt::print("{:<34} {:>9.1f} ms  {:.12f}, {:.1f} times ours\n", "SSIM by scikit-image, double",
-               1000 * double_s, theirs, double_s / our_s);
-    fmt::print("{:<34} {:>9.1f} ms  {:.1f} times ours\n", "SSIM by scikit-image, single", 1000 * single_s,
-               single_s / our_s);
+    print_cost("SSIM", ours, fmt::format("{:.12f}", value));
+    if (!theirs) {
+        fmt::print("python3-skimage is not there to compare with\n");
+        return;
+    }
+    print_cost("SSIM by scikit-image, double", theirs->in_double,
+               fmt::format("{:.12f}; {}", theirs->value, times(theirs->in_double, ours)));
+    print_cost("SSIM by scikit-image, single", theirs->in_single, times(theirs->in_single, ours));
 }
 
 }  // namespace
@@ -114,12 +146,9 @@ void bench_compare(std::uint64_t seed) {
     fmt::print("{}, {} threads; {}x{}, fastest of {} runs\n", cpu_name(), thread_count(), kWidth, kHeight,
                kRuns);
     compare_ssim(pair, [&] { return *metric("ssim").measure(input).value; });
-    for (const Metric& row : metrics()) {
-        fmt::print("{:<34} {:>9.1f} ms\n", row.label, 1000 * fastest([&] { row.measure(input); }));
-    }
-    fmt::print("{:<34} {:>9.1f} ms\n", "all metrics together", 1000 * fastest([&] { evaluate(input); }));
-    fmt::print("{:<34} {:>9.1f} ms\n", "analysis",
-               1000 * fastest([&] { analyse(input, {}, kMaskThreshold, seed); }));
+    for (const Metric& row : metrics()) measure(row.label, [&] { row.measure(input); });
+    measure("all metrics together", [&] { evaluate(input); });
+    measure("analysis", [&] { analyse(input, {}, kMaskThreshold, seed); });
 }
 
 }  // namespace aoscore
