@@ -49,6 +49,9 @@ nlohmann::json exr_values(const Results& results, const fs::path& folder) {
         add(view.key + " noise", view.truth_file, view.truths.front().se_channel);
         add(view.key + " mask", view.truth_file, "mask.Y");
         add(view.key + " depth", view.gbuffer_file, "Z");
+        for (const CauseRecord& cause : view.causes)
+            add(view.key + " " + cause.id, view.truth_file, cause.channel);
+        add(view.key + " one_layer", view.truth_file, view.one_layer_channel);
     }
     for (const CellRecord& cell : results.cells) {
         if (!cell.error.empty()) continue;

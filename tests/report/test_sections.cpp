@@ -186,6 +186,54 @@ TEST(Ranking, SaysWhyANumberIsMissing) {
     EXPECT_THAT(model["gaps"][0].get<std::string>(), HasSubstr("not measured in this run"));
 }
 
+TEST(Cost, FrontIsWhatNothingBeatsInTimeAndError) {
+    SyntheticPage page;
+    const json charts = section::cost(page.source())["charts"];
+    ASSERT_EQ(charts.size(), 2U);
+    // On both presets of wide, Alchemy is both the cheapest and the closest: without its filter cheaper
+    // still.
+    ASSERT_EQ(charts[0]["front"].size(), 1U);
+    EXPECT_EQ(charts[0]["front"][0]["method"], "Alchemy AO");
+    EXPECT_EQ(charts[0]["front"][0]["preset"], "quality");
+    // On close it failed: Crytek SSAO is cheaper, HBAO closer.
+    ASSERT_EQ(charts[1]["front"].size(), 2U);
+    EXPECT_EQ(charts[1]["front"][0]["method"], "Crytek SSAO");
+    EXPECT_EQ(charts[1]["front"][1]["method"], "HBAO (Hussain)");
+}
+
+TEST(Failures, DivideMissingOcclusionByCauseAndLinkTheWorstRegions) {
+    SyntheticPage page;
+    ErrorAnalysis& analysis = *page.results.cells[0].analysis;
+    analysis.missing.area = 0.4;
+    analysis.missing.causes = {
+        {"outside", 0.1, 0.2}, {"hidden", 0.2, 0.2}, {"grazing", 0, {}}, {"visible", 0.1, 0.2}};
+    analysis.regions = {{"missing", 3, 4, 10, 20, 5, 6, 0.9, 120, 0.45, "hidden"}};
+    const json view = section::failures(page.source())["views"][0];
+    const json& row = view["rows"][0];
+    ASSERT_EQ(row["parts"].size(), 4U);
+    EXPECT_EQ(row["shares"][1]["text"], "20.00");
+    EXPECT_EQ(row["missing"], "40.00");
+    const json& region = view["methods"][0]["regions"][0];
+    EXPECT_EQ(region["box"], "3,4,10,20");
+    EXPECT_EQ(region["mean"], "+0.45");
+    EXPECT_EQ(region["cause"], "hidden");
+}
+
+TEST(Distributions, SayWhatCalibrationAloneWouldMend) {
+    SyntheticPage page;
+    page.results.cells[0].analysis->fit = {1.5, 0.5, 0.11, 0.1, 0};
+    const json view = section::distributions(page.source())["views"][0];
+    const json& numbers = view["fits"][0]["numbers"];
+    EXPECT_EQ(numbers[0]["text"], "1.50");
+    EXPECT_EQ(numbers[2]["text"], "0.2000");
+    EXPECT_EQ(numbers[3]["text"], "0.1000");
+    EXPECT_EQ(numbers[4]["text"], "50");
+    const json curves = json::parse(view["histogram"].get<std::string>());
+    EXPECT_EQ(curves["series"].size(), 6U);
+    EXPECT_NEAR(curves["low"].get<double>(), -1, 1e-9);
+    EXPECT_NEAR(curves["step"].get<double>(), 0.01, 1e-9);
+}
+
 const json& pair_of(const json& table, std::size_t row, std::size_t column) {
     return table["rows"][row]["pairs"][column];
 }

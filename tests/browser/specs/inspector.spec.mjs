@@ -57,6 +57,12 @@ for (const [x, y] of places) {
         compared += 1;
       }
     }
+    const parts = [...stageData.causes.map(({ id, label }) => [id, `Occluded: ${label}`]), ['one_layer', 'Occluded, in one layer']];
+    assert.equal(parts.length, 5);
+    for (const [id, name] of parts) {
+      const { step } = view.images[id];
+      assert.ok(Math.abs(number(rows.get(name)[0]) - exr(`${view.key} ${id}`)[i]) <= step / 2 + 0.0005 + 1e-9, name);
+    }
     assert.equal(compared, results.cells.filter((cell) => cell.view_key === view.key).length * 2);
     if (valid) assert.ok(Math.abs(number(rows.get('Depth')[0]) - exr(`${view.key} depth`)[i]) <= view.images.depth.step / 2 + 0.0005);
   });
