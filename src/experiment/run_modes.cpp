@@ -1,5 +1,7 @@
 #include "experiment/run_modes.h"
 
+#include "screen/precision.h"
+
 #include <utility>
 
 namespace aoscore {
@@ -28,6 +30,12 @@ RunModeOption option(std::string_view id, std::string_view meaning, Mode RunMode
     return row;
 }
 
+Names<Precision> precision_names() {
+    Names<Precision> names;
+    for (const PrecisionFormat& format : precision_formats()) names.emplace_back(format.id, format.precision);
+    return names;
+}
+
 }  // namespace
 
 void RunModes::apply_to(MethodRequest& request) const {
@@ -54,8 +62,8 @@ const std::vector<RunModeOption>& run_mode_options() {
                             {"half", Resolution::half},
                             {"dual", Resolution::dual},
                             {"half-gbuffer", Resolution::half_gbuffer}}),
-        option<Precision>("precision", "How depth and normal are stored", &RunModes::precision,
-                          {{"full", Precision::full}, {"packed-rgba8", Precision::packed_rgba8}}),
+        option<Precision>("precision", "How depth and normals are stored", &RunModes::precision,
+                          precision_names()),
     };
     return table;
 }

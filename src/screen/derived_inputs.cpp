@@ -1,6 +1,7 @@
 #include "screen/derived_inputs.h"
 
 #include "core/files.h"
+#include "screen/precision.h"
 #include "screen/texture.h"
 
 #include <fmt/format.h>
@@ -71,15 +72,15 @@ GLuint DerivedInputs::depth_mips(const GBuffer& gbuffer, GLuint linear_depth, co
     return textures_.emplace(key, std::move(mips)).first->second.name();
 }
 
-GLuint DerivedInputs::normal_from_depth(const GBuffer& gbuffer, bool accurate) {
-    const std::string key = accurate ? "normal_from_depth_accurate" : "normal_from_depth";
+GLuint DerivedInputs::normal_from_depth(const GBuffer& gbuffer, GLuint linear_depth, bool accurate) {
+    const std::string key = fmt::format("normal_from_depth {} {}", linear_depth, accurate);
     if (const auto found = textures_.find(key); found != textures_.end()) return found->second.name();
     gl::Texture normals = make_texture(kRgba32F, gbuffer.width(), gbuffer.height());
     const ShaderProgram& p =
         program(gbuffer, "normal_from_depth.frag", fmt::format("#define ACCURATE {}\n", accurate ? 1 : 0));
     p.use();
     gl::Uniform1i(p.location("u_linear_depth"), 0);
-    draw(gbuffer, p, gbuffer.texture("linear_depth"), {{normals.name()}, gbuffer.width(), gbuffer.height()});
+    draw(gbuffer, p, linear_depth, {{normals.name()}, gbuffer.width(), gbuffer.height()});
     gl::check("making normals from depth");
     return textures_.emplace(key, std::move(normals)).first->second.name();
 }
@@ -97,26 +98,37 @@ GLuint DerivedInputs::half_depth(const GBuffer& gbuffer, GLuint linear_depth) {
     return textures_.emplace(key, std::move(depth)).first->second.name();
 }
 
-DerivedInputs::Packed DerivedInputs::packed(const GBuffer& gbuffer, GLuint normal) {
-    const std::string key = fmt::format("packed {}", normal);
-    if (const auto found = textures_.find(key); found != textures_.end()) {
-        return {found->second.name(), textures_.at(key + " normal").name()};
+GLuint DerivedInputs::stored_depth(const GBuffer& gbuffer, std::string_view stored) {
+    const std::string key = fmt::format("stored_depth {}", stored);
+    if (const auto found = textures_.find(key); found != textures_.end()) return found->second.name();
+    std::string macros;
+    int number = 0;
+    for (const PrecisionFormat& format : precision_formats()) {
+        if (!format.stored.empty()) macros += fmt::format("#define {} {}\n", format.stored, ++number);
     }
     gl::Texture depth = make_texture(kR32F, gbuffer.width(), gbuffer.height());
-    gl::Texture normals = make_texture(kRgba32F, gbuffer.width(), gbuffer.height());
-    const ShaderProgram& p = program(gbuffer, "packed.frag", "");
+    const ShaderProgram& p =
+        program(gbuffer, "stored_depth.frag", macros + fmt::format("#define STORED {}\n", stored));
     p.use();
     gl::Uniform1i(p.location("u_linear_depth"), 0);
-    gl::Uniform1i(p.location("u_normal"), 1);
+    gl::Uniform1i(p.location("u_hardware_depth"), 1);
     gl::ActiveTexture(GL_TEXTURE1);
-    gl::BindTexture(GL_TEXTURE_2D, normal);
-    draw(gbuffer, p, gbuffer.texture("linear_depth"),
-         {{depth.name(), normals.name()}, gbuffer.width(), gbuffer.height()});
-    gl::check("packing the G-buffer");
-    const Packed result{depth.name(), normals.name()};
-    textures_.emplace(key, std::move(depth));
-    textures_.emplace(key + " normal", std::move(normals));
-    return result;
+    gl::BindTexture(GL_TEXTURE_2D, gbuffer.texture("hardware_depth"));
+    draw(gbuffer, p, gbuffer.texture("linear_depth"), {{depth.name()}, gbuffer.width(), gbuffer.height()});
+    gl::check("storing depth");
+    return textures_.emplace(key, std::move(depth)).first->second.name();
+}
+
+GLuint DerivedInputs::packed_normal(const GBuffer& gbuffer, GLuint normal) {
+    const std::string key = fmt::format("packed_normal {}", normal);
+    if (const auto found = textures_.find(key); found != textures_.end()) return found->second.name();
+    gl::Texture normals = make_texture(kRgba32F, gbuffer.width(), gbuffer.height());
+    const ShaderProgram& p = program(gbuffer, "packed_normal.frag", "");
+    p.use();
+    gl::Uniform1i(p.location("u_normal"), 0);
+    draw(gbuffer, p, normal, {{normals.name()}, gbuffer.width(), gbuffer.height()});
+    gl::check("packing normals");
+    return textures_.emplace(key, std::move(normals)).first->second.name();
 }
 
 }  // namespace aoscore

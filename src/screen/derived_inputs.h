@@ -6,6 +6,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 
 namespace aoscore {
 
@@ -24,19 +25,18 @@ class DerivedInputs {
     GLuint depth_mips(const GBuffer& gbuffer, GLuint linear_depth, const std::string& filter,
                       double radius_m);
 
-    /// View-space normals from depth, unit, turned to the camera: `accurate` extrapolates from both sides and
-    /// takes the better (Wu, Accurate Normal Reconstruction from Depth Buffer, 2019), else the differences to
-    /// the right and below, as derivatives of a shader would be.
-    GLuint normal_from_depth(const GBuffer& gbuffer, bool accurate);
+    /// What the depth buffer of that format gives back (PrecisionFormat::stored), metres.
+    GLuint stored_depth(const GBuffer& gbuffer, std::string_view stored);
+    /// What two bytes keep of a normal.
+    GLuint packed_normal(const GBuffer& gbuffer, GLuint normal);
 
     /// `linear_depth` at half the resolution, rounded up: one texel of each block of 2x2.
     GLuint half_depth(const GBuffer& gbuffer, GLuint linear_depth);
 
-    struct Packed {
-        GLuint linear_depth = 0, normal = 0;
-    };
-    /// What an RGBA8 texture keeps of depth and this normal (Precision::packed_rgba8).
-    Packed packed(const GBuffer& gbuffer, GLuint normal);
+    /// View-space normals from this linear depth, unit, turned to the camera: `accurate` extrapolates from
+    /// both sides and takes the better (Wu, Accurate Normal Reconstruction from Depth Buffer, 2019), else the
+    /// differences to the right and below, as derivatives of a shader would be.
+    GLuint normal_from_depth(const GBuffer& gbuffer, GLuint linear_depth, bool accurate);
 
   private:
     const ShaderProgram& program(const GBuffer& gbuffer, const std::string& file, const std::string& macros);

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "screen/kernel.h"
+#include "screen/precision.h"
 #include "screen/texture.h"
 
 namespace aoscore {
@@ -49,22 +50,14 @@ GLuint InputTextures::noise(std::uint64_t seed) {
 
 GLuint InputTextures::texture(const std::string& listed, const PassBuild& build,
                               const InputSettings& settings, GLuint previous) {
-    const std::string input = replaced_normal(listed, settings.normals);
-    const bool normal = input.starts_with("normal_");
-    if (input == "half_depth") {
-        return derived_.half_depth(*gbuffer_, texture("linear_depth", build, settings, previous));
-    }
-    if (settings.precision == Precision::full ||
-        (input != "linear_depth" && input != "depth_mips" && !normal)) {
-        if (input == "depth_mips") return depth_mips(build, gbuffer_->texture("linear_depth"));
-        return unpacked(input, build, previous);
-    }
-    // Without a normal of the method's own the triangle's is packed along, if there is one: depth does not
-    // care.
-    const GLuint normal_texture = unpacked(normal ? input : "linear_depth", build, previous);
-    const DerivedInputs::Packed packed = derived_.packed(*gbuffer_, normal_texture);
-    if (input == "depth_mips") return depth_mips(build, packed.linear_depth);
-    return normal ? packed.normal : packed.linear_depth;
+    if (listed == "visibility" || listed == "coarser") return previous;
+    if (listed == "noise_4x4") return noise(build.seed);
+    if (listed == "linear_depth") return linear_depth(settings.precision);
+    if (listed == "half_depth") return derived_.half_depth(*gbuffer_, linear_depth(settings.precision));
+    if (listed == "depth_mips") return depth_mips(build, linear_depth(settings.precision));
+    if (listed.starts_with("normal_"))
+        return normal(replaced_normal(listed, settings.normals), settings.precision);
+    return drawn(listed);
 }
 
 GLuint InputTextures::depth_mips(const PassBuild& build, GLuint linear_depth) {
@@ -74,11 +67,20 @@ GLuint InputTextures::depth_mips(const PassBuild& build, GLuint linear_depth) {
     return derived_.depth_mips(*gbuffer_, linear_depth, mips.filter, radius);
 }
 
-GLuint InputTextures::unpacked(const std::string& input, const PassBuild& build, GLuint previous) {
-    if (input == "visibility" || input == "coarser") return previous;
-    if (input == "noise_4x4") return noise(build.seed);
-    if (input == "normal_from_depth") return derived_.normal_from_depth(*gbuffer_, false);
-    if (input == "normal_from_depth_accurate") return derived_.normal_from_depth(*gbuffer_, true);
+GLuint InputTextures::linear_depth(Precision precision) {
+    const std::string_view stored = format_of(precision).stored;
+    return stored.empty() ? drawn("linear_depth") : derived_.stored_depth(*gbuffer_, stored);
+}
+
+GLuint InputTextures::normal(const std::string& input, Precision precision) {
+    const bool from_depth = input.starts_with("normal_from_depth");
+    const GLuint exact = from_depth ? derived_.normal_from_depth(*gbuffer_, linear_depth(precision),
+                                                                 input == "normal_from_depth_accurate")
+                                    : drawn(input);
+    return format_of(precision).packs_normals ? derived_.packed_normal(*gbuffer_, exact) : exact;
+}
+
+GLuint InputTextures::drawn(const std::string& input) const {
     const GLuint texture = gbuffer_->texture(input);
     if (texture == 0) throw internal_error("the G-buffer was drawn without " + input, "ScreenRenderer");
     return texture;

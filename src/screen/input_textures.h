@@ -36,7 +36,9 @@ class InputTextures {
   private:
     GLuint noise(std::uint64_t seed);
     GLuint depth_mips(const PassBuild& build, GLuint linear_depth);
-    GLuint unpacked(const std::string& input, const PassBuild& build, GLuint previous);
+    GLuint linear_depth(Precision precision);
+    GLuint normal(const std::string& input, Precision precision);
+    GLuint drawn(const std::string& input) const;
 
     const GBuffer* gbuffer_;
     DerivedInputs derived_;

@@ -31,10 +31,11 @@ enum class Border { far, clamp };
 /// interpolated ones, or the depth buffer's (simple differences; accurate: the better side of each pixel).
 enum class Normals { as_described, geometric, smooth, from_depth, from_depth_accurate };
 
-/// How exactly linear depth and the normal are stored: 32-bit floats, or one RGBA8 texture (Gravås,
-/// Image-space Ambient Obscurance in WebGL, 2013, section 3.1): 16 bits of linear depth between the camera's
-/// near and far plane, a normal of two components.
-enum class Precision { full, packed_rgba8 };
+/// How exactly depth and normals are stored; normals from depth are made of what is stored. precision.h says
+/// what each of them is. Window depth is OpenGL's, linear depth lies evenly between near and far plane; the
+/// last one is an RGBA8 texture for both (Gravås, Image-space Ambient Obscurance in WebGL, 2013,
+/// section 3.1).
+enum class Precision { full, depth_32f, depth_32f_reversed, depth_24, depth_16, linear_16, packed_rgba8 };
 
 /// How many pixels are shaded, for any method: all; a quarter of them, brought up by nearness in depth; the
 /// same, and again in full where the coarse picture varies (Bavoil and Sainz, Multi-Layer Dual-Resolution
