@@ -2,6 +2,8 @@
 #include "cli/outcome_options.h"
 #include "experiment/baseline.h"
 #include "report/report.h"
+#include "report/stress_page.h"
+#include "results/stress_results.h"
 
 #include <fmt/format.h>
 
@@ -17,6 +19,10 @@ struct Options {
 };
 
 ExitCode run(const Options& options) {
+    if (has_stress_results(options.results)) {
+        fmt::print("{}\n", write_stress_page(options.results).string());
+        return ExitCode::ok;
+    }
     Outcome outcome(options.outcome);
     Results results = read_results(options.results);
     const std::filesystem::path folder =
@@ -36,7 +42,7 @@ CommandEntry add_report_command(CLI::App& program, const GlobalOptions&) {
         "report", "Make the page of earlier results again, without rendering; prints its path");
     const auto options = std::make_shared<Options>();
     app->add_option("results", options->results,
-                    "What run or score wrote: results.json with its images beside it, or their folder")
+                    "What run, score or stress wrote: results with their images beside them, or the folder")
         ->required();
     add_outcome_options(*app, options->outcome);
     add_baseline_option(*app, options->outcome);

@@ -1,15 +1,10 @@
 #pragma once
 
 #include "metrics/analysis.h"
-
-#include <concepts>
-#include <type_traits>
+#include "results/record_of.h"
 
 /// The members of the records of an analysis, by key; see results_members.h.
 namespace aoscore {
-
-template <class Record, class Of>
-concept RecordOf = std::same_as<std::remove_const_t<Record>, Of>;
 
 template <class Visit, RecordOf<Interval> Record>
 void visit_members(Visit& visit, Record& record) {

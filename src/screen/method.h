@@ -80,6 +80,8 @@ struct MethodDescriptor {
     std::string paper;                    ///< author, title, year
     std::string summary;                  ///< one line
     std::vector<std::string> deviations;  ///< from the paper, each a sentence
+    /// Where it breaks by its nature: stress axis to the reason, a sentence each.
+    std::map<std::string, std::string> limits;
     std::vector<Parameter> parameters;
     std::map<std::string, ParameterValues> presets;     ///< by id; "default" always exists
     std::map<std::string, std::string> preset_filters;  ///< preset -> filter id, "none" where unsaid

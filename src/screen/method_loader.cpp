@@ -188,6 +188,16 @@ Pass parse_pass(StrictObject object, const fs::path& folder, const std::set<std:
     return pass;
 }
 
+std::map<std::string, std::string> parse_limits(StrictObject object) {
+    std::map<std::string, std::string> limits;
+    for (const auto& [axis, reason] : object.members()) {
+        if (!reason.is_string() || reason.get<std::string>().empty())
+            throw file_error("has another form", object.where(axis), "a sentence");
+        limits[axis] = reason.get<std::string>();
+    }
+    return limits;
+}
+
 // Every parameter must have an effect: some pass or kernel names it.
 void check_parameters_used(const MethodDescriptor& method, const std::string& where) {
     std::string text;
@@ -258,6 +268,7 @@ MethodDescriptor load_descriptor(const fs::path& folder, const std::set<std::str
     method.paper = top.text("paper");
     method.summary = top.text("summary");
     method.deviations = top.texts_or_empty("deviations");
+    if (top.has("limits")) method.limits = parse_limits(top.object("limits"));
     if (top.has("parameters")) {
         StrictObject parameters = top.object("parameters");
         for (const auto& [id, value] : parameters.members()) {

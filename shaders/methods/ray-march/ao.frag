@@ -1,15 +1,19 @@
 // Brute force over one depth layer: V = mean over cosine-distributed rays of [no step lies behind the depth surface].
-// "Behind" is measured along the normal, above the tangent plane: on one line of sight that is the same as comparing
-// depths, and a plane cannot hide itself where a tap is read at its texel's centre.
+// "Behind" is measured along the normal, above the tangent plane: on a line of sight that runs toward the plane that is
+// the same as comparing depths, and a plane cannot hide itself where a tap is read at its texel's centre. A line of sight
+// that runs away from the plane, to a point higher above it than the eye, never meets it: there depths are compared. The
+// line is the tap's, through its texel's centre.
 #include "contract/ao_pass.glsl"
 #include "lib/constants.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
 
 bool hit(vec3 point, vec3 position, vec3 normal, float step_length) {
-    vec3 tap = tap_position(image_of(point));
-    bool behind = dot(tap - position, normal) > dot(point - position, normal) && -point.z >= u_near;
-    return behind && (p_occluders == occluders_solid || tap.z - point.z < p_thickness + step_length);
+    vec2 point_px = image_of(point);
+    vec3 tap = tap_position(point_px);
+    bool toward_plane = dot(view_ray(floor(point_px) + 0.5), normal) < 0.0;
+    bool behind = toward_plane ? dot(tap - position, normal) > dot(point - position, normal) : tap.z > point.z;
+    return behind && -point.z >= u_near && (p_occluders == occluders_solid || tap.z - point.z < p_thickness + step_length);
 }
 
 float visibility(vec2 image_px, vec3 position) {

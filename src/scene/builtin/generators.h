@@ -14,5 +14,6 @@ Scene generate_wall();
 Scene generate_wall_tall();
 Scene generate_sphere();
 Scene generate_pit();
+Scene generate_yard();
 
 }  // namespace aoscore::builtin

@@ -1,0 +1,52 @@
+#include "cli/command.h"
+#include "core/files.h"
+#include "experiment/stress.h"
+#include "report/stress_page.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace aoscore {
+namespace {
+
+struct Options {
+    StressPlan plan;
+    bool quick = false;
+    std::filesystem::path out;
+};
+
+ExitCode run(const Options& options, const GlobalOptions& global) {
+    StressPlan plan = options.plan;
+    plan.seed = global.seed;
+    plan.command = global.command_line;
+    if (options.quick) {
+        plan.ends_only = true;
+        plan.size = 64;
+        plan.samples = 16;
+    }
+    const std::filesystem::path folder =
+        options.out.empty() ? home_dir() / "reports" / "out" / "stress" : options.out;
+    const StressResults results = run_stress(plan, folder);
+    fmt::print("{}\n", write_stress_page(folder).string());
+    return failed_cells(results) > 0 ? ExitCode::cells_failed : ExitCode::ok;
+}
+
+}  // namespace
+
+CommandEntry add_stress_command(CLI::App& program, const GlobalOptions& global) {
+    CLI::App* app = program.add_subcommand(
+        "stress", "Try methods, filters and reference at extreme numbers; prints the page's path");
+    const auto options = std::make_shared<Options>();
+    app->add_option("--methods", options->plan.methods, "Methods to try (see list methods) [all]")
+        ->delimiter(',');
+    app->add_option("--axes", options->plan.axes, "Kinds of stress [all]")->delimiter(',');
+    app->add_option("--methods-dir", options->plan.methods_dir, "A folder of methods of your own");
+    app->add_flag("--quick", options->quick, "The ends of each axis alone, in 64x64 pixels");
+    app->add_option("--out", options->out,
+                    "Folder of page, results and images; what is there already is not run again "
+                    "[reports/out/stress]");
+    return {app, [options, &global] { return run(*options, global); }};
+}
+
+}  // namespace aoscore

@@ -1,0 +1,162 @@
+#include "results/stress_results.h"
+
+#include "core/files.h"
+#include "results/record_json.h"
+
+#include <algorithm>
+
+namespace aoscore {
+
+template <class Visit, RecordOf<StressCell> Record>
+void visit_members(Visit& visit, Record& cell) {
+    visit("subject", cell.subject);
+    visit("skipped", cell.skipped);
+    visit("error", cell.error);
+    visit("nonfinite", cell.nonfinite);
+    visit("out_of_range", cell.out_of_range);
+    visit("background", cell.background);
+    visit("deviation", cell.deviation);
+    visit("rmse", cell.rmse);
+    visit("mean", cell.mean);
+    visit("time_ms", cell.time_ms);
+    visit("breaks", cell.breaks);
+}
+
+template <class Visit, RecordOf<StressSettingRecord> Record>
+void visit_members(Visit& visit, Record& setting) {
+    visit("id", setting.id);
+    visit("label", setting.label);
+    visit("unstressed", setting.unstressed);
+    visit("key", setting.key);
+    visit("width", setting.width);
+    visit("height", setting.height);
+    visit("triangles", setting.triangles);
+    visit("surface_pixels", setting.surface_pixels);
+    visit("compared_pixels", setting.compared_pixels);
+    visit("disagreeing_share", setting.disagreeing_share);
+    visit("truth_samples", setting.truth_samples);
+    visit("truth_seconds", setting.truth_seconds);
+    visit("gbuffer_ms", setting.gbuffer_ms);
+    visit("seconds", setting.seconds);
+    visit("images", setting.images);
+    visit("cells", setting.cells);
+}
+
+template <class Visit, RecordOf<StressAxisRecord> Record>
+void visit_members(Visit& visit, Record& axis) {
+    visit("id", axis.id);
+    visit("label", axis.label);
+    visit("meaning", axis.meaning);
+    visit("judgement", axis.judgement);
+    visit("limit", axis.limit);
+    visit("settings", axis.settings);
+}
+
+template <class Visit, RecordOf<StressSubjectRecord> Record>
+void visit_members(Visit& visit, Record& subject) {
+    visit("id", subject.id);
+    visit("label", subject.label);
+    visit("kind", subject.kind);
+    visit("preset", subject.preset);
+    visit("limits", subject.limits);
+}
+
+template <class Visit, RecordOf<StressResults> Record>
+void visit_members(Visit& visit, Record& results) {
+    visit("program_version", results.program_version);
+    visit("created_utc", results.created_utc);
+    visit("command", results.command);
+    visit("cpu", results.cpu);
+    visit("threads", results.threads);
+    visit("gl_renderer", results.gl_renderer);
+    visit("seed", results.seed);
+    visit("size", results.size);
+    visit("samples", results.samples);
+    visit("scene", results.scene);
+    visit("filtered_method", results.filtered_method);
+    visit("least_compared_pixels", results.least_compared_pixels);
+    visit("total_seconds", results.total_seconds);
+    visit("cpu_seconds", results.cpu_seconds);
+    visit("subjects", results.subjects);
+    visit("axes", results.axes);
+}
+
+namespace {
+
+constexpr const char* kFileName = "stress.json";
+
+template <class Record>
+void write_record(const Record& record, const std::filesystem::path& file) {
+    nlohmann::json object = record_json::written(record);
+    record_json::require_finite(object, file.filename().string());
+    object["schema_version"] = StressResults::kSchemaVersion;
+    write_atomically(file, object.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
+template <class Record>
+Record read_record(const std::filesystem::path& file) {
+    const nlohmann::json object = parse_json_file(file);
+    record_json::Reader reader{StrictObject(object, file.string())};
+    int schema_version = 0;
+    reader("schema_version", schema_version);
+    if (schema_version != StressResults::kSchemaVersion) {
+        throw file_error(fmt::format("is {}, of another version of this program", schema_version),
+                         file.string() + ".schema_version", fmt::format("{}", StressResults::kSchemaVersion));
+    }
+    Record record;
+    visit_members(reader, record);
+    reader.object.finish();
+    return record;
+}
+
+}  // namespace
+
+void write_stress_results(const StressResults& results, const std::filesystem::path& folder) {
+    write_record(results, folder / kFileName);
+}
+
+StressResults read_stress_results(const std::filesystem::path& folder) {
+    return read_record<StressResults>(folder / kFileName);
+}
+
+bool has_stress_results(const std::filesystem::path& folder) {
+    std::error_code ec;
+    return std::filesystem::is_regular_file(folder / kFileName, ec);
+}
+
+void write_stress_setting(const StressSettingRecord& setting, const std::filesystem::path& file) {
+    write_record(setting, file);
+}
+
+StressSettingRecord read_stress_setting(const std::filesystem::path& file) {
+    return read_record<StressSettingRecord>(file);
+}
+
+std::vector<StressBreak> first_breaks(const StressAxisRecord& axis, const std::string& subject) {
+    const auto& settings = axis.settings;
+    const auto base = std::find_if(settings.begin(), settings.end(),
+                                   [](const StressSettingRecord& s) { return s.unstressed; });
+    const auto broken = [&](const StressSettingRecord& setting) -> const StressCell* {
+        for (const StressCell& cell : setting.cells) {
+            if (cell.subject == subject && !cell.breaks.empty()) return &cell;
+        }
+        return nullptr;
+    };
+    std::vector<StressBreak> found;
+    for (auto below = base; below != settings.begin();) {
+        --below;
+        if (const StressCell* cell = broken(*below)) {
+            found.push_back({&*below, cell});
+            break;
+        }
+    }
+    for (auto above = base; above != settings.end(); ++above) {
+        if (const StressCell* cell = broken(*above)) {
+            found.push_back({&*above, cell});
+            break;
+        }
+    }
+    return found;
+}
+
+}  // namespace aoscore
