@@ -1,0 +1,244 @@
+// What a method's descriptor calls its limits, in double precision: under the same stress the formula itself
+// goes as far from what is there as the shader does. Arithmetic is not at fault.
+#include "hand_made.h"
+#include "oracle_cases.h"
+#include "oracle_formulas.h"
+#include "oracle_pictures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace aoscore::testing {
+namespace {
+
+using namespace formula;
+
+// A stress of the oracle's world. The formulas' radius is fixed, so that the pixel's size is what changes.
+struct OracleStress {
+    const char* axis;
+    double footprint_m = kPixel;
+    Precision precision = Precision::full;
+    std::function<double(double, double)> z;       ///< what is there
+    std::function<double(double, double)> stored;  ///< what a depth buffer holds of it, at any place
+};
+
+// Where the texel that covers x has its centre.
+double texel_centre(double x, double footprint_m) {
+    const double half = formula::kSize / 2.0;
+    return (std::floor(x / footprint_m + half) + 0.5 - half) * footprint_m;
+}
+
+// Less than half a pixel: a slope, of which each texel keeps one depth.
+OracleStress radius_below_a_pixel() {
+    const auto slope = [](double x, double y) { return -80 + 1.6 * x + 0.6 * y; };
+    OracleStress stress{"radius", 1.0, Precision::full, slope, {}};
+    stress.stored = [=](double x, double y) { return slope(texel_centre(x, 1), texel_centre(y, 1)); };
+    return stress;
+}
+
+// 800 pixels: flat as far as the picture goes, and walls all around beyond it, where a depth buffer has
+// nothing.
+OracleStress radius_beyond_the_picture() {
+    constexpr double kFootprint = kRadius / 800, kHalf = formula::kSize * kFootprint / 2;
+    const auto arena = [](double x, double y) {
+        return -6 + std::max(0.0, 3 * (std::hypot(x, y) - 1.5 * kHalf));
+    };
+    OracleStress stress{"radius", kFootprint, Precision::full, arena, {}};
+    stress.stored = [=](double x, double y) {
+        return std::max(std::abs(x), std::abs(y)) < kHalf ? arena(x, y) : -front_camera().far;
+    };
+    return stress;
+}
+
+// 16 bits between near and far plane.
+OracleStress coarse_depth() {
+    const auto slope = [](double x, double y) { return -6 + 0.25 * x + 0.1 * y; };
+    OracleStress stress{"depth-format", kPixel, Precision::linear_16, slope, {}};
+    stress.stored = [=](double x, double y) {
+        const double near = front_camera().near, span = front_camera().far - near;
+        const double d = -slope(texel_centre(x, kPixel), texel_centre(y, kPixel));
+        return -(near + std::round((d - near) / span * 65535) / 65535 * span);
+    };
+    return stress;
+}
+
+struct LimitCase {
+    const char* name;  ///< of an oracle case
+    OracleStress (*stress)();
+    const char* id;
+};
+
+void PrintTo(const LimitCase& limit, std::ostream* out) {
+    *out << limit.id << " " << limit.name;
+}
+
+const std::vector<LimitCase>& limit_cases() {
+    static const std::vector<LimitCase> all = [] {
+        std::vector<LimitCase> cases;
+        for (const char* name : {"starcraft", "ssao", "hemisphere", "monte_carlo", "n8ao", "tangent_sphere"})
+            cases.push_back({name, radius_below_a_pixel, "below_a_pixel"});
+        for (const char* name : {"starcraft", "ssao", "hemisphere", "monte_carlo", "n8ao", "sao", "cacao",
+                                 "volumetric_sphere", "volumetric_hemisphere", "tangent_sphere", "hbao",
+                                 "hbao_plus", "gtao", "xegtao", "bitmask", "ray_march"})
+            cases.push_back({name, radius_beyond_the_picture, "beyond_the_picture"});
+        return cases;
+    }();
+    return all;
+}
+
+const formula::Case& oracle_case(const std::string& name) {
+    const auto& all = formula::cases();
+    return *std::find_if(all.begin(), all.end(), [&](const formula::Case& c) { return c.name == name; });
+}
+
+class Limit : public ::testing::TestWithParam<LimitCase> {};
+
+TEST_P(Limit, IsThePapersFormulaItself) {
+    const OracleStress stress = GetParam().stress();
+    const formula::Case& c = oracle_case(GetParam().name);
+    const auto methods = load_methods();
+    const CameraFrame frame = oracle_frame(stress.footprint_m);
+    ScreenRenderer renderer;
+    renderer.set_scene(height_field_scene(stress.z, stress.footprint_m));
+    renderer.draw_gbuffer(frame, {"normal_geometric"});
+    const GBufferImages images = renderer.read_gbuffer();
+    const ImageF shader = mean_over_seeds(renderer, methods, c, stress.precision);
+    const Field stored{stress.stored, stress.footprint_m}, there{stress.z, stress.footprint_m};
+    double apart = 0;
+    const std::vector<glm::ivec2> pixels = {{60, 60}, {58, 61}, {63, 57}};
+    for (const glm::ivec2& pixel : pixels) {
+        const Point point = point_at(frame, images, pixel.x, pixel.y);
+        const Point held{{point.p.x, point.p.y, stress.stored(point.p.x, point.p.y)}, point.n};
+        const double expected = c.expected(stored, held), unlimited = c.expected(there, point);
+        const auto got = static_cast<double>(shader.at(pixel.x, pixel.y));
+        std::printf("%-22s (%d, %d): read %.4f, formula %.4f, of what is there %.4f\n", c.name, pixel.x,
+                    pixel.y, got, expected, unlimited);
+        EXPECT_NEAR(got, expected, c.tolerance) << "pixel " << pixel.x << ", " << pixel.y;
+        apart += std::abs(expected - unlimited) / static_cast<double>(pixels.size());
+    }
+    EXPECT_GT(apart, 0.03) << "the formula has no limit here";
+    EXPECT_TRUE(find_method(methods, c.method).limits.contains(stress.axis))
+        << c.method << " does not say so in its descriptor";
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, Limit, ::testing::ValuesIn(limit_cases()), [](const auto& tested) {
+    return std::string(tested.param.id) + "_" + tested.param.name;
+});
+
+// The finest of the multi-resolution method's levels, at a pixel: its result can only be darker.
+double finest_level(const Field& field, const Point& point) {
+    constexpr int kWindow = 2;
+    constexpr double kReach = 0.5, kStrength = 2;
+    double sum = 0, taps = 0;
+    for (int y = -kWindow; y <= kWindow; ++y) {
+        for (int x = -kWindow; x <= kWindow; ++x) {
+            if (((x + y) & 1) != 0 || (x == 0 && y == 0)) continue;
+            const glm::dvec3 v =
+                oracle::surface(field, point.p.x + x * field.footprint, point.p.y + y * field.footprint) -
+                point.p;
+            sum += std::max(1 - glm::dot(v, v) / (kReach * kReach), 0.0) *
+                   std::max(glm::dot(v, point.n) / glm::length(v), 0.0);
+            ++taps;
+        }
+    }
+    return 1 - kStrength * sum / taps;
+}
+
+// A sphere half a pixel wide at every texel within the radius, as Sphere caps has it.
+double caps_of_all_texels(const Field& field, const Point& point) {
+    const int reach = static_cast<int>(kRadius / field.footprint) + 1;
+    double sum = 0;
+    for (int y = -reach; y <= reach; ++y) {
+        for (int x = -reach; x <= reach; ++x) {
+            if (x == 0 && y == 0) continue;
+            const glm::dvec3 v =
+                oracle::surface(field, point.p.x + x * field.footprint, point.p.y + y * field.footprint) -
+                point.p;
+            const double distance = glm::length(v), sphere = field.footprint / 2;
+            if (distance > kRadius || std::hypot(v.x, v.y) > kRadius) continue;
+            const double ratio = sphere / distance;
+            sum += 2 * (1 - std::sqrt(1 - ratio * ratio)) * std::max(glm::dot(v, point.n) / distance, 0.0);
+        }
+    }
+    return std::clamp(1 - sum, 0.0, 1.0);
+}
+
+class LimitOfCoarseDepth : public ::testing::Test {
+  protected:
+    LimitOfCoarseDepth() {
+        renderer_.set_scene(height_field_scene(stress_.z, stress_.footprint_m));
+        renderer_.draw_gbuffer(frame_, {"normal_geometric"});
+        images_ = renderer_.read_gbuffer();
+    }
+
+    /// What a formula makes of the stored depth and of what is there, and the shader of the stored depth:
+    /// means over a block of pixels.
+    struct Means {
+        double formula = 0, unlimited = 0, shader = 0;
+    };
+    Means means(const ImageF& shader, double (*formula)(const Field&, const Point&)) const {
+        const Field stored{stress_.stored, stress_.footprint_m}, there{stress_.z, stress_.footprint_m};
+        constexpr int kFrom = 50, kSide = 20;
+        Means sum;
+        for (int y = kFrom; y < kFrom + kSide; ++y) {
+            for (int x = kFrom; x < kFrom + kSide; ++x) {
+                const Point point = point_at(frame_, images_, x, y);
+                const Point held{{point.p.x, point.p.y, stress_.stored(point.p.x, point.p.y)}, point.n};
+                sum.formula += formula(stored, held) / (kSide * kSide);
+                sum.unlimited += formula(there, point) / (kSide * kSide);
+                sum.shader += static_cast<double>(shader.at(x, y)) / (kSide * kSide);
+            }
+        }
+        std::printf("read %.4f, formula %.4f, of what is there %.4f\n", sum.shader, sum.formula,
+                    sum.unlimited);
+        return sum;
+    }
+
+    std::vector<MethodDescriptor> methods_ = load_methods();
+    OracleStress stress_ = coarse_depth();
+    CameraFrame frame_ = oracle_frame(stress_.footprint_m);
+    ScreenRenderer renderer_;
+    GBufferImages images_;
+};
+
+TEST_F(LimitOfCoarseDepth, IsTheFormulaOfSphereCaps) {
+    const Means m = means(mean_over_seeds(renderer_, methods_, oracle_case("sphere_caps"), stress_.precision),
+                          caps_of_all_texels);
+    EXPECT_NEAR(m.shader, m.formula, 0.02);
+    EXPECT_GT(m.unlimited - m.formula, 0.01);
+    EXPECT_TRUE(find_method(methods_, "sphere-caps").limits.contains("depth-format"));
+}
+
+TEST_F(LimitOfCoarseDepth, IsThatTapsOfMultiResolutionAreAPixelAway) {
+    MethodRequest request;
+    request.method = &find_method(methods_, "multi-resolution");
+    request.parameters = request.method->values("default");
+    request.precision = stress_.precision;
+    const Means m = means(renderer_.run(request).raw, finest_level);
+    EXPECT_LE(m.shader, m.formula + 0.01) << "the finest level bounds it from above";
+    EXPECT_GT(m.unlimited - m.formula, 0.01);
+    EXPECT_TRUE(request.method->limits.contains("depth-format"));
+}
+
+// Its steps are a part of the picture, not of the radius.
+TEST(LimitOfHbaoHussain, IsThatItLooksOnlyAsFarAsItsSteps) {
+    const OracleStress stress = radius_beyond_the_picture();
+    const auto methods = load_methods();
+    const CameraFrame frame = oracle_frame(stress.footprint_m);
+    ScreenRenderer renderer;
+    renderer.set_scene(height_field_scene(stress.z, stress.footprint_m));
+    renderer.draw_gbuffer(frame, {"normal_geometric"});
+    const ImageF shader = mean_over_seeds(renderer, methods, oracle_case("hbao_hussain"));
+    const Point point = point_at(frame, renderer.read_gbuffer(), 60, 60);
+    const Field there{stress.z, stress.footprint_m};
+    const double formula = hbao_hussain(there, point, 2.5 * stress.footprint_m, 20);
+    EXPECT_NEAR(static_cast<double>(shader.at(60, 60)), formula, 0.02);
+    EXPECT_GT(formula - gtao(there, point), 0.1);
+    EXPECT_TRUE(find_method(methods, "hbao-hussain").limits.contains("radius"));
+}
+
+}  // namespace
+}  // namespace aoscore::testing
