@@ -9,11 +9,11 @@
 #include "lib/noise.glsl"
 
 bool hit(vec3 point, vec3 position, vec3 normal, float step_length) {
-    vec2 point_px = image_of(point);
-    vec3 tap = tap_position(point_px);
-    bool toward_plane = dot(view_ray(floor(point_px) + 0.5), normal) < 0.0;
+    vec3 tap = tap_position(image_of(point));
+    bool toward_plane = dot(view_ray(image_of(tap)), normal) < 0.0;
     bool behind = toward_plane ? dot(tap - position, normal) > dot(point - position, normal) : tap.z > point.z;
-    return behind && -point.z >= u_near && (p_occluders == occluders_solid || tap.z - point.z < p_thickness + step_length);
+    return behind && -point.z >= u_near &&
+           (p_occluders == occluders_solid || tap.z - point.z < p_thickness + step_length);
 }
 
 float visibility(vec2 image_px, vec3 position) {
