@@ -43,6 +43,10 @@ struct ImageFile {
 /// deep, or does not fill its frame.
 ImageFile read_image(const std::filesystem::path& path);
 
+/// PNG in memory: indices into a palette of up to 256 colours (0xRRGGBB), with 1, 2, 4 or 8 bits as that many
+/// need. Throws internal_error for an index beyond the palette.
+std::string encode_png_indexed(const Image<std::uint8_t>& indices,
+                               std::span<const std::uint32_t> palette_rgb);
 /// PNG in memory, 8-bit gray.
 std::string encode_png_gray(const Image<std::uint8_t>& gray);
 
