@@ -1,5 +1,5 @@
-// Per-pixel random numbers. The method declares the choice parameter `noise` with tiled_4x4, hash and
-// interleaved_gradient, in any order, and lists the input noise_4x4.
+// Per-pixel random numbers. The method declares the choice parameter `noise` with tiled_4x4, hash,
+// interleaved_gradient and none, in any order, and lists the input noise_4x4.
 #include "contract/inputs.glsl"
 
 // Jarzynski and Olano, Hash Functions for GPU Rendering, 2020: a permuted congruential step over four lanes.
@@ -31,8 +31,9 @@ vec4 interleaved_gradient_noise(ivec2 texel) {
                 interleaved_gradient(at + vec2(11.0, 83.0)), interleaved_gradient(at + vec2(71.0, 5.0)));
 }
 
-// Four numbers in [0,1) for this pixel.
+// Four numbers in [0,1) for this pixel; none: the same for all pixels, to see what the randomness is worth.
 vec4 pixel_noise() {
+    if (p_noise == noise_none) return vec4(0.75, 0.5, 0.25, 0.5);
     if (p_noise == noise_hash) return hash_noise(drawn_texel(), 0u);
     if (p_noise == noise_interleaved_gradient) return interleaved_gradient_noise(drawn_texel());
     return tiled_noise();

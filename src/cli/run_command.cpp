@@ -15,6 +15,8 @@ namespace {
 
 struct Options {
     std::vector<std::string> reports;
+    bool all = false;
+    double scale = 1;
     std::filesystem::path out;
     OutcomeOptions outcome;
     std::filesystem::path truth_cache;
@@ -23,9 +25,11 @@ struct Options {
 ExitCode run(const Options& options, const GlobalOptions& global) {
     std::vector<std::string> ids = options.reports;
     if (ids.empty()) {
-        for (const ReportDefinition& report : list_reports()) ids.push_back(report.id);
+        for (const ReportDefinition& report : list_reports()) {
+            if (options.all || report.kind == ReportDefinition::Kind::table) ids.push_back(report.id);
+        }
     }
-    ExperimentPlan plan = plan_reports(ids);
+    ExperimentPlan plan = plan_reports(ids, options.scale);
     plan.seed = global.seed;
     plan.command = global.command_line;
     plan.truth_cache = options.truth_cache;
@@ -37,10 +41,14 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
 }  // namespace
 
 CommandEntry add_run_command(CLI::App& program, const GlobalOptions& global) {
-    CLI::App* app =
-        program.add_subcommand("run", "Rebuild published tables: truth, methods, page (the main job)");
+    CLI::App* app = program.add_subcommand(
+        "run", "Rebuild published tables and sweeps: truth, methods, page (the main job)");
     const auto options = std::make_shared<Options>();
-    app->add_option("report", options->reports, "Reports to rebuild (see list reports) [all]");
+    app->add_option("report", options->reports, "Reports to rebuild (see list reports) [all tables]");
+    app->add_flag("--all", options->all, "All reports, the sweeps too");
+    app->add_option("--scale", options->scale, "Makes every picture this many times as wide and high")
+        ->check(CLI::Range(0.05, 8.0))
+        ->capture_default_str();
     add_cache_option(*app, options->truth_cache);
     app->add_option("--out", options->out, "Folder of page, results and images [reports/out/main]");
     add_outcome_options(*app, options->outcome);

@@ -74,7 +74,7 @@ void add_cache_option(CLI::App& app, std::filesystem::path& folder) {
     folder = default_cache_dir();
     app.add_flag_callback(
         "--no-cache", [&folder] { folder.clear(); },
-        "Trace the truth anew, and keep nothing of it (see the subcommand cache)");
+        "Trace and measure everything anew, and keep nothing of it (see the subcommand cache)");
 }
 
 void add_extras_options(CLI::App& app, TruthExtras& extras) {

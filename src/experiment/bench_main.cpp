@@ -35,7 +35,9 @@ double reading_and_gbuffer_seconds() {
 void bench_main(std::uint64_t seed) {
     const double gbuffer_s = reading_and_gbuffer_seconds();
     std::vector<std::string> ids;
-    for (const ReportDefinition& report : list_reports()) ids.push_back(report.id);
+    for (const ReportDefinition& report : list_reports()) {
+        if (report.kind == ReportDefinition::Kind::table) ids.push_back(report.id);
+    }
     ExperimentPlan plan = plan_reports(ids);
     plan.seed = seed;
     plan.command = "aoscore bench main";

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "experiment/resolved_cell.h"
+#include "experiment/timing.h"
 #include "screen/screen.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,9 +18,10 @@ struct CellTimes {
 };
 
 /// Times the wanted cells on the renderer's current G-buffer: a warm-up each, then round by round over all of
-/// them, so that a disturbance of the machine meets all alike. `what` names the work for its progress. Throws
-/// interrupted_error on Ctrl-C.
+/// them, so that a disturbance of the machine meets all alike; timed_runs() of each, or until `goal` is
+/// reached. `what` names the work for its progress. Throws interrupted_error on Ctrl-C.
 std::vector<CellTimes> time_cells(ScreenRenderer& renderer, const std::vector<ResolvedCell>& cells,
-                                  const std::vector<bool>& wanted, const std::string& what);
+                                  const std::vector<bool>& wanted, const std::optional<TimingGoal>& goal,
+                                  const std::string& what);
 
 }  // namespace aoscore

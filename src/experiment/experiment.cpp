@@ -6,10 +6,14 @@
 #include "core/staged_folder.h"
 #include "core/threads.h"
 #include "experiment/baseline.h"
+#include "experiment/claims/judge.h"
 #include "experiment/live_output.h"
 #include "experiment/machine.h"
 #include "experiment/rankings.h"
 #include "experiment/view_run.h"
+#include "experiment/view_stock.h"
+#include "experiment/work_plan.h"
+#include "results/sweep_rows.h"
 
 #include <fmt/format.h>
 
@@ -59,15 +63,49 @@ std::vector<PreparedView> prepare(const ExperimentPlan& plan, const Registry& re
             add(find_view(*scene, wanted.view));
         }
     }
+    // A scene is built once: its views one after the other.
+    std::vector<const Scene*> order;
+    for (const PreparedView& p : prepared) {
+        if (std::find(order.begin(), order.end(), p.scene.get()) == order.end())
+            order.push_back(p.scene.get());
+    }
+    std::stable_sort(prepared.begin(), prepared.end(), [&](const PreparedView& a, const PreparedView& b) {
+        return std::find(order.begin(), order.end(), a.scene.get()) <
+               std::find(order.begin(), order.end(), b.scene.get());
+    });
     return prepared;
 }
 
 // Names the view in the results. One view in two sizes is two entries.
-std::string view_key(const PreparedView& p, const Results& results) {
+std::string view_key(const PreparedView& p, const std::vector<std::string>& taken) {
     const std::string key = p.scene->id + "/" + p.view->id;
-    const bool taken = std::any_of(results.views.begin(), results.views.end(),
-                                   [&](const ViewRecord& view) { return view.key == key; });
-    return taken ? fmt::format("{}@{}x{}", key, p.plan->width, p.plan->height) : key;
+    const bool is_taken = std::find(taken.begin(), taken.end(), key) != taken.end();
+    return is_taken ? fmt::format("{}@{}x{}", key, p.plan->width, p.plan->height) : key;
+}
+
+/// The ids of a plan's cells, by its view, then by the scene's views that it stands for, then by cell.
+using CellIds = std::vector<std::vector<std::vector<std::string>>>;
+
+SweepRecord sweep_record(const SweepPlan& sweep, const CellIds& cell_ids) {
+    SweepRecord record;
+    record.definition = sweep.definition;
+    record.title = sweep.title;
+    record.axes = sweep.axes;
+    record.budget_ms = sweep.budget_ms;
+    record.timing_confidence = TimingGoal().confidence;
+    record.notes = sweep.notes;
+    for (const SweepPoint& point : sweep.points) {
+        for (const std::vector<std::string>& ids : cell_ids[point.view_index])
+            record.points.push_back({ids[point.cell_index], point.at});
+    }
+    return record;
+}
+
+std::vector<ClaimList> planned_claims(const ExperimentPlan& plan) {
+    if (plan.claim_ids.empty()) return {};
+    std::vector<ClaimList> lists = chosen_claims(load_claims(), plan.claim_ids);
+    scale_views(lists, plan.claim_scale);
+    return lists;
 }
 
 }  // namespace
@@ -88,6 +126,7 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
     const auto start = std::chrono::steady_clock::now();
     const Registry registry = load_registry(plan.methods_dir);
     const std::vector<PreparedView> prepared = prepare(plan, registry);
+    const std::vector<ClaimList> claims = planned_claims(plan);
     // Opened before the work begins: a path that cannot be written fails at once.
     StagedFolder staged(target);
     const std::filesystem::path& folder = staged.path();
@@ -102,46 +141,69 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
     results.threads = thread_count();
     results.seed = plan.seed;
 
-    ScreenRenderer renderer;
-    results.gl_renderer = renderer.renderer();
-    results.gl_version = renderer.version();
-    const Scene* current = nullptr;
-    std::unique_ptr<ReferenceScene> reference;
+    SceneTools tools;
+    results.gl_renderer = tools.renderer().renderer();
+    results.gl_version = tools.renderer().version();
+    const MeasurementStore store(MeasurementStore::folder_in(plan.truth_cache));
     std::map<std::string, CameraFrame> frames;
-    std::vector<std::vector<std::string>> cell_ids(plan.views.size());
+    std::vector<std::string> keys;
+    std::vector<ViewRun> runs;
+    std::vector<ViewStock> stocks;
     for (const PreparedView& p : prepared) {
-        if (p.scene.get() != current) {
-            current = p.scene.get();
-            reference = std::make_unique<ReferenceScene>(*current);
-            renderer.set_scene(*current);
+        keys.push_back(view_key(p, keys));
+        frames.emplace(keys.back(), CameraFrame(p.view->camera, p.plan->width, p.plan->height));
+        runs.push_back({*p.scene, *p.view, tools, *p.plan, p.cells, registry.fixed_pass, keys.back(),
+                        plan.seed, results.mask_threshold, plan.keep_gbuffer, plan.truth_cache, plan.command,
+                        gbuffer_inputs_of(registry), folder});
+        stocks.push_back(take_stock(runs.back(), store));
+    }
+    log_info(plan_work(runs, stocks, store).text());
+    CellIds cell_ids(plan.views.size());
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const ViewRun& run = runs[i];
+        tools.choose(run.scene);
+        if (!stocks[i].complete()) {
+            log_info(fmt::format("{}: {} triangles, {}x{}", run.key, run.scene.triangle_count, run.plan.width,
+                                 run.plan.height));
         }
-        const std::string key = view_key(p, results);
-        log_info(fmt::format("{}: {} triangles, {}x{}", key, current->triangle_count, p.plan->width,
-                             p.plan->height));
-        ViewOutcome outcome = run_view({*p.scene, *p.view, *reference, renderer, *p.plan, p.cells, key,
-                                        plan.seed, results.mask_threshold, plan.keep_gbuffer,
-                                        plan.truth_cache, plan.command, gbuffer_inputs_of(registry), folder});
-        frames.emplace(key, CameraFrame(p.view->camera, p.plan->width, p.plan->height));
+        const auto view_start = std::chrono::steady_clock::now();
+        ViewOutcome outcome = run_view(run, store, stocks[i]);
+        const std::chrono::duration<double> view_time = std::chrono::steady_clock::now() - view_start;
+        learn_pace(store, run, outcome, view_time.count());
+        results.work.rays += outcome.rays;
+        results.work.cells_measured += outcome.measured;
+        results.work.cells_reused += run.cells.size() - outcome.measured;
+        auto& ids = cell_ids[prepared[i].plan_index].emplace_back();
         for (CellRecord& cell : outcome.cells) {
-            cell_ids[p.plan_index].push_back(cell.id);
+            ids.push_back(cell.id);
             if (!cell.error.empty()) log_warning("failed: " + cell.id + ": " + cell.error);
             results.cells.push_back(std::move(cell));
         }
         results.views.push_back(std::move(outcome.view));
     }
-    results.rankings = rank(results.cells, plan.seed);
+    const ScreenRenderer::Work drawn = tools.renderer().work();
+    results.work.gbuffers = drawn.gbuffers;
+    results.work.passes = drawn.passes;
+    results.work.compilations = drawn.compilations;
+    std::vector<CellRecord> pictured;
+    std::copy_if(results.cells.begin(), results.cells.end(), std::back_inserter(pictured),
+                 [](const CellRecord& cell) { return !cell.image_file.empty(); });
+    results.rankings = rank(pictured, plan.seed);
     if (plan.baseline) results.baseline = against_baseline(results, *plan.baseline);
     for (const TablePlan& table : plan.tables) {
         TableRecord record{table.definition, {}};
         for (const std::size_t index : table.cell_indices)
-            record.cell_ids.push_back(cell_ids[table.view_index][index]);
+            record.cell_ids.push_back(cell_ids[table.view_index].front()[index]);
         results.tables.push_back(std::move(record));
     }
+    for (const SweepPlan& sweep : plan.sweeps) results.sweeps.push_back(sweep_record(sweep, cell_ids));
+    if (!claims.empty()) results.claims = judge_claims(claims, results);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     results.total_seconds = elapsed.count();
     results.peak_memory_mib = peak_memory_mib();
     write_results(results, folder);
-    write_live_file(folder, registry, frames, plan.seed);
+    if (!pictured.empty()) write_live_file(folder, registry, frames, plan.seed);
+    if (!results.sweeps.empty()) write_atomically(folder / "sweep.csv", sweeps_as_csv(results));
     if (finish) finish(folder);
     staged.publish();
     return results;

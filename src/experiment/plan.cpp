@@ -4,13 +4,14 @@
 #include "core/files.h"
 #include "core/image.h"
 #include "core/strict_json.h"
+#include "experiment/claims/judge.h"
+#include "experiment/sweep.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <tuple>
 #include <utility>
 
@@ -75,20 +76,85 @@ bool same_picture(const ViewPlan& a, const ViewPlan& b) {
            a.radius_m == b.radius_m;
 }
 
-template <class T, class Same>
-std::size_t find_or_add(std::vector<T>& items, T item, Same same) {
-    const auto found =
-        std::find_if(items.begin(), items.end(), [&](const T& other) { return same(other, item); });
-    if (found != items.end()) return static_cast<std::size_t>(found - items.begin());
-    items.push_back(std::move(item));
-    return items.size() - 1;
+void scale_size(ViewPlan& view, double scale) {
+    view.width = std::max(1, static_cast<int>(std::lround(view.width * scale)));
+    view.height = std::max(1, static_cast<int>(std::lround(view.height * scale)));
 }
 
-void add_report(ExperimentPlan& plan, const ReportDefinition& report) {
+// What a source states of its measurements; null where it shows a bar and prints no number.
+void check_stated(StrictObject stated) {
+    stated.text("what");
+    stated.text("where");
+    const nlohmann::json& value = stated.raw("value");
+    if (!value.is_number() && !value.is_string() && !value.is_null())
+        throw file_error("is " + value.dump(), stated.where("value"),
+                         "a number, a text, or null where none is printed");
+    stated.text_or("unit", "");
+    stated.finish();
+}
+
+SweepRequest read_sweep(StrictObject object) {
+    SweepRequest request;
+    request.methods = object.texts_or_empty("methods");
+    if (request.methods.empty())
+        throw file_error("names no method", object.where("methods"), "ids of methods");
+    request.base.preset = object.text_or("preset", "default");
+    if (object.has("filter")) request.base.filter = object.text("filter");
+    if (object.has("set")) {
+        for (const auto& [id, value] : object.object("set").members()) request.base.overrides[id] = value;
+    }
+    request.base.own_truth = false;
+    request.base.keep_image = object.boolean_or("images", false);
+    for (const auto& [id, values] : object.object("vary").members()) {
+        if (!values.is_array() || values.empty())
+            throw file_error("is no list of values", object.where("vary") + "." + id);
+        request.axes.push_back({id, values});
+    }
+    object.finish();
+    return request;
+}
+
+void add_sweep_report(ExperimentPlan& plan, const ReportDefinition& report, double scale) {
+    SweepPlan sweep;
+    sweep.definition = parse_json_file(report.file);
+    StrictObject object(sweep.definition, report.file.filename().string());
+    for (const char* key : {"id", "kind", "hardware"}) object.text(key);
+    sweep.title = object.text("title");
+    source_line(object.object("source"));
+    object.texts_or_empty("notes");
+    for (StrictObject& stated : object.objects_or_empty("stated")) check_stated(std::move(stated));
+    ViewPlan view;
+    view.samples = object.integer("samples", 1, 1 << 20);
+    view.radius_m = object.number("radius_m", kSmallestRadius_m, kLargestRadius_m);
+    view.extras = {};
+    view.timing_goal = TimingGoal();
+    const Registry registry = load_registry({});
+    std::vector<SweepRequest> requests;
+    for (StrictObject& one : object.objects("sweeps")) requests.push_back(read_sweep(std::move(one)));
+    for (StrictObject& one : object.objects("views")) {
+        view.scene = one.text("scene");
+        view.view = one.text("view");
+        std::tie(view.width, view.height) = read_size(one);
+        scale_size(view, scale);
+        one.finish();
+        for (const SweepRequest& request : requests) add_sweep(plan, view, request, sweep, registry);
+    }
+    plan.sweeps.push_back(std::move(sweep));
+    const std::vector<std::string> claims = object.texts_or_empty("claims");
+    object.finish();
+    if (claims.empty()) return;
+    std::vector<ClaimList> lists = chosen_claims(load_claims(), claims);
+    scale_views(lists, scale);
+    plan_claims(plan, lists);
+    plan.claim_ids.insert(plan.claim_ids.end(), claims.begin(), claims.end());
+}
+
+void add_table_report(ExperimentPlan& plan, const ReportDefinition& report, double scale) {
     TablePlan table;
     table.definition = parse_json_file(report.file);
     StrictObject object(table.definition, report.file.filename().string());
     for (const char* key : {"id", "title", "hardware"}) object.text(key);
+    object.text_or("kind", "");
     source_line(object.object("source"));
     object.texts_or_empty("notes");
 
@@ -96,27 +162,57 @@ void add_report(ExperimentPlan& plan, const ReportDefinition& report) {
     view.scene = object.text("scene");
     view.view = object.text("view");
     std::tie(view.width, view.height) = read_size(object);
+    scale_size(view, scale);
+    const std::vector<std::string> claims = object.texts_or_empty("claims");
+    plan.claim_ids.insert(plan.claim_ids.end(), claims.begin(), claims.end());
     view.samples = object.integer("samples", 1, 1 << 20);
     view.max_error = object.number_or("error", 0, 1e-4, 0.5);
     view.radius_m = object.number("radius_m", kSmallestRadius_m, kLargestRadius_m);
     std::vector<StrictObject> rows = object.objects("rows");
     object.finish();
 
-    const int samples = view.samples;
-    const double max_error = view.max_error;
-    table.view_index = find_or_add(plan.views, std::move(view), same_picture);
-    ViewPlan& shared = plan.views[table.view_index];
-    shared.samples = std::max(shared.samples, samples);
-    // The smaller of the two, where 0 asks for none.
-    if (shared.max_error == 0 || (max_error > 0 && max_error < shared.max_error))
-        shared.max_error = max_error;
+    table.view_index = shared_view(plan, std::move(view));
     for (StrictObject& row : rows) {
-        table.cell_indices.push_back(find_or_add(shared.cells, read_row(row), std::equal_to<>()));
+        table.cell_indices.push_back(shared_cell(plan.views[table.view_index], read_row(row)));
     }
     plan.tables.push_back(std::move(table));
 }
 
 }  // namespace
+
+bool CellPlan::same_as(const CellPlan& other) const {
+    return method == other.method && preset == other.preset && overrides == other.overrides &&
+           filter == other.filter && filter_overrides == other.filter_overrides && modes == other.modes;
+}
+
+std::size_t shared_view(ExperimentPlan& plan, ViewPlan view) {
+    const auto found = std::find_if(plan.views.begin(), plan.views.end(),
+                                    [&](const ViewPlan& other) { return same_picture(other, view); });
+    if (found == plan.views.end()) {
+        plan.views.push_back(std::move(view));
+        return plan.views.size() - 1;
+    }
+    found->samples = std::max(found->samples, view.samples);
+    if (view.max_error > 0)
+        found->max_error = found->max_error > 0 ? std::min(found->max_error, view.max_error) : view.max_error;
+    found->extras.causes |= view.extras.causes;
+    found->extras.one_layer_bound |= view.extras.one_layer_bound;
+    found->extras.bent_normals |= view.extras.bent_normals;
+    if (view.timing_goal) found->timing_goal = view.timing_goal;
+    return static_cast<std::size_t>(found - plan.views.begin());
+}
+
+std::size_t shared_cell(ViewPlan& view, CellPlan cell) {
+    const auto found = std::find_if(view.cells.begin(), view.cells.end(),
+                                    [&](const CellPlan& other) { return other.same_as(cell); });
+    if (found == view.cells.end()) {
+        view.cells.push_back(std::move(cell));
+        return view.cells.size() - 1;
+    }
+    found->own_truth |= cell.own_truth;
+    found->keep_image |= cell.keep_image;
+    return static_cast<std::size_t>(found - view.cells.begin());
+}
 
 std::vector<ReportDefinition> list_reports() {
     std::vector<ReportDefinition> reports;
@@ -132,6 +228,10 @@ std::vector<ReportDefinition> list_reports() {
             throw file_error("is " + object.text("id"), object.where("id"), "the file's stem, " + report.id);
         }
         report.title = object.text("title");
+        const std::string kind = object.text_or("kind", "table");
+        if (kind != "table" && kind != "sweep")
+            throw file_error("is " + kind, object.where("kind"), "table, sweep");
+        report.kind = kind == "sweep" ? ReportDefinition::Kind::sweep : ReportDefinition::Kind::table;
         report.source = source_line(object.object("source"));
         report.file = entry.path();
         reports.push_back(std::move(report));
@@ -140,9 +240,10 @@ std::vector<ReportDefinition> list_reports() {
     return reports;
 }
 
-ExperimentPlan plan_reports(const std::vector<std::string>& report_ids) {
+ExperimentPlan plan_reports(const std::vector<std::string>& report_ids, double scale) {
     const std::vector<ReportDefinition> known = list_reports();
     ExperimentPlan plan;
+    plan.claim_scale = scale;
     for (const std::string& id : report_ids) {
         const auto found =
             std::find_if(known.begin(), known.end(), [&](const auto& r) { return r.id == id; });
@@ -151,7 +252,10 @@ ExperimentPlan plan_reports(const std::vector<std::string>& report_ids) {
             for (const ReportDefinition& report : known) ids.push_back(report.id);
             throw usage_error("unknown report " + id, "run", fmt::format("{}", fmt::join(ids, ", ")));
         }
-        add_report(plan, *found);
+        if (found->kind == ReportDefinition::Kind::sweep)
+            add_sweep_report(plan, *found, scale);
+        else
+            add_table_report(plan, *found, scale);
     }
     return plan;
 }

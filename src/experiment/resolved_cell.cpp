@@ -2,10 +2,27 @@
 
 #include "experiment/own_truth.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace aoscore {
 
 Registry load_registry(const std::filesystem::path& methods_dir) {
-    return {load_methods(methods_dir), load_filters()};
+    return {load_methods(methods_dir), load_filters(), load_fixed_pass()};
+}
+
+std::string cell_name(const CellPlan& plan) {
+    std::string name = plan.method + "/" + plan.preset;
+    if (plan.filter) name += "/" + *plan.filter;
+    std::vector<std::string> changes;
+    const auto add = [&](const std::string& id, const nlohmann::json& value) {
+        changes.push_back(id + "=" + (value.is_string() ? value.get<std::string>() : value.dump()));
+    };
+    for (const auto& [id, value] : plan.overrides) add(id, value);
+    for (const auto& [id, value] : plan.filter_overrides) add("filter." + id, value);
+    for (const auto& [mode, choice] : unusual_modes(plan.modes)) add(mode, choice);
+    if (!changes.empty()) name += fmt::format("/{}", fmt::join(changes, ","));
+    return name;
 }
 
 ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64_t seed) {
@@ -23,7 +40,7 @@ ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64
     }
     if (cell.filter != "none") {
         cell.request.filter = &find_method(registry.filters, cell.filter);
-        cell.request.filter_parameters = cell.request.filter->values("default");
+        cell.request.filter_parameters = cell.request.filter->values("default", plan.filter_overrides);
     }
     cell.own = own_truth(method, cell.request.parameters);
     return cell;

@@ -13,6 +13,7 @@ namespace aoscore {
 struct Registry {
     std::vector<MethodDescriptor> methods;
     std::vector<MethodDescriptor> filters;
+    MethodDescriptor fixed_pass;
 };
 Registry load_registry(const std::filesystem::path& methods_dir);
 
@@ -23,6 +24,10 @@ struct ResolvedCell {
     TruthQuery own;
     std::string filter = "none";
 };
+
+/// The cell's name within its view: "hbao/quality", with its filter and whatever else its plan changes:
+/// "hbao/quality/none/directions=8,resolution=half".
+std::string cell_name(const CellPlan& plan);
 
 /// Throws usage_error for an unknown method, preset, filter or parameter. `registry` must outlive the result.
 ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64_t seed);

@@ -1,5 +1,7 @@
 #include "experiment/timing.h"
 
+#include "metrics/median_interval.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -24,6 +26,16 @@ Timing summarize(std::vector<double> runs_ms) {
     timing.median_ms = quantile(runs_ms, 0.5);
     timing.spread_ms = (quantile(runs_ms, 0.75) - quantile(runs_ms, 0.25)) / 2;
     return timing;
+}
+
+bool TimingGoal::reached(const std::vector<double>& runs_ms) const {
+    const int runs = static_cast<int>(runs_ms.size());
+    if (runs >= most) return true;
+    if (runs < least) return false;
+    const auto interval = median_interval(runs_ms, confidence);
+    if (!interval) return false;
+    const double median = *summarize(runs_ms).median_ms;
+    return interval->high - median <= half_width * median && median - interval->low <= half_width * median;
 }
 
 int timed_runs(double warm_up_ms) {

@@ -10,6 +10,18 @@ namespace aoscore {
 /// Median and half the distance between the quartiles of the runs; both empty without runs.
 Timing summarize(std::vector<double> runs_ms);
 
+/// When a thing has been timed often enough: as soon as the interval that holds its median with `confidence`
+/// reaches no farther than `half_width` of the median to either side, after `least` and at the latest after
+/// `most` runs.
+struct TimingGoal {
+    double confidence = 0.95;
+    double half_width = 0.05;
+    int least = 6;  ///< fewer have no interval of 95 % at all
+    int most = 24;
+
+    bool reached(const std::vector<double>& runs_ms) const;
+};
+
 /// How many runs a thing deserves, judged by how long its warm-up run took: at least 10, or 3 when one takes
 /// over a second.
 int timed_runs(double warm_up_ms);

@@ -2,133 +2,67 @@
 
 #include "core/error.h"
 #include "core/interrupt.h"
-#include "experiment/camera_contract.h"
 #include "experiment/cell_timing.h"
 #include "experiment/experiment.h"
-#include "experiment/image_output.h"
-#include "experiment/masked_mean.h"
 #include "experiment/own_truth.h"
-#include "experiment/pixel_facts.h"
 #include "experiment/run_modes.h"
 #include "experiment/timing.h"
-#include "experiment/truth_provenance.h"
-#include "experiment/truth_record.h"
 #include "experiment/view_description.h"
-#include "metrics/analysis.h"
-#include "metrics/evaluate.h"
-#include "metrics/metric.h"
-#include "reference/cache/truth_cache.h"
-#include "results/image_file.h"
+#include "experiment/view_measurement.h"
+#include "experiment/view_stock.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <set>
-#include <span>
+#include <numeric>
 
 namespace aoscore {
 namespace {
 
-// What is measured besides the ranking: the perceptual metrics cost more than all others together.
-const std::vector<std::string> kUnrankedMetrics{"rmse", "rmse_debiased", "mae", "bias", "ssim"};
-
-std::string file_name(std::string id) {
-    std::replace(id.begin(), id.end(), '/', '-');
-    return id;
-}
+// Cells that are timed in turns. A sweep is timed in groups, so that a stopped one keeps the groups that are
+// done; the fixed pass is in each of them.
+constexpr std::size_t kTimedTogether = 16;
 
 class Runner {
   public:
-    explicit Runner(const ViewRun& run)
-        : run_(run), frame_(run.view.camera, run.plan.width, run.plan.height) {}
+    Runner(const ViewRun& run, const MeasurementStore& store, const ViewStock& stock)
+        : run_(run),
+          store_(store),
+          stock_(stock),
+          frame_(run.view.camera, run.plan.width, run.plan.height),
+          measurement_(run_, frame_, outcome_.view) {}
 
     ViewOutcome measure() {
-        outcome_.view = describe_view(run_.scene, run_.view, frame_, run_.key);
-        outcome_.view.radius_m =
-            ranking_radius(run_.plan.radius_m, run_.view, run_.scene, outcome_.view.warnings);
-        obtain_truth();
-        facts_ = pixel_facts(frame_, truth_);
-        draw_gbuffer();
-        check_contract();
-        record_truth(truth_, contract_.valid, outcome_.view);
-        write_images();
+        describe_view_and_cells();
+        const bool view_reused = reuse_view();
+        std::vector<bool> measured_before, timed_before;
         for (std::size_t i = 0; i < run_.cells.size(); ++i) {
+            measured_before.push_back(reuse_cell(i));
+            timed_before.push_back(stock_.times[i].has_value());
+        }
+        if (!view_reused) make_view();
+        for (std::size_t i = 0; i < run_.cells.size(); ++i) {
+            if (measured_before[i]) continue;
             throw_if_interrupted();
-            outcome_.cells.push_back(describe_cell(run_.cells[i]));
+            ++outcome_.measured;
             run_guarded(i, [&] { measure_cell(i); });
         }
-        record_times();
+        record_times(timed_before);
+        outcome_.rays = measurement_.rays();
         return std::move(outcome_);
     }
 
   private:
-    // All truths of the view come from the same rays: the ranking's first, then every method's own.
-    void obtain_truth() {
-        std::vector<TruthQuery> queries{{Falloff::binary, outcome_.view.radius_m, 0}};
-        for (const ResolvedCell& cell : run_.cells) {
-            if (std::find(queries.begin(), queries.end(), cell.own) == queries.end())
-                queries.push_back(cell.own);
-        }
-        TruthSettings settings;
-        settings.samples = run_.plan.samples;
-        settings.max_error = run_.plan.max_error;
-        settings.seed = run_.seed;
-        settings.extras = run_.plan.extras;
-        const TruthRequest request{run_.scene.digest,     run_.view.camera,   run_.plan.width,
-                                   run_.plan.height,      std::move(queries), settings,
-                                   run_.reference.build()};
-        const TruthLabel label{scene_name(run_.scene), run_.view.id, run_.command};
-        CachedTruth traced =
-            trace_truth(run_.truth_cache, run_.reference, request, label, "truth " + run_.key);
-        header_ = truth_provenance(run_.scene, traced, run_.command);
-        header_["aoscore:view"] = run_.key;
-        truth_ = std::move(traced.truth);
-        ViewRecord& view = outcome_.view;
-        view.truth_origin = origin_id(traced.origin);
-        if (traced.made_for.settings.max_error > 0) view.max_error = traced.made_for.settings.max_error;
+    void describe_view_and_cells() {
+        outcome_.view = describe_view(run_.scene, run_.view, frame_, run_.key);
+        outcome_.view.radius_m =
+            ranking_radius(run_.plan.radius_m, run_.view, run_.scene, outcome_.view.warnings);
+        for (const ResolvedCell& cell : run_.cells) outcome_.cells.push_back(describe_cell(cell));
     }
-
-    void draw_gbuffer() {
-        std::set<std::string> inputs;
-        for (const ResolvedCell& cell : run_.cells) inputs.merge(needed_gbuffer_inputs(cell.request));
-        const int runs = timed_runs(run_.renderer.draw_gbuffer(frame_, inputs));
-        std::vector<double> runs_ms;
-        for (int i = 0; i < runs; ++i) runs_ms.push_back(run_.renderer.draw_gbuffer(frame_, inputs));
-        outcome_.view.gbuffer = summarize(std::move(runs_ms));
-        // What no cell reads is no cost of theirs: it comes after the clock.
-        const std::size_t timed_inputs = inputs.size();
-        inputs.insert(run_.kept_inputs.begin(), run_.kept_inputs.end());
-        if (inputs.size() > timed_inputs) run_.renderer.draw_gbuffer(frame_, inputs);
-        gbuffer_ = run_.renderer.read_gbuffer();
-    }
-
-    void check_contract() {
-        const Bounds& bounds = run_.scene.bounds;
-        const double extent = glm::max(glm::length(bounds.low), glm::length(bounds.high));
-        contract_ = check_camera_contract(frame_, truth_.hits, gbuffer_, extent);
-        ViewRecord& v = outcome_.view;
-        v.surface_pixels = contract_.surface;
-        v.valid_pixels = contract_.valid_count;
-        v.disagreeing_pixels = contract_.disagreeing;
-        v.edge_pixels = contract_.edges;
-        std::vector<float> depths;
-        for (std::size_t i = 0; i < truth_.hits.depth.size(); ++i) {
-            if (contract_.valid.pixels[i] != 0) depths.push_back(truth_.hits.depth.pixels[i]);
-        }
-        if (!depths.empty()) {
-            const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-            std::nth_element(depths.begin(), middle, depths.end());
-            v.radius_px_median = v.radius_m * frame_.pixels_per_metre(static_cast<double>(*middle));
-        }
-    }
-
-    void write_images();
 
     CellRecord describe_cell(const ResolvedCell& cell) const {
         CellRecord record;
-        record.id = fmt::format("{}/{}/{}", run_.key, cell.plan.method, cell.plan.preset);
-        if (cell.plan.filter) record.id += "/" + cell.filter;
+        record.id = fmt::format("{}/{}", run_.key, cell_name(cell.plan));
         record.view_key = run_.key;
         record.method = cell.plan.method;
         record.method_label = cell.request.method->label;
@@ -136,10 +70,72 @@ class Runner {
         record.filter = cell.filter;
         record.parameters = cell.request.parameters;
         for (const auto& [mode, choice] : unusual_modes(cell.plan.modes)) record.parameters[mode] = choice;
-        const auto& queries = truth_.queries;
-        const auto own = std::find(queries.begin(), queries.end(), cell.own);
-        record.own_truth = outcome_.view.truths[static_cast<std::size_t>(own - queries.begin())].id;
+        for (const auto& [id, value] : cell.plan.filter_overrides) record.parameters["filter." + id] = value;
+        if (!cell.plan.own_truth) return record;
+        const bool ranked = cell.own == TruthQuery{Falloff::binary, outcome_.view.radius_m, 0};
+        record.own_truth = ranked ? "ranked" : truth_id(cell.own);
         return record;
+    }
+
+    // What the store has of the view, under its name in this run.
+    bool reuse_view() {
+        if (!stock_.view) return false;
+        ViewRecord stored = *stock_.view;
+        const ViewRecord& described = outcome_.view;
+        stored.key = described.key;
+        stored.scene = described.scene;
+        stored.view = described.view;
+        stored.view_source = described.view_source;
+        stored.view_note = described.view_note;
+        stored.warnings = described.warnings;
+        if (run_.pictured()) {
+            stored.truth_file = view_file("truth");
+            if (!store_.fetch_file(stock_.truth_file_key, run_.folder / stored.truth_file)) return false;
+            if (run_.keep_gbuffer) {
+                stored.gbuffer_file = view_file("gbuffer");
+                if (!store_.fetch_file(stock_.gbuffer_file_key, run_.folder / stored.gbuffer_file))
+                    return false;
+            }
+            if (!stored.gbuffer.median_ms) return false;
+        }
+        outcome_.view = std::move(stored);
+        return true;
+    }
+
+    std::string view_file(const std::string& what) const {
+        return fmt::format("views/{}-{}.exr", file_name(run_.key), what);
+    }
+
+    void make_view() {
+        measurement_.trace();
+        if (run_.pictured()) {
+            measurement_.write_images();
+            store_.put_file(stock_.truth_file_key, run_.folder / outcome_.view.truth_file);
+            if (run_.keep_gbuffer)
+                store_.put_file(stock_.gbuffer_file_key, run_.folder / outcome_.view.gbuffer_file);
+        }
+        ViewRecord stored = outcome_.view;
+        stored.truth_file.clear();
+        stored.gbuffer_file.clear();
+        store_.put(stock_.view_key, to_json(stored));
+    }
+
+    bool reuse_cell(std::size_t i) {
+        if (!stock_.cells[i]) return false;
+        const CellRecord& stored = *stock_.cells[i];
+        CellRecord& record = outcome_.cells[i];
+        if (run_.cells[i].plan.keep_image) {
+            const std::string file = image_file(record);
+            if (!store_.fetch_file(stock_.image_keys[i], run_.folder / file)) return false;
+            record.image_file = file;
+        }
+        record.ranked = stored.ranked;
+        record.own = stored.own;
+        record.raw = stored.raw;
+        record.analysis = stored.analysis;
+        record.fetches_per_pixel = stored.fetches_per_pixel;
+        record.nonfinite = stored.nonfinite;
+        return true;
     }
 
     // A cell that fails becomes a failed row; only an interrupt ends the whole run.
@@ -155,91 +151,90 @@ class Runner {
         }
     }
 
-    MetricMap metrics_against(const TruthQuery& query, const ImageF& test, const Mask& valid,
-                              std::span<const std::string> ids = {}) const {
-        const auto q = static_cast<std::size_t>(
-            std::find(truth_.queries.begin(), truth_.queries.end(), query) - truth_.queries.begin());
-        const MetricInput input{truth_.visibility[q], test, valid, &truth_.standard_error[q]};
-        return evaluate(input, ids);
-    }
-
     void measure_cell(std::size_t i) {
-        const ResolvedCell& cell = run_.cells[i];
         CellRecord& record = outcome_.cells[i];
-        const bool filtered = cell.request.filter != nullptr;
-        const MethodOutput output = run_.renderer.run(cell.request);
-
-        std::vector<ChannelView> channels{{"Y", &output.visibility}};
-        if (filtered) channels.push_back({"raw.Y", &output.raw});
-        record.image_file = "cells/" + file_name(record.id) + ".exr";
-        write_exr(run_.folder / record.image_file, channels, {{"aoscore:cell", record.id}});
-
-        if (!contract_.kept()) {
-            throw internal_error(
-                fmt::format("ray tracer and rasteriser disagree on {:.2f} % of the pixels away from "
-                            "edges, more than {:.1f} %",
-                            100 * contract_.disagreeing_share(), 100 * CameraContract::kTolerated));
-        }
-        const Mask valid =
-            finite_pixels(truth_.visibility[0], output.visibility, contract_.valid, record.nonfinite);
-        if (record.nonfinite > 0) {
-            throw internal_error(fmt::format("{} pixels are NaN or infinite", record.nonfinite));
-        }
-        record.ranked = metrics_against(truth_.queries[0], output.visibility, valid);
-        record.analysis = analyse({truth_.visibility[0], output.visibility, valid, &truth_.standard_error[0]},
-                                  facts_, run_.mask_threshold, run_.seed);
-        record.own = metrics_against(cell.own, output.visibility, valid, kUnrankedMetrics);
-        if (filtered) {
-            std::size_t nonfinite = 0;
-            const Mask raw_valid =
-                finite_pixels(truth_.visibility[0], output.raw, contract_.valid, nonfinite);
-            record.raw = metrics_against(truth_.queries[0], output.raw, raw_valid, kUnrankedMetrics);
-        }
-        record.fetches_per_pixel = mean_over(run_.renderer.count_fetches(cell.request), contract_.valid);
+        measurement_.measure(run_.cells[i], record);
+        if (!record.image_file.empty())
+            store_.put_file(stock_.image_keys[i], run_.folder / record.image_file);
+        store_.put(stock_.cell_keys[i], to_json(record));
     }
 
-    void record_times() {
-        std::vector<bool> wanted;
-        for (const CellRecord& record : outcome_.cells) wanted.push_back(record.error.empty());
-        const std::vector<CellTimes> times =
-            time_cells(run_.renderer, run_.cells, wanted, "timing " + run_.key);
-        const std::optional<double> gbuffer_ms = outcome_.view.gbuffer.median_ms;
-        for (std::size_t i = 0; i < times.size(); ++i) {
-            CellRecord& record = outcome_.cells[i];
-            if (record.error.empty()) record.error = times[i].error;
-            record.ao = summarize(times[i].ao_ms);
-            record.blur = summarize(times[i].filter_ms);
-            if (record.ao.median_ms && gbuffer_ms) {
-                record.frame_ms = *gbuffer_ms + *record.ao.median_ms + record.blur.median_ms.value_or(0);
-            }
+    ResolvedCell fixed_pass_cell() const {
+        ResolvedCell cell;
+        cell.request.method = &run_.fixed_pass;
+        cell.request.parameters = run_.fixed_pass.values("default");
+        cell.request.seed = run_.seed;
+        return cell;
+    }
+
+    void record_times(const std::vector<bool>& timed_before) {
+        std::vector<std::size_t> wanted;
+        for (std::size_t i = 0; i < run_.cells.size(); ++i) {
+            if (!outcome_.cells[i].error.empty()) continue;
+            if (timed_before[i])
+                record_cell_times(i, *stock_.times[i]);
+            else
+                wanted.push_back(i);
         }
+        const std::size_t together =
+            run_.plan.timing_goal ? kTimedTogether : std::max<std::size_t>(wanted.size(), 1);
+        for (std::size_t begin = 0; begin < wanted.size(); begin += together) {
+            const std::size_t end = std::min(begin + together, wanted.size());
+            time_group({wanted.begin() + static_cast<std::ptrdiff_t>(begin),
+                        wanted.begin() + static_cast<std::ptrdiff_t>(end)});
+        }
+    }
+
+    void time_group(const std::vector<std::size_t>& group) {
+        measurement_.draw();
+        std::vector<ResolvedCell> cells;
+        for (const std::size_t i : group) cells.push_back(run_.cells[i]);
+        cells.push_back(fixed_pass_cell());
+        const std::vector<CellTimes> times =
+            time_cells(run_.tools.ready_renderer(), cells, std::vector<bool>(cells.size(), true),
+                       run_.plan.timing_goal, "timing " + run_.key);
+        const double fixed_pass_ms = summarize(times.back().ao_ms).median_ms.value_or(0);
+        for (std::size_t k = 0; k < group.size(); ++k) {
+            CellRecord& record = outcome_.cells[group[k]];
+            record.error = times[k].error;
+            if (!record.error.empty()) continue;
+            const StoredTimes stored{times[k].ao_ms, times[k].filter_ms, fixed_pass_ms};
+            record_cell_times(group[k], stored);
+            store_.put(stock_.time_keys[group[k]], to_json(stored));
+        }
+    }
+
+    void record_cell_times(std::size_t i, const StoredTimes& times) {
+        CellRecord& record = outcome_.cells[i];
+        record.ao = summarize(times.ao_ms);
+        record.blur = summarize(times.filter_ms);
+        if (times.fixed_pass_ms > 0) record.fixed_pass_ms = times.fixed_pass_ms;
+        const std::optional<double> gbuffer_ms = outcome_.view.gbuffer.median_ms;
+        if (record.ao.median_ms && gbuffer_ms)
+            record.frame_ms = *gbuffer_ms + *record.ao.median_ms + record.blur.median_ms.value_or(0);
+    }
+
+    static std::string image_file(const CellRecord& record) {
+        return "cells/" + file_name(record.id) + ".exr";
     }
 
     const ViewRun& run_;
+    const MeasurementStore& store_;
+    const ViewStock& stock_;
     CameraFrame frame_;
     ViewOutcome outcome_;
-    Truth truth_;
-    std::map<std::string, std::string> header_;  // of the truth file
-    GBufferImages gbuffer_;
-    CameraContract contract_;
-    PixelFacts facts_;
+    ViewMeasurement measurement_;
 };
-
-void Runner::write_images() {
-    ViewRecord& v = outcome_.view;
-    const std::string stem = "views/" + file_name(run_.key);
-    v.truth_file = stem + "-truth.exr";
-    write_truth(run_.folder / v.truth_file, truth_, contract_.valid, header_);
-    if (run_.keep_gbuffer) {
-        v.gbuffer_file = stem + "-gbuffer.exr";
-        write_gbuffer(run_.folder / v.gbuffer_file, gbuffer_, {}, {{"aoscore:view", v.key}});
-    }
-}
 
 }  // namespace
 
-ViewOutcome run_view(const ViewRun& run) {
-    return Runner(run).measure();
+bool ViewRun::pictured() const {
+    return std::any_of(cells.begin(), cells.end(),
+                       [](const ResolvedCell& cell) { return cell.plan.keep_image; });
+}
+
+ViewOutcome run_view(const ViewRun& run, const MeasurementStore& store, const ViewStock& stock) {
+    return Runner(run, store, stock).measure();
 }
 
 }  // namespace aoscore

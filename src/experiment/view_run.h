@@ -1,11 +1,12 @@
 #pragma once
 
+#include "experiment/measurement_store.h"
 #include "experiment/resolved_cell.h"
-#include "reference/truth.h"
+#include "experiment/scene_tools.h"
 #include "results/results.h"
 #include "scene/scene.h"
-#include "screen/screen.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -13,31 +14,42 @@
 
 namespace aoscore {
 
+struct ViewStock;
+
 /// What one view of a scene needs to be measured.
 struct ViewRun {
     const Scene& scene;
     const View& view;
-    const ReferenceScene& reference;
-    ScreenRenderer& renderer;  ///< the scene is set already
+    SceneTools& tools;  ///< `scene` is chosen
     const ViewPlan& plan;
     std::vector<ResolvedCell> cells;
-    std::string key;  ///< "atrium/wide"
+    const MethodDescriptor& fixed_pass;  ///< timed among the cells
+    std::string key;                     ///< "atrium/wide"
     std::uint64_t seed = 1;
     double mask_threshold = 0.1;
     bool keep_gbuffer = true;
     std::filesystem::path truth_cache;  ///< empty: none
     std::string command;                ///< that makes the results again
+    std::filesystem::path truth_cache;  ///< empty: none
+    std::string command;                ///< that makes the results again
     std::set<std::string> kept_inputs;  ///< of the G-buffer, in its file beside what the cells read
     std::filesystem::path folder;       ///< of the results; images go below it
+
+    /// Whether a cell keeps its image; then the view keeps its own, and times its G-buffer.
+    bool pictured() const;
 };
 
 struct ViewOutcome {
     ViewRecord view;
     std::vector<CellRecord> cells;  ///< in the order of ViewRun::cells
+    std::uint64_t rays = 0;         ///< traced now
+    std::size_t measured = 0;       ///< cells that were not in the store
 };
 
-/// Truth, G-buffer, camera contract, then every cell: output, fetches, metrics; at last the clock, round by
-/// round over all cells so that a disturbance of the machine meets all of them.
-ViewOutcome run_view(const ViewRun& run);
+/// Takes from the store what is there, and measures the rest: truth, G-buffer, camera contract, then every
+/// cell's output, fetches and metrics; at last the clock, round by round over the cells, so that a
+/// disturbance of the machine meets all of them. Each measurement is put into the store as soon as it is
+/// made: an interrupted run continues where it stopped.
+ViewOutcome run_view(const ViewRun& run, const MeasurementStore& store, const ViewStock& stock);
 
 }  // namespace aoscore

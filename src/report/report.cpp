@@ -23,7 +23,7 @@ std::string section_html(const Section& section, const PageSource& source) {
     return fill_template(read_file(fragment), section.build(source), fragment.string());
 }
 
-std::string page_html(const PageSource& source) {
+std::string page_html(const PageSource& all, const PageSource& source) {
     nlohmann::json model = {{"style", page_style()},
                             {"script", page_script()},
                             {"stage_data", stage_data(source)},
@@ -31,9 +31,11 @@ std::string page_html(const PageSource& source) {
                             {"created", source.results.created_utc},
                             {"sections", nlohmann::json::array()}};
     for (const Section& section : sections()) {
+        const PageSource& used = section.of == Section::Of::all ? all : source;
+        if (section.applies != nullptr && !section.applies(used.results)) continue;
         model["sections"].push_back({{"id", std::string(section.id)},
                                      {"title", std::string(section.title)},
-                                     {"body", section_html(section, source)}});
+                                     {"body", section_html(section, used)}});
     }
     const fs::path frame = page_folder() / "template.html";
     std::string html = fill_template(read_file(frame), model, frame.string());
@@ -51,8 +53,10 @@ void require_page_parts() {
 
 fs::path write_report(const fs::path& results_folder, bool everything) {
     const Results results = read_results(results_folder);
-    const std::string html = page_html({results, make_pictures(results, results_folder, everything),
-                                        read_live_data(results, results_folder)});
+    const Results shown = pictured(results);
+    const Pictures pictures = make_pictures(shown, results_folder, everything);
+    const LiveData live = read_live_data(shown, results_folder);
+    const std::string html = page_html({results, pictures, live}, {shown, pictures, live});
     if (html.size() > kLargePage_bytes) {
         log_warning(
             fmt::format("the page has {} MiB: render smaller images or fewer methods", html.size() >> 20U));

@@ -25,6 +25,10 @@ struct Section {
     std::string_view id;
     std::string_view title;
     nlohmann::json (*build)(const PageSource&);
+    /// Which results it is made of: only the views and cells whose images were kept, or all of them.
+    enum class Of { pictured, all } of = Of::pictured;
+    /// Whether it has anything to say about them; it is left out of the page otherwise.
+    bool (*applies)(const Results&) = nullptr;
 };
 
 /// All sections in the order of the page.
@@ -39,8 +43,13 @@ nlohmann::json failures(const PageSource& source);
 nlohmann::json distributions(const PageSource& source);
 nlohmann::json live(const PageSource& source);
 nlohmann::json published(const PageSource& source);
+nlohmann::json sweeps(const PageSource& source);
+nlohmann::json claims(const PageSource& source);
 nlohmann::json measurement(const PageSource& source);
 }  // namespace section
+
+/// The part of the results whose images were kept: what can be shown.
+Results pictured(const Results& results);
 
 /// The cell of that id; null when there is none.
 const CellRecord* find_cell(const Results& results, const std::string& id);

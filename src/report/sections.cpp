@@ -8,19 +8,49 @@
 
 namespace aoscore {
 
+namespace {
+
+bool has_pictures(const Results& results) {
+    return !results.views.empty();
+}
+
+bool has_claims(const Results& results) {
+    return !results.claims.empty();
+}
+
+bool has_sweeps(const Results& results) {
+    return !results.sweeps.empty();
+}
+
+}  // namespace
+
 const std::vector<Section>& sections() {
+    using enum Section::Of;
     static const std::vector<Section> table = {
-        {"verdict", "Verdict", section::verdict},
-        {"ranking", "Ranking", section::ranking},
-        {"pictures", "Pictures", section::pictures},
-        {"cost", "Run time against error", section::cost},
-        {"failures", "Where it fails", section::failures},
-        {"distributions", "Errors in detail", section::distributions},
-        {"live", "Live parameters", section::live},
-        {"published", "Published tables beside ours", section::published},
-        {"measurement", "How it was measured", section::measurement},
+        {"verdict", "Verdict", section::verdict, pictured, has_pictures},
+        {"ranking", "Ranking", section::ranking, pictured, has_pictures},
+        {"pictures", "Pictures", section::pictures, pictured, has_pictures},
+        {"claims", "Published claims", section::claims, all, has_claims},
+        {"sweeps", "Sweeps", section::sweeps, all, has_sweeps},
+        {"cost", "Run time against error", section::cost, pictured, has_pictures},
+        {"failures", "Where it fails", section::failures, pictured, has_pictures},
+        {"distributions", "Errors in detail", section::distributions, pictured, has_pictures},
+        {"live", "Live parameters", section::live, pictured, has_pictures},
+        {"published", "Published tables beside ours", section::published, pictured, has_pictures},
+        {"measurement", "How it was measured", section::measurement, all},
     };
     return table;
+}
+
+Results pictured(const Results& results) {
+    Results part = results;
+    std::erase_if(part.views, [](const ViewRecord& view) { return view.truth_file.empty(); });
+    std::erase_if(part.cells, [&](const CellRecord& cell) {
+        const bool seen = std::any_of(part.views.begin(), part.views.end(),
+                                      [&](const ViewRecord& view) { return view.key == cell.view_key; });
+        return !seen || (cell.image_file.empty() && cell.error.empty());
+    });
+    return part;
 }
 
 const CellRecord* find_cell(const Results& results, const std::string& id) {

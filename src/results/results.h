@@ -110,6 +110,7 @@ struct CellRecord {
     std::map<std::string, nlohmann::json> parameters;  ///< all of them, by id
     std::string error;                                 ///< why the cell failed; empty when it did not
     Timing ao, blur;
+    std::optional<double> fixed_pass_ms;      ///< sixteen fetches a pixel, timed in the same rounds
     std::optional<double> frame_ms;           ///< G-buffer + AO + filter, medians added
     std::optional<double> fetches_per_pixel;  ///< of the AO pass, mean over valid pixels
     std::size_t nonfinite = 0;
@@ -119,7 +120,7 @@ struct CellRecord {
     MetricMap own;          ///< against the method's own radius and falloff
     MetricMap raw;          ///< ranked metrics of the unfiltered output; empty without a filter
     std::optional<ErrorAnalysis> analysis;  ///< against the ranking's truth; empty for a failed cell
-    std::string image_file;                 ///< EXR: Y (output), raw.Y (before the filter)
+    std::string image_file;  ///< EXR: Y (output), raw.Y (before the filter); empty when not kept
 };
 
 /// One method in a ranking.
@@ -171,6 +172,62 @@ struct TableRecord {
     std::vector<std::string> cell_ids;  ///< one for each row of the definition
 };
 
+/// One setting of a sweep: its cell, and where it lies on the axes.
+struct SweepPointRecord {
+    std::string cell_id;
+    std::map<std::string, nlohmann::json> at;  ///< value by axis; an axis that does not apply is missing
+};
+
+/// Methods over the product of some axes.
+struct SweepRecord {
+    nlohmann::json definition;  ///< reports/<id>.json, as read; null when the command line asked
+    std::string title;
+    std::vector<std::string> axes;
+    std::vector<SweepPointRecord> points;
+    std::optional<double> budget_ms;  ///< of the AO pass with its filter
+    double timing_confidence = 0.95;  ///< of the medians' intervals
+    std::vector<std::string> notes;   ///< what was left out, and why
+};
+
+/// One measured part of a claim: a number with the interval that 95 % of repetitions would give, and the
+/// range it is claimed to lie in.
+struct ClaimFinding {
+    std::string about;  ///< what it shows; may be empty
+    std::string what;   ///< "AO pass: Alchemy AO (...) over HBAO (...)"
+    std::string unit;
+    int decimals = 2;  ///< to print it with
+    std::optional<double> value, low, high;
+    std::optional<double> claimed_low, claimed_high;
+    std::string outcome;  ///< as ClaimRecord::verdict
+};
+
+/// A statement of a source, and whether it holds here.
+struct ClaimRecord {
+    static constexpr const char* kHolds = "holds";
+    static constexpr const char* kFails = "does not hold";
+    static constexpr const char* kCannotTell = "cannot be told here";
+    std::string id;       ///< "H01"
+    std::string source;   ///< author, title, year
+    std::string place;    ///< where the source says it
+    std::string claim;    ///< in our own words
+    std::string verdict;  ///< one of the three above
+    std::string reason;   ///< why it cannot be told
+    std::string own;      ///< what the source's own printed numbers say; empty where they agree
+    std::string note;     ///< how what is measured here differs from what the source looked at
+    std::vector<ClaimFinding> findings;
+    std::vector<std::string> cell_ids;  ///< what was measured for it
+};
+
+/// What a run did, and what it found done.
+struct WorkRecord {
+    std::uint64_t rays = 0;          ///< traced for truths
+    std::uint64_t gbuffers = 0;      ///< drawn
+    std::uint64_t passes = 0;        ///< of methods and filters, drawn
+    std::uint64_t compilations = 0;  ///< of their programs
+    std::size_t cells_measured = 0;
+    std::size_t cells_reused = 0;  ///< measured by an earlier run
+};
+
 struct Results {
     static constexpr int kSchemaVersion = 2;
     std::string program_version;
@@ -182,6 +239,7 @@ struct Results {
     std::string gl_version;
     std::uint64_t seed = 0;
     double mask_threshold = 0.1;  ///< of missing and false occlusion, in visibility
+    WorkRecord work;
     double total_seconds = 0;
     double peak_memory_mib = 0;
     std::vector<ViewRecord> views;
@@ -190,8 +248,16 @@ struct Results {
         rankings;  ///< one for each view and preset, then one over views for each preset
     std::optional<BaselineRecord> baseline;  ///< empty where none was asked for
     std::vector<TableRecord> tables;
+    std::vector<SweepRecord> sweeps;
+    std::vector<ClaimRecord> claims;
     std::vector<std::string> warnings;
 };
+
+/// Single records, for stores of them. Readers throw file_error as results_from_json() does.
+nlohmann::json to_json(const ViewRecord& view);
+nlohmann::json to_json(const CellRecord& cell);
+ViewRecord view_record_from_json(const nlohmann::json& json, const std::string& where);
+CellRecord cell_record_from_json(const nlohmann::json& json, const std::string& where);
 
 nlohmann::json to_json(const Results& results);
 nlohmann::json to_json(const ErrorAnalysis& analysis);

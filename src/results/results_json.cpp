@@ -8,6 +8,40 @@ namespace aoscore {
 using nlohmann::json;
 using namespace record_json;
 
+namespace {
+
+template <class Record>
+json checked_json(const Record& record, const std::string& where) {
+    json object = written(record);
+    require_finite(object, where);
+    return object;
+}
+
+template <class Record>
+Record record_from_json(const json& object, const std::string& where) {
+    Record record;
+    read(object, where, record);
+    return record;
+}
+
+}  // namespace
+
+json to_json(const ViewRecord& view) {
+    return checked_json(view, view.key);
+}
+
+json to_json(const CellRecord& cell) {
+    return checked_json(cell, cell.id);
+}
+
+ViewRecord view_record_from_json(const json& object, const std::string& where) {
+    return record_from_json<ViewRecord>(object, where);
+}
+
+CellRecord cell_record_from_json(const json& object, const std::string& where) {
+    return record_from_json<CellRecord>(object, where);
+}
+
 json to_json(const Results& results) {
     json object = written(results);
     require_finite(object, "results");

@@ -104,6 +104,7 @@ void visit_members(Visit& visit, Record& cell) {
     visit("error", cell.error);
     visit("ao", cell.ao);
     visit("blur", cell.blur);
+    visit("fixed_pass_ms", cell.fixed_pass_ms);
     visit("frame_ms", cell.frame_ms);
     visit("fetches_per_pixel", cell.fetches_per_pixel);
     visit("nonfinite", cell.nonfinite);
@@ -162,6 +163,61 @@ void visit_members(Visit& visit, Record& table) {
     visit("cell_ids", table.cell_ids);
 }
 
+template <class Visit, RecordOf<SweepPointRecord> Record>
+void visit_members(Visit& visit, Record& point) {
+    visit("cell_id", point.cell_id);
+    visit("at", point.at);
+}
+
+template <class Visit, RecordOf<SweepRecord> Record>
+void visit_members(Visit& visit, Record& sweep) {
+    visit("definition", sweep.definition);
+    visit("title", sweep.title);
+    visit("axes", sweep.axes);
+    visit("points", sweep.points);
+    visit("budget_ms", sweep.budget_ms);
+    visit("timing_confidence", sweep.timing_confidence);
+    visit("notes", sweep.notes);
+}
+
+template <class Visit, RecordOf<ClaimFinding> Record>
+void visit_members(Visit& visit, Record& finding) {
+    visit("about", finding.about);
+    visit("what", finding.what);
+    visit("unit", finding.unit);
+    visit("decimals", finding.decimals);
+    visit("value", finding.value);
+    visit("low", finding.low);
+    visit("high", finding.high);
+    visit("claimed_low", finding.claimed_low);
+    visit("claimed_high", finding.claimed_high);
+    visit("outcome", finding.outcome);
+}
+
+template <class Visit, RecordOf<ClaimRecord> Record>
+void visit_members(Visit& visit, Record& claim) {
+    visit("id", claim.id);
+    visit("source", claim.source);
+    visit("place", claim.place);
+    visit("claim", claim.claim);
+    visit("verdict", claim.verdict);
+    visit("reason", claim.reason);
+    visit("own", claim.own);
+    visit("note", claim.note);
+    visit("findings", claim.findings);
+    visit("cell_ids", claim.cell_ids);
+}
+
+template <class Visit, RecordOf<WorkRecord> Record>
+void visit_members(Visit& visit, Record& work) {
+    visit("rays", work.rays);
+    visit("gbuffers", work.gbuffers);
+    visit("passes", work.passes);
+    visit("compilations", work.compilations);
+    visit("cells_measured", work.cells_measured);
+    visit("cells_reused", work.cells_reused);
+}
+
 template <class Visit, RecordOf<Results> Record>
 void visit_members(Visit& visit, Record& results) {
     visit("program_version", results.program_version);
@@ -173,6 +229,7 @@ void visit_members(Visit& visit, Record& results) {
     visit("gl_version", results.gl_version);
     visit("seed", results.seed);
     visit("mask_threshold", results.mask_threshold);
+    visit("work", results.work);
     visit("total_seconds", results.total_seconds);
     visit("peak_memory_mib", results.peak_memory_mib);
     visit("views", results.views);
@@ -180,6 +237,8 @@ void visit_members(Visit& visit, Record& results) {
     visit("rankings", results.rankings);
     visit("baseline", results.baseline);
     visit("tables", results.tables);
+    visit("sweeps", results.sweeps);
+    visit("claims", results.claims);
     visit("warnings", results.warnings);
 }
 

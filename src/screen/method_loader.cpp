@@ -340,4 +340,8 @@ std::vector<MethodDescriptor> load_filters() {
     return sorted_unique(std::move(all));
 }
 
+MethodDescriptor load_fixed_pass() {
+    return load_descriptor(home_dir() / "shaders" / "fixed_pass" / "sixteen-taps", method_inputs(), false);
+}
+
 }  // namespace aoscore

@@ -89,6 +89,7 @@ const PassProgram* MethodRunner::program(const Step& step) {
     const auto found = programs_.find(key);
     if (found != programs_.end()) return &found->second;
     const PassProgram& made = programs_.emplace(key, PassProgram(build, pass, source)).first->second;
+    ++compilations_;
     check_listed_inputs(build, pass, made);
     return &made;
 }
@@ -100,6 +101,7 @@ void MethodRunner::check_listed_inputs(const PassBuild& build, const Pass& pass,
     if (!checked_inputs_.insert((build.method->folder / pass.fragment).string()).second) return;
     PassBuild open = build;
     open.uniform_form = true;
+    ++compilations_;
     const PassProgram all(open, pass, pass_source(open, pass));
     for (const std::string& input : pass.inputs) {
         if (std::find(all.samplers().begin(), all.samplers().end(), input) == all.samplers().end()) {
@@ -131,6 +133,7 @@ gl::Texture& MethodRunner::scaled_target(std::size_t step, int scale) {
 // shade.
 void MethodRunner::draw(const Step& step, std::initializer_list<GLuint> targets,
                         const InputSettings& settings, GLuint previous) {
+    ++passes_;
     if (step.program == nullptr) {
         process(step, *targets.begin(), settings);
         return;

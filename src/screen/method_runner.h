@@ -6,6 +6,7 @@
 #include "screen/pass_program.h"
 #include "screen/screen.h"
 
+#include <cstdint>
 #include <map>
 #include <set>
 #include <string>
@@ -41,6 +42,9 @@ class MethodRunner {
     ImageF raw() const { return read(raw_); }
     ImageF filtered() const { return read(*filtered_); }
 
+    std::uint64_t passes_drawn() const { return passes_; }
+    std::uint64_t programs_compiled() const { return compilations_; }
+
     /// What was computed from the G-buffer is computed again.
     void forget_derived() { inputs_.forget_derived(); }
 
@@ -70,6 +74,7 @@ class MethodRunner {
     std::map<std::string, ShaderProgram> upsampling_;
     std::set<std::string> checked_inputs_;
     int width_ = 0, height_ = 0;
+    std::uint64_t passes_ = 0, compilations_ = 0;
     gl::Texture raw_, first_, second_, fetches_;
     const gl::Texture* filtered_ = &raw_;
     std::map<std::pair<std::size_t, int>, gl::Texture> scaled_;

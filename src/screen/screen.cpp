@@ -34,6 +34,7 @@ struct ScreenRenderer::Impl {
     std::optional<SceneGeometry> geometry;
     GBuffer gbuffer;
     std::optional<MethodRunner> runner;
+    std::uint64_t gbuffers_drawn = 0;
 
     Impl() {
         gl::load_functions();
@@ -75,6 +76,7 @@ double ScreenRenderer::draw_gbuffer(const CameraFrame& frame, const std::set<std
     impl_->runner->forget_derived();
     const Clock clock;
     impl_->gbuffer.draw(*impl_->geometry, frame, inputs);
+    ++impl_->gbuffers_drawn;
     return clock.milliseconds();
 }
 
@@ -120,6 +122,10 @@ ScreenRenderer::PassTimes ScreenRenderer::time(const MethodRequest& request) {
         times.filter_ms = filter.milliseconds();
     }
     return times;
+}
+
+ScreenRenderer::Work ScreenRenderer::work() const {
+    return {impl_->gbuffers_drawn, impl_->runner->passes_drawn(), impl_->runner->programs_compiled()};
 }
 
 ImageF ScreenRenderer::count_fetches(const MethodRequest& request) {

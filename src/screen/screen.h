@@ -99,6 +99,14 @@ class ScreenRenderer {
     /// shader that does not compile, file_error where descriptor and shader disagree on inputs or parameters.
     MethodOutput run(const MethodRequest& request);
 
+    /// What was done since the renderer was made.
+    struct Work {
+        std::uint64_t gbuffers = 0;      ///< drawn
+        std::uint64_t passes = 0;        ///< drawn or computed, of methods and filters
+        std::uint64_t compilations = 0;  ///< of their programs
+    };
+    Work work() const;
+
     struct PassTimes {
         double ao_ms = 0;
         std::optional<double> filter_ms;

@@ -112,6 +112,7 @@ CellRecord cell_record(const std::string& view, const MethodFacts& facts, const 
         cell.error = "7 pixels are NaN or infinite";
         return cell;
     }
+    cell.fixed_pass_ms = 50;
     cell.ao = {{facts.ao_ms - 1, facts.ao_ms, facts.ao_ms + 2}, facts.ao_ms, 1.0};
     if (cell.filter != "none") cell.blur = {{5, 5.5, 6}, 5.5, 0.5};
     cell.frame_ms = 11 + facts.ao_ms + cell.blur.median_ms.value_or(0);
@@ -162,6 +163,43 @@ std::vector<RankingRecord> rankings_of(const std::vector<CellRecord>& cells) {
 
 }  // namespace
 
+namespace {
+
+SweepRecord sweep_of(const std::vector<CellRecord>& cells) {
+    SweepRecord sweep;
+    sweep.title = "A synthetic sweep";
+    sweep.axes = {"samples"};
+    sweep.budget_ms = 200;
+    sweep.notes = {"directions does not apply and is left out"};
+    int samples = 4;
+    for (const CellRecord& cell : cells)
+        sweep.points.push_back({cell.id, {{"method", cell.method}, {"samples", samples++}}});
+    return sweep;
+}
+
+std::vector<ClaimRecord> claims_of(const std::vector<CellRecord>& cells) {
+    ClaimRecord holds;
+    holds.id = "T01";
+    holds.source = "Author, Title, 2020";
+    holds.place = "section 1";
+    holds.claim = "One thing is less than the other.";
+    holds.verdict = ClaimRecord::kHolds;
+    holds.own = "Its table agrees.";
+    holds.findings.push_back(
+        {"what for", "AO pass: one less another", "ms", 2, 1.25, 1.0, 1.5, 0.0, {}, ClaimRecord::kHolds});
+    holds.cell_ids = {cells.front().id};
+    ClaimRecord fails = holds, open = holds;
+    fails.id = "T02";
+    fails.verdict = fails.findings.front().outcome = ClaimRecord::kFails;
+    open.id = "T03";
+    open.verdict = ClaimRecord::kCannotTell;
+    open.reason = "it needs frames";
+    open.findings.clear();
+    return {holds, fails, open};
+}
+
+}  // namespace
+
 Results synthetic_results() {
     Results results;
     results.program_version = std::string(version());
@@ -182,6 +220,8 @@ Results synthetic_results() {
         results.cells.push_back(cell_record("close", facts, "performance-close"));
     }
     results.rankings = rankings_of(results.cells);
+    results.sweeps = {sweep_of(results.cells)};
+    results.claims = claims_of(results.cells);
     for (const char* id : {"hussain-table-3", "hussain-table-4", "hussain-table-5"}) {
         TableRecord table;
         table.definition = parse_json_file(home_dir() / "reports" / (std::string(id) + ".json"));

@@ -1,0 +1,54 @@
+#include "cli/command.h"
+#include "cli/run_and_report.h"
+#include "cli/shared_options.h"
+#include "core/files.h"
+#include "experiment/claims/judge.h"
+
+#include <memory>
+
+namespace aoscore {
+namespace {
+
+struct Options {
+    std::vector<std::string> ids;
+    double scale = 1;
+    std::filesystem::path truth_cache;
+    std::filesystem::path out;
+    OutcomeOptions outcome;
+};
+
+ExitCode run(const Options& options, const GlobalOptions& global) {
+    std::vector<ClaimList> lists = chosen_claims(load_claims(), options.ids);
+    scale_views(lists, options.scale);
+    ExperimentPlan plan;
+    plan.seed = global.seed;
+    plan.truth_cache = options.truth_cache;
+    plan.command = global.command_line;
+    plan.keep_gbuffer = false;
+    plan.claim_scale = options.scale;
+    plan_claims(plan, lists);
+    for (const ClaimList& list : lists) {
+        for (const Claim& claim : list.claims) plan.claim_ids.push_back(claim.id);
+    }
+    return run_and_report(plan, options.out.empty() ? home_dir() / "reports" / "out" / "claims" : options.out,
+                          options.outcome);
+}
+
+}  // namespace
+
+CommandEntry add_claims_command(CLI::App& program, const GlobalOptions& global) {
+    CLI::App* app = program.add_subcommand("claims",
+                                           "Measure what the published claims of reports/claims/ state, and "
+                                           "say which hold; prints the page's path");
+    const auto options = std::make_shared<Options>();
+    app->add_option("id", options->ids, "Claims to judge, such as H01 [all]");
+    app->add_option("--scale", options->scale, "Makes every picture this many times as wide and high")
+        ->check(CLI::Range(0.05, 8.0))
+        ->capture_default_str();
+    add_cache_option(*app, options->truth_cache);
+    app->add_option("--out", options->out, "Folder of page and results [reports/out/claims]");
+    add_outcome_options(*app, options->outcome);
+    return {app, [options, &global] { return run(*options, global); }};
+}
+
+}  // namespace aoscore

@@ -1,0 +1,131 @@
+#include "cli/command.h"
+#include "cli/method_options.h"
+#include "cli/run_and_report.h"
+#include "cli/shared_options.h"
+#include "core/files.h"
+#include "experiment/sweep.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <memory>
+
+namespace aoscore {
+namespace {
+
+struct Options {
+    std::string scene;
+    std::vector<std::string> views;
+    std::vector<std::string> methods;
+    std::vector<std::string> axes;
+    MethodOptions method_options;
+    ImageSize size;
+    std::vector<double> radii;
+    TruthEffort effort;
+    std::optional<double> budget_ms;
+    bool keep_images = false;
+    std::filesystem::path methods_dir;
+    std::filesystem::path truth_cache;
+    std::filesystem::path out;
+    OutcomeOptions outcome;
+};
+
+SweepRequest request_of(const Options& options, const Registry& registry) {
+    SweepRequest request;
+    request.methods = options.methods;
+    if (options.methods.empty() || options.methods == std::vector<std::string>{"all"}) {
+        request.methods.clear();
+        for (const MethodDescriptor& method : registry.methods) request.methods.push_back(method.id);
+    }
+    if (!options.method_options.preset.empty()) request.base.preset = options.method_options.preset;
+    if (!options.method_options.filter.empty()) request.base.filter = options.method_options.filter;
+    request.base.modes = options.method_options.modes;
+    request.base.own_truth = false;
+    request.base.keep_image = options.keep_images;
+    for (const std::string& text : options.method_options.assignments) {
+        const SweepAxis assignment = parse_axis(text);
+        request.base.overrides[assignment.id] = assignment.values.front();
+    }
+    for (const std::string& text : options.axes) {
+        SweepAxis axis = parse_axis(text);
+        for (const SweepAxis& other : request.axes) {
+            if (other.id == axis.id) throw usage_error(axis.id + " is varied twice", "--vary " + text);
+        }
+        request.axes.push_back(std::move(axis));
+    }
+    return request;
+}
+
+ExitCode run(const Options& options, const GlobalOptions& global) {
+    if (options.radii.size() > 1 || (!options.radii.empty() && !std::isfinite(options.radii[0]))) {
+        throw usage_error("a sweep is ranked at one finite radius", "--radius", "one length in metres");
+    }
+    ExperimentPlan plan;
+    plan.seed = global.seed;
+    plan.truth_cache = options.truth_cache;
+    plan.methods_dir = options.methods_dir;
+    plan.command = global.command_line;
+    plan.keep_gbuffer = options.keep_images;
+    ViewPlan view;
+    view.scene = options.scene;
+    view.width = options.size.width;
+    view.height = options.size.height;
+    view.samples = options.effort.samples;
+    view.max_error = options.effort.max_error;
+    if (!options.radii.empty()) view.radius_m = options.radii[0];
+    view.extras = {};  // they say more of one picture than curves can show
+    view.timing_goal = TimingGoal();
+    const Registry registry = load_registry(options.methods_dir);
+    const SweepRequest request = request_of(options, registry);
+    SweepPlan sweep;
+    sweep.title = "Sweep of " + options.scene;
+    sweep.budget_ms = options.budget_ms;
+    const std::vector<std::string> views =
+        options.views.empty() ? std::vector<std::string>{""} : options.views;
+    for (const std::string& id : views) {
+        view.view = id;
+        add_sweep(plan, view, request, sweep, registry);
+    }
+    for (const std::string& note : sweep.notes) log_info(note);
+    plan.sweeps.push_back(std::move(sweep));
+    const std::string stem = std::filesystem::path(options.scene).stem().string();
+    const std::filesystem::path folder =
+        options.out.empty() ? home_dir() / "reports" / "out" / ("sweep-" + stem) : options.out;
+    return run_and_report(std::move(plan), folder, options.outcome);
+}
+
+}  // namespace
+
+CommandEntry add_sweep_command(CLI::App& program, const GlobalOptions& global) {
+    CLI::App* app = program.add_subcommand(
+        "sweep", "Run time against error over parameters of methods; prints the page's path");
+    const auto options = std::make_shared<Options>();
+    app->add_option("scene", options->scene, "A built-in scene (see list scenes), or a .gltf or .glb file")
+        ->required();
+    app->add_option("--view", options->views, "Views of the scene (see list views SCENE) [all]")
+        ->delimiter(',');
+    app->add_option("--methods", options->methods, "Methods to sweep (see list methods) [all]")
+        ->delimiter(',');
+    app->add_option("--vary", options->axes,
+                    "PARAM=v1,v2,...: a parameter, filter.PARAM, preset, filter, size, resolution, border, "
+                    "normals or precision; several make their product")
+        ->allow_extra_args(false)
+        ->required();
+    app->add_option("--budget-ms", options->budget_ms,
+                    "What AO and filter may cost here; the page names the most accurate setting within it")
+        ->check(CLI::PositiveNumber);
+    add_method_options(*app, options->method_options);
+    add_size_option(*app, options->size);
+    add_radii_option(*app, options->radii);
+    add_truth_options(*app, options->effort);
+    app->add_flag("--images", options->keep_images, "Keep every picture, and show them on the page");
+    app->add_option("--methods-dir", options->methods_dir, "A folder of methods of your own");
+    add_cache_option(*app, options->truth_cache);
+    app->add_option("--out", options->out,
+                    "Folder of page, results.json and sweep.csv [reports/out/sweep-SCENE]");
+    add_outcome_options(*app, options->outcome);
+    return {app, [options, &global] { return run(*options, global); }};
+}
+
+}  // namespace aoscore

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "results/results.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace aoscore {
+
+/// A number, and what repeating its measurement could have given instead: expressions of several are
+/// evaluated draw by draw, so that they have an interval too.
+struct Measured {
+    std::optional<double> value;
+    std::vector<double> draws;  ///< empty: taken as exact
+
+    struct Range {
+        double low = 0, high = 0;
+    };
+    /// The middle 95 % of the draws, or the value itself; empty without a value or where a draw is not
+    /// finite.
+    std::optional<Range> range() const;
+};
+
+/// f of the values, and of every draw of them together. Empty where one of them is, or f is not finite.
+Measured combined(const std::vector<Measured>& of,
+                  const std::function<double(const std::vector<double>&)>& f);
+
+/// Something that is measured of a cell.
+struct Quantity {
+    std::string_view id;     ///< "ao_ms"
+    std::string_view label;  ///< "AO pass"
+    std::string_view unit;
+    int decimals = 2;
+    Measured (*measure)(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed);
+};
+/// The one table of quantities.
+const std::vector<Quantity>& quantities();
+/// The row of the table. Throws file_error at `where` that lists the known ones.
+const Quantity& find_quantity(std::string_view id, const std::string& where);
+
+}  // namespace aoscore

@@ -1,0 +1,101 @@
+#include "experiment/measurement_store.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/hash.h"
+#include "core/log.h"
+
+#include <fmt/format.h>
+
+namespace aoscore {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::string digest_of(const std::string& bytes) {
+    return Digest().text(bytes).hex();
+}
+
+/// The payload of an entry's file. Throws file_error where it is not what was put under the key.
+json checked_payload(const fs::path& path, const std::string& key) {
+    const json entry = json::parse(read_file(path), nullptr, false);
+    const bool whole = entry.is_object() && entry.value("key", "") == key && entry.contains("payload") &&
+                       entry.value("digest", "") == digest_of(entry.at("payload").dump());
+    if (!whole) throw file_error("is damaged", path.string());
+    return entry.at("payload");
+}
+
+}  // namespace
+
+fs::path MeasurementStore::folder_in(const fs::path& cache) {
+    return cache.empty() ? fs::path() : cache / "measurements";
+}
+
+fs::path MeasurementStore::entry(const std::string& key, const std::string& extension) const {
+    return folder_ / key.substr(0, 2) / (key + extension);
+}
+
+std::optional<json> MeasurementStore::find(const std::string& key) const {
+    if (!enabled()) return std::nullopt;
+    const fs::path path = entry(key, ".json");
+    std::error_code ec;
+    if (!fs::exists(path, ec)) return std::nullopt;
+    try {
+        return checked_payload(path, key);
+    } catch (const Error& e) {
+        log_warning(fmt::format("{}; measured again", e.what()));
+        return std::nullopt;
+    }
+}
+
+void MeasurementStore::put(const std::string& key, const json& payload) const {
+    if (!enabled()) return;
+    const json wrapped = {{"key", key}, {"digest", digest_of(payload.dump())}, {"payload", payload}};
+    write_atomically(entry(key, ".json"), wrapped.dump());
+}
+
+bool MeasurementStore::fetch_file(const std::string& key, const fs::path& target) const {
+    if (!enabled()) return false;
+    const std::optional<json> facts = find(key);
+    if (!facts) return false;
+    const fs::path path = entry(key, facts->value("extension", ""));
+    try {
+        const std::string bytes = read_file(path);
+        if (digest_of(bytes) != facts->value("file_digest", ""))
+            throw file_error("is damaged", path.string());
+        write_atomically(target, bytes);
+        return true;
+    } catch (const Error& e) {
+        log_warning(fmt::format("{}; made again", e.what()));
+        return false;
+    }
+}
+
+void MeasurementStore::put_file(const std::string& key, const fs::path& source) const {
+    if (!enabled()) return;
+    const std::string bytes = read_file(source);
+    const std::string extension = source.extension().string();
+    write_atomically(entry(key, extension), bytes);
+    put(key, {{"extension", extension}, {"file_digest", digest_of(bytes)}});
+}
+
+std::vector<fs::path> MeasurementStore::damaged() const {
+    std::vector<fs::path> paths;
+    if (!enabled() || !fs::is_directory(folder_)) return paths;
+    for (const auto& file : fs::recursive_directory_iterator(folder_)) {
+        if (!file.is_regular_file() || file.path().extension() != ".json") continue;
+        const std::string key = file.path().stem().string();
+        try {
+            const json payload = checked_payload(file.path(), key);
+            if (!payload.is_object() || !payload.contains("file_digest")) continue;
+            const fs::path image = entry(key, payload.value("extension", ""));
+            if (digest_of(read_file(image)) != payload.at("file_digest")) paths.push_back(image);
+        } catch (const Error&) {
+            paths.push_back(file.path());
+        }
+    }
+    return paths;
+}
+
+}  // namespace aoscore

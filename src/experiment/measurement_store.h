@@ -1,0 +1,41 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace aoscore {
+
+/// Measurements that were made before, by a digest of everything that decides them. Entries are written whole
+/// or not at all, so that several processes may share a store; one that is damaged is named in a warning and
+/// counts as missing. Only the processes that write it know what its entries mean.
+class MeasurementStore {
+  public:
+    /// The part of a cache's folder that measurements are kept in; empty for an empty one.
+    static std::filesystem::path folder_in(const std::filesystem::path& cache);
+
+    /// An empty folder stores and finds nothing.
+    explicit MeasurementStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    bool enabled() const { return !folder_.empty(); }
+
+    std::optional<nlohmann::json> find(const std::string& key) const;
+    void put(const std::string& key, const nlohmann::json& payload) const;
+
+    /// Copies the file that was put under the key to `target`; false where there is none, or it is damaged.
+    bool fetch_file(const std::string& key, const std::filesystem::path& target) const;
+    void put_file(const std::string& key, const std::filesystem::path& source) const;
+
+    /// Every entry's file that does not hold what was put; empty when all do.
+    std::vector<std::filesystem::path> damaged() const;
+
+  private:
+    std::filesystem::path entry(const std::string& key, const std::string& extension) const;
+
+    std::filesystem::path folder_;
+};
+
+}  // namespace aoscore

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "reference/truth.h"
+#include "scene/scene.h"
+#include "screen/screen.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace aoscore {
+
+/// What measures a scene, made ready only when something is asked of it: a run that finds everything in the
+/// store builds nothing.
+class SceneTools {
+  public:
+    /// The scene that is measured from here on; it must outlive its use.
+    void choose(const Scene& scene);
+
+    /// Built for the chosen scene.
+    const ReferenceScene& reference();
+    /// With the chosen scene uploaded.
+    ScreenRenderer& ready_renderer();
+    /// For questions about OpenGL itself.
+    ScreenRenderer& renderer() { return renderer_; }
+
+  private:
+    ScreenRenderer renderer_;
+    const Scene* scene_ = nullptr;
+    const Scene* uploaded_ = nullptr;
+    std::unique_ptr<ReferenceScene> reference_;
+};
+
+}  // namespace aoscore

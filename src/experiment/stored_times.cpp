@@ -1,0 +1,31 @@
+#include "experiment/stored_times.h"
+
+#include "core/error.h"
+#include "core/strict_json.h"
+
+namespace aoscore {
+namespace {
+
+std::vector<double> numbers(StrictObject& object, const char* key) {
+    const nlohmann::json& list = object.raw(key);
+    if (!list.is_array()) throw file_error("is no list", object.where(key));
+    return object.numbers(key, list.size());
+}
+
+}  // namespace
+
+nlohmann::json to_json(const StoredTimes& times) {
+    return {{"ao_ms", times.ao_ms}, {"filter_ms", times.filter_ms}, {"fixed_pass_ms", times.fixed_pass_ms}};
+}
+
+StoredTimes stored_times_from_json(const nlohmann::json& json, const std::string& where) {
+    StrictObject object(json, where);
+    StoredTimes times;
+    times.ao_ms = numbers(object, "ao_ms");
+    times.filter_ms = numbers(object, "filter_ms");
+    times.fixed_pass_ms = object.number("fixed_pass_ms", 0, 1e9);
+    object.finish();
+    return times;
+}
+
+}  // namespace aoscore

@@ -1,0 +1,84 @@
+#include "experiment/work_plan.h"
+
+#include "core/hash.h"
+#include "core/threads.h"
+#include "experiment/machine.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace aoscore {
+namespace {
+
+double megapixels(const ViewRun& run) {
+    return run.plan.width * 1e-6 * run.plan.height;
+}
+
+/// Seconds a million pixels: of the truth for each ray, and of everything else for each cell.
+struct Pace {
+    double truth = 0, cell = 0;
+};
+
+std::string pace_key() {
+    Digest digest;
+    digest.text("pace").text(cpu_name()).value(thread_count());
+    return digest.hex();
+}
+
+std::optional<Pace> find_pace(const MeasurementStore& store) {
+    const auto found = store.find(pace_key());
+    if (!found || !found->is_object()) return std::nullopt;
+    const Pace pace{found->value("truth", 0.0), found->value("cell", 0.0)};
+    return pace.truth > 0 && pace.cell > 0 ? std::optional(pace) : std::nullopt;
+}
+
+std::string duration_text(double seconds) {
+    if (seconds < 90) return fmt::format("{:.0f} s", std::max(seconds, 1.0));
+    return fmt::format("{:.0f} min", seconds / 60);
+}
+
+}  // namespace
+
+std::string WorkPlan::text() const {
+    const std::size_t to_do = cells - cells_known;
+    std::string text = fmt::format("plan: {} {} on {} {}; ", cells, cells == 1 ? "cell" : "cells", views,
+                                   views == 1 ? "view" : "views");
+    if (to_do == 0 && views_known == views) return text + "all measured before";
+    text += fmt::format("{} measured before, {} to do", cells_known, to_do);
+    if (views_known < views) text += fmt::format(", {} to trace", views - views_known);
+    return text + (seconds ? ", about " + duration_text(*seconds) : std::string(", time not known yet"));
+}
+
+WorkPlan plan_work(const std::vector<ViewRun>& runs, const std::vector<ViewStock>& stocks,
+                   const MeasurementStore& store) {
+    WorkPlan plan;
+    const std::optional<Pace> pace = find_pace(store);
+    double seconds = 0;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const std::size_t missing = stocks[i].missing();
+        ++plan.views;
+        plan.views_known += stocks[i].view.has_value();
+        plan.cells += runs[i].cells.size();
+        plan.cells_known += runs[i].cells.size() - missing;
+        if (!pace || stocks[i].complete()) continue;
+        seconds += megapixels(runs[i]) *
+                   (pace->truth * runs[i].plan.samples + pace->cell * static_cast<double>(missing));
+    }
+    if (pace) plan.seconds = seconds;
+    return plan;
+}
+
+void learn_pace(const MeasurementStore& store, const ViewRun& run, const ViewOutcome& outcome,
+                double seconds) {
+    if (!store.enabled() || outcome.measured == 0 || outcome.rays == 0) return;
+    const double truth_s = outcome.view.truth_seconds;
+    const Pace now{
+        truth_s / (megapixels(run) * run.plan.samples),
+        std::max(seconds - truth_s, 0.0) / (megapixels(run) * static_cast<double>(outcome.measured))};
+    const Pace before = find_pace(store).value_or(now);
+    store.put(pace_key(),
+              {{"truth", (before.truth + now.truth) / 2}, {"cell", (before.cell + now.cell) / 2}});
+}
+
+}  // namespace aoscore

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "experiment/view_run.h"
+#include "experiment/view_stock.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace aoscore {
+
+/// What a run has before it.
+struct WorkPlan {
+    std::size_t views = 0, views_known = 0;  ///< known: in the store
+    std::size_t cells = 0, cells_known = 0;
+    std::optional<double> seconds;  ///< estimated; empty where this machine has not measured before
+
+    /// "80 cells on 2 views: 60 cells and 2 views measured before, 20 to do, about 3 min".
+    std::string text() const;
+};
+
+WorkPlan plan_work(const std::vector<ViewRun>& runs, const std::vector<ViewStock>& stocks,
+                   const MeasurementStore& store);
+
+/// Remembers how long a view took on this machine, for the next estimate.
+void learn_pace(const MeasurementStore& store, const ViewRun& run, const ViewOutcome& outcome,
+                double seconds);
+
+}  // namespace aoscore

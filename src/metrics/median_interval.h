@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace aoscore {
+
+/// Holds the median of what the values were drawn from.
+struct MedianInterval {
+    double low = 0, high = 0;
+};
+
+/// The interval between two of the values that holds the median with at least this confidence, whatever they
+/// are distributed like (by the sign test; Conover, Practical Nonparametric Statistics, 1999). Empty where
+/// there are too few: 95 % needs six.
+std::optional<MedianInterval> median_interval(std::vector<double> values, double confidence = 0.95);
+
+}  // namespace aoscore

@@ -1,0 +1,190 @@
+#include "report/number_text.h"
+#include "report/page_template.h"
+#include "report/section.h"
+#include "results/sweep_rows.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace aoscore {
+namespace {
+
+using nlohmann::json;
+using Rows = std::vector<const SweepRow*>;
+
+json number(std::optional<double> value) {
+    return value && std::isfinite(*value) ? json(*value) : json();
+}
+
+/// The points of one view as the script's charts read them: for each method its settings by cost.
+json chart_data(const Rows& rows, std::optional<double> budget_ms) {
+    std::map<std::string, std::vector<const SweepRow*>> by_method;
+    for (const SweepRow* row : rows) {
+        if (row->cost_ms && row->error) by_method[row->cell->method_label].push_back(row);
+    }
+    json curves = json::array();
+    for (auto& [label, points] : by_method) {
+        json list = json::array();
+        for (const SweepRow* row : points) {
+            list.push_back({{"at", point_text(*row->point)},
+                            {"ms", number(row->cost_ms)},
+                            {"ms_low", number(row->cost_low_ms)},
+                            {"ms_high", number(row->cost_high_ms)},
+                            {"relative", number(row->relative_cost)},
+                            {"fetches", number(row->cell->fetches_per_pixel)},
+                            {"error", number(row->error)},
+                            {"raw", number(row->raw_error)},
+                            {"fitted", number(row->fitted_error)},
+                            {"front", row->on_front}});
+        }
+        curves.push_back({{"label", label}, {"points", std::move(list)}});
+    }
+    return {{"curves", std::move(curves)}, {"budget_ms", number(budget_ms)}};
+}
+
+std::string cost_text(const SweepRow& row, int decimals) {
+    if (!row.cost_low_ms) return fixed_text(row.cost_ms, decimals);
+    return fmt::format("{} ({} to {})", fixed_text(row.cost_ms, decimals),
+                       fixed_text(row.cost_low_ms, decimals), fixed_text(row.cost_high_ms, decimals));
+}
+
+json row_model(const SweepRow& row, int decimals) {
+    const auto bias = row.cell->ranked.find("bias");
+    return {{"cell", row.cell->id},
+            {"method", row.cell->method_label},
+            {"at", point_text(*row.point)},
+            {"failed", !row.cell->error.empty()},
+            {"reason", row.cell->error},
+            {"cost", cost_text(row, decimals)},
+            {"cost_sort", row.cost_ms ? fmt::format("{:.6g}", *row.cost_ms) : ""},
+            {"relative", fixed_text(row.relative_cost, 2)},
+            {"fetches", fixed_text(row.cell->fetches_per_pixel, 1)},
+            {"error", fixed_text(row.error, 4)},
+            {"raw", fixed_text(row.raw_error, 4)},
+            {"fitted", fixed_text(row.fitted_error, 4)},
+            {"bias", bias == row.cell->ranked.end() ? kNoNumber : fixed_text(bias->second.value, 4)},
+            {"front", row.on_front},
+            {"within", row.within_budget.value_or(false)}};
+}
+
+std::string setting(const SweepRow& row) {
+    return fmt::format("{} ({})", row.cell->method_label, point_text(*row.point));
+}
+
+/// Which settings lead, in a sentence or two.
+std::string answer(const Rows& rows, std::optional<double> budget_ms) {
+    Rows front;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(front),
+                 [](const SweepRow* r) { return r->on_front; });
+    if (front.empty()) return "Nothing could be measured.";
+    std::sort(front.begin(), front.end(),
+              [](const SweepRow* a, const SweepRow* b) { return *a->cost_ms < *b->cost_ms; });
+    std::vector<std::string> names;
+    for (const SweepRow* row : front) {
+        names.push_back(fmt::format("{} at {} ms with {}", setting(*row), fixed_text(row->cost_ms, 2),
+                                    fixed_text(row->error, 4)));
+    }
+    std::string text = fmt::format("No setting is both faster and closer than {}.", fmt::join(names, "; "));
+    if (budget_ms) {
+        const SweepRow* best = nullptr;
+        for (const SweepRow* row : front) {
+            if (*row->cost_ms <= *budget_ms) best = row;
+        }
+        text += best == nullptr
+                    ? fmt::format(" Nothing fits into {} ms.", short_text(*budget_ms))
+                    : fmt::format(" Within {} ms the closest is {}.", short_text(*budget_ms), setting(*best));
+    }
+    return text;
+}
+
+std::optional<double> median_fixed_pass(const Rows& rows) {
+    std::vector<double> all;
+    for (const SweepRow* row : rows) {
+        if (row->cell->fixed_pass_ms) all.push_back(*row->cell->fixed_pass_ms);
+    }
+    if (all.empty()) return std::nullopt;
+    std::sort(all.begin(), all.end());
+    return all[all.size() / 2];
+}
+
+json view_model(const ViewRecord& view, const Rows& rows, const SweepRecord& sweep) {
+    std::vector<std::optional<double>> costs;
+    for (const SweepRow* row : rows) costs.push_back(row->cost_ms);
+    const int decimals = column_decimals(costs);
+    json model = {{"key", view.key},
+                  {"size", fmt::format("{}×{}", view.width, view.height)},
+                  {"radius", short_text(view.radius_m)},
+                  {"fixed_pass", fixed_text(median_fixed_pass(rows), 2)},
+                  {"answer", answer(rows, sweep.budget_ms)},
+                  {"budget", sweep.budget_ms.has_value()},
+                  {"data", script_json(chart_data(rows, sweep.budget_ms))},
+                  {"rows", json::array()}};
+    for (const SweepRow* row : rows) model["rows"].push_back(row_model(*row, decimals));
+    return model;
+}
+
+/// What the source of a definition states of its own measurements, and nothing that it does not.
+json stated_models(const json& definition) {
+    json list = json::array();
+    for (const json& stated : definition.value("stated", json::array())) {
+        const json& value = stated.at("value");
+        std::string text = value.is_null()     ? "not in the text"
+                           : value.is_string() ? value.get<std::string>()
+                                               : short_text(value.get<double>());
+        const std::string unit = stated.value("unit", "");
+        if (!unit.empty() && !value.is_null()) text += " " + unit;
+        list.push_back({{"what", stated.at("what")}, {"value", text}, {"where", stated.at("where")}});
+    }
+    return list;
+}
+
+json source_model(const json& definition) {
+    if (!definition.is_object()) return false;
+    const json& source = definition.at("source");
+    json model = {{"text", fmt::format("{}, {}, {}", source.at("author").get<std::string>(),
+                                       source.at("title").get<std::string>(), source.at("year").get<int>())},
+                  {"hardware", definition.at("hardware").get<std::string>()},
+                  {"stated", stated_models(definition)},
+                  {"notes", definition.value("notes", json::array())},
+                  {"claims", json::array()}};
+    for (const json& id : definition.value("claims", json::array())) model["claims"].push_back({{"id", id}});
+    model["has_stated"] = !model["stated"].empty();
+    model["has_claims"] = !model["claims"].empty();
+    return model;
+}
+
+json sweep_model(const Results& results, const SweepRecord& sweep) {
+    const std::vector<SweepRow> rows = sweep_rows(results, sweep);
+    std::vector<std::pair<const ViewRecord*, Rows>> views;
+    for (const SweepRow& row : rows) {
+        auto found =
+            std::find_if(views.begin(), views.end(), [&](const auto& v) { return v.first == row.view; });
+        if (found == views.end()) found = views.insert(views.end(), {row.view, {}});
+        found->second.push_back(&row);
+    }
+    json model = {{"title", sweep.title},
+                  {"source", source_model(sweep.definition)},
+                  {"count", std::to_string(rows.size())},
+                  {"confidence", percent_text(sweep.timing_confidence, 0)},
+                  {"axes", fmt::format("{}", fmt::join(sweep.axes, ", "))},
+                  {"has_notes", !sweep.notes.empty()},
+                  {"notes", sweep.notes},
+                  {"views", json::array()}};
+    for (const auto& [view, of_view] : views) model["views"].push_back(view_model(*view, of_view, sweep));
+    return model;
+}
+
+}  // namespace
+
+json section::sweeps(const PageSource& source) {
+    json model = {{"sweeps", json::array()}};
+    for (const SweepRecord& sweep : source.results.sweeps)
+        model["sweeps"].push_back(sweep_model(source.results, sweep));
+    return model;
+}
+
+}  // namespace aoscore

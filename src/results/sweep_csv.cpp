@@ -1,0 +1,85 @@
+#include "results/sweep_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace aoscore {
+namespace {
+
+std::string field(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
+std::string field(std::optional<double> number) {
+    return number ? fmt::format("{:.9g}", *number) : "";
+}
+
+std::string field(const nlohmann::json& value) {
+    return field(value.is_string() ? value.get<std::string>() : value.dump());
+}
+
+class Line {
+  public:
+    template <class T>
+    Line& add(const T& value) {
+        text_ += (text_.empty() ? "" : ",") + field(value);
+        return *this;
+    }
+    std::string text() const { return text_ + "\r\n"; }
+
+  private:
+    std::string text_;
+};
+
+std::optional<double> metric_of(const CellRecord& cell, const std::string& id) {
+    const auto found = cell.ranked.find(id);
+    return found == cell.ranked.end() ? std::nullopt : found->second.value;
+}
+
+}  // namespace
+
+std::string sweeps_as_csv(const Results& results) {
+    std::set<std::string> axes;
+    for (const SweepRecord& sweep : results.sweeps) axes.insert(sweep.axes.begin(), sweep.axes.end());
+    Line head;
+    for (const char* name : {"sweep", "view", "width", "height", "method", "preset_run", "filter_run"})
+        head.add(std::string(name));
+    for (const std::string& axis : axes) head.add("at." + axis);
+    for (const char* name : {"ao_ms", "filter_ms", "cost_ms", "cost_low_ms", "cost_high_ms", "runs",
+                             "relative_cost", "fetches", "rmse_debiased", "rmse", "rmse_debiased_fitted",
+                             "rmse_debiased_unfiltered", "bias", "ssim", "flip", "pareto", "failed"})
+        head.add(std::string(name));
+    std::string csv = head.text();
+    for (const SweepRecord& sweep : results.sweeps) {
+        for (const SweepRow& row : sweep_rows(results, sweep)) {
+            const CellRecord& cell = *row.cell;
+            Line line;
+            line.add(sweep.title).add(row.view->key);
+            line.add(std::optional<double>(row.view->width)).add(std::optional<double>(row.view->height));
+            line.add(cell.method).add(cell.preset).add(cell.filter);
+            for (const std::string& axis : axes) {
+                const auto found = row.point->at.find(axis);
+                if (found == row.point->at.end())
+                    line.add(std::string());
+                else
+                    line.add(found->second);
+            }
+            line.add(cell.ao.median_ms).add(cell.blur.median_ms);
+            line.add(row.cost_ms).add(row.cost_low_ms).add(row.cost_high_ms);
+            line.add(std::optional<double>(static_cast<double>(cell.ao.runs_ms.size())));
+            line.add(row.relative_cost).add(cell.fetches_per_pixel);
+            line.add(row.error).add(row.raw_error).add(row.fitted_error).add(row.unfiltered_error);
+            for (const char* id : {"bias", "ssim", "flip"}) line.add(metric_of(cell, id));
+            line.add(std::string(row.on_front ? "1" : "0")).add(cell.error);
+            csv += line.text();
+        }
+    }
+    return csv;
+}
+
+}  // namespace aoscore

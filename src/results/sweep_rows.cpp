@@ -1,0 +1,88 @@
+#include "results/sweep_rows.h"
+
+#include "core/error.h"
+#include "metrics/median_interval.h"
+#include "metrics/pareto.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+
+namespace aoscore {
+namespace {
+
+template <class Record, class Id>
+const Record& named(const std::vector<Record>& records, const std::string& id, Id id_of) {
+    const auto found =
+        std::find_if(records.begin(), records.end(), [&](const Record& r) { return id_of(r) == id; });
+    if (found == records.end()) throw file_error("names " + id + ", which it lacks", "results.json: sweeps");
+    return *found;
+}
+
+std::optional<double> value_of(const MetricMap& metrics, const std::string& id) {
+    const auto found = metrics.find(id);
+    return found == metrics.end() ? std::nullopt : found->second.value;
+}
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t middle = values.size() / 2;
+    return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
+void add_costs(SweepRow& row, const SweepRecord& sweep) {
+    const CellRecord& cell = *row.cell;
+    if (cell.ao.runs_ms.empty()) return;
+    std::vector<double> runs = cell.ao.runs_ms;
+    for (std::size_t i = 0; i < runs.size() && i < cell.blur.runs_ms.size(); ++i)
+        runs[i] += cell.blur.runs_ms[i];
+    row.cost_ms = median(runs);
+    if (const auto interval = median_interval(std::move(runs), sweep.timing_confidence)) {
+        row.cost_low_ms = interval->low;
+        row.cost_high_ms = interval->high;
+    }
+    if (cell.fixed_pass_ms.value_or(0) > 0) row.relative_cost = *row.cost_ms / *cell.fixed_pass_ms;
+    if (sweep.budget_ms) row.within_budget = *row.cost_ms <= *sweep.budget_ms;
+}
+
+}  // namespace
+
+std::vector<SweepRow> sweep_rows(const Results& results, const SweepRecord& sweep) {
+    std::vector<SweepRow> rows;
+    std::map<const ViewRecord*, std::vector<std::size_t>> by_view;
+    for (const SweepPointRecord& point : sweep.points) {
+        SweepRow row;
+        row.point = &point;
+        row.cell = &named(results.cells, point.cell_id, [](const CellRecord& c) { return c.id; });
+        row.view = &named(results.views, row.cell->view_key, [](const ViewRecord& v) { return v.key; });
+        if (row.cell->error.empty()) {
+            add_costs(row, sweep);
+            row.error = value_of(row.cell->ranked, "rmse_debiased");
+            row.raw_error = value_of(row.cell->ranked, "rmse");
+            if (row.cell->analysis) row.fitted_error = row.cell->analysis->fit.rmse_debiased;
+            row.unfiltered_error = value_of(row.cell->raw, "rmse_debiased");
+        }
+        by_view[row.view].push_back(rows.size());
+        rows.push_back(row);
+    }
+    for (const auto& [view, indices] : by_view) {
+        std::vector<CostAndError> points;
+        for (const std::size_t i : indices) points.push_back({rows[i].cost_ms, rows[i].error});
+        const std::vector<bool> front = pareto_front(points);
+        for (std::size_t k = 0; k < indices.size(); ++k) rows[indices[k]].on_front = front[k];
+    }
+    return rows;
+}
+
+std::string point_text(const SweepPointRecord& point) {
+    std::vector<std::string> parts;
+    for (const auto& [axis, value] : point.at) {
+        if (axis == "method") continue;
+        parts.push_back(axis + " " + (value.is_string() ? value.get<std::string>() : value.dump()));
+    }
+    return parts.empty() ? "as it is" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+}  // namespace aoscore

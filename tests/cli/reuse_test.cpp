@@ -1,0 +1,141 @@
+// What was measured before is not measured again, and nothing else is taken for it.
+#include "core/files.h"
+#include "results/results.h"
+#include "support/support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace aoscore {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using testing::output_dir;
+
+/// Runs the program in the test's folder with a cache of the test's own.
+Results results_of(const std::string& arguments, const fs::path& folder, std::string* said = nullptr) {
+    const auto run = testing::run_aoscore(arguments + " --out out", folder);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    if (said != nullptr) *said = run.err;
+    return run.exit_code == 0 ? read_results(folder / "out") : Results();
+}
+
+void expect_same_numbers(const Results& a, const Results& b) {
+    ASSERT_EQ(a.cells.size(), b.cells.size());
+    for (std::size_t i = 0; i < a.cells.size(); ++i) {
+        EXPECT_EQ(a.cells[i].id, b.cells[i].id);
+        for (const auto& [id, measured] : a.cells[i].ranked)
+            EXPECT_EQ(measured.value, b.cells[i].ranked.at(id).value) << a.cells[i].id << " " << id;
+        EXPECT_EQ(a.cells[i].fetches_per_pixel, b.cells[i].fetches_per_pixel);
+    }
+}
+
+const std::string kSweep =
+    "sweep wall --view facing --methods alchemy,hbao --vary samples=2,4 --vary directions=2,4 --size 48x32 "
+    "--samples 8";
+
+TEST(Reuse, ASecondRunTracesDrawsAndCompilesNothing) {
+    const auto folder = output_dir();
+    std::string said;
+    const Results cold = results_of(kSweep, folder, &said);
+    EXPECT_THAT(said, HasSubstr("0 measured before, 4 to do"));
+    EXPECT_GT(cold.work.rays, 0u);
+    EXPECT_EQ(cold.work.gbuffers, 1u) << "no G-buffer is drawn twice";
+    // Each cell has a shader that draws and one that counts; the fixed pass draws.
+    EXPECT_LE(cold.work.compilations, 2 * 4 + 1u + 3u) << "no program is compiled twice";
+    EXPECT_EQ(cold.work.cells_measured, 4u);
+    const Results warm = results_of(kSweep, folder, &said);
+    EXPECT_THAT(said, HasSubstr("all measured before"));
+    EXPECT_EQ(warm.work.rays, 0u);
+    EXPECT_EQ(warm.work.gbuffers, 0u);
+    EXPECT_EQ(warm.work.passes, 0u);
+    EXPECT_EQ(warm.work.compilations, 0u);
+    EXPECT_EQ(warm.work.cells_reused, 4u);
+    expect_same_numbers(cold, warm);
+    for (std::size_t i = 0; i < cold.cells.size(); ++i)
+        EXPECT_EQ(cold.cells[i].ao.runs_ms, warm.cells[i].ao.runs_ms);
+}
+
+TEST(Reuse, ALargerSweepMeasuresOnlyWhatIsNew) {
+    const auto folder = output_dir();
+    results_of(kSweep, folder);
+    const Results more = results_of(
+        "sweep wall --view facing --methods alchemy,hbao --vary samples=2,4,8 --vary directions=2,4 --size "
+        "48x32 "
+        "--samples 8",
+        folder);
+    EXPECT_EQ(more.work.cells_measured, 1u);
+    EXPECT_EQ(more.work.cells_reused, 4u);
+}
+
+TEST(Reuse, WhatDecidesANumberIsInItsKey) {
+    const auto folder = output_dir();
+    results_of(kSweep, folder);
+    for (const std::string change :
+         {"--radius 0.7", "--seed 2", "--set sigma=0.2 --set bias=0.1", "--filter none"})
+        EXPECT_EQ(results_of(kSweep + " " + change, folder).work.cells_measured, 4u) << change;
+    EXPECT_EQ(results_of(kSweep + " --no-cache", folder).work.cells_reused, 0u);
+}
+
+TEST(Reuse, APageOfPicturesComesBackWhole) {
+    const auto folder = output_dir();
+    const std::string score = "score wall --view facing --methods alchemy --size 48x32 --samples 8";
+    const Results cold = results_of(score, folder);
+    const std::string picture = read_file(folder / "out" / cold.cells.at(0).image_file);
+    fs::remove_all(folder / "out");
+    const Results warm = results_of(score, folder);
+    EXPECT_EQ(warm.work.passes, 0u);
+    EXPECT_EQ(warm.work.rays, 0u);
+    EXPECT_EQ(read_file(folder / "out" / warm.cells.at(0).image_file), picture);
+    EXPECT_TRUE(fs::exists(folder / "out" / warm.views.at(0).truth_file));
+    EXPECT_TRUE(fs::exists(folder / "out/index.html"));
+    expect_same_numbers(cold, warm);
+}
+
+TEST(Reuse, AnEditedShaderRepeatsItsOwnMethodOnly) {
+    const auto folder = output_dir();
+    for (const char* name : {"mine-a", "mine-b"}) {
+        fs::create_directories(folder / "methods");
+        fs::copy(home_dir() / "shaders" / "methods" / "alchemy", folder / "methods" / name,
+                 fs::copy_options::recursive);
+    }
+    const std::string sweep =
+        "sweep wall --view facing --methods mine-a,mine-b --vary samples=2,4 --size 48x32 --samples 8 "
+        "--methods-dir "
+        "methods";
+    EXPECT_EQ(results_of(sweep, folder).work.cells_measured, 4u);
+    EXPECT_EQ(results_of(sweep, folder).work.cells_measured, 0u);
+    const fs::path shader = folder / "methods" / "mine-b" / "ao.frag";
+    std::string text = read_file(shader);
+    const std::size_t at = text.find("max(0.0, 1.0");
+    ASSERT_NE(at, std::string::npos);
+    text.replace(at, 12, "max(0.1, 1.0");
+    std::ofstream(shader) << text;
+    const Results edited = results_of(sweep, folder);
+    EXPECT_EQ(edited.work.cells_measured, 2u);
+    EXPECT_EQ(edited.work.cells_reused, 2u);
+    // Two cells, each drawn for its metrics and its fetches and then timed; its twin is not touched.
+    EXPECT_LE(edited.work.compilations, 2 * 2 + 1u + 2u);
+}
+
+TEST(Reuse, ADamagedEntryIsSaidAndMeasuredAgain) {
+    const auto folder = output_dir();
+    const Results cold = results_of(kSweep, folder);
+    const fs::path store = folder / "truth-cache" / "measurements";
+    ASSERT_TRUE(fs::is_directory(store));
+    for (const auto& file : fs::recursive_directory_iterator(store)) {
+        if (file.is_regular_file()) std::ofstream(file.path()) << "not what it was";
+    }
+    std::string said;
+    const Results again = results_of(kSweep, folder, &said);
+    EXPECT_THAT(said, HasSubstr("damaged"));
+    EXPECT_EQ(again.work.cells_measured, 4u);
+    expect_same_numbers(cold, again);
+}
+
+}  // namespace
+}  // namespace aoscore

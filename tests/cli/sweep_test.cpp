@@ -1,0 +1,78 @@
+// Sweeps and claims through the program, as a user runs them.
+#include "core/files.h"
+#include "results/results.h"
+#include "results/sweep_rows.h"
+#include "support/support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+namespace aoscore {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::output_dir;
+using testing::run_aoscore;
+
+TEST(Sweep, MeasuresEverySettingAgainstOneTruthAndWritesACsv) {
+    const auto folder = output_dir();
+    const auto run = run_aoscore(
+        "sweep wall --view facing --methods alchemy,hbao --vary samples=2,4,8 --vary directions=2,4 --size "
+        "48x32 "
+        "--samples 8 --budget-ms 1000 --out out",
+        folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.out, "out/index.html\n");
+    EXPECT_THAT(run.err, HasSubstr("does not apply"));
+    const Results results = read_results(folder / "out");
+    ASSERT_EQ(results.sweeps.size(), 1u);
+    ASSERT_EQ(results.views.size(), 1u);
+    EXPECT_EQ(results.views[0].truths.size(), 1u) << "one truth for all";
+    const std::vector<SweepRow> rows = sweep_rows(results, results.sweeps[0]);
+    ASSERT_EQ(rows.size(), 5u);
+    for (const SweepRow& row : rows) {
+        EXPECT_TRUE(row.cell->error.empty()) << row.cell->error;
+        EXPECT_TRUE(row.cost_ms && row.cost_low_ms && row.relative_cost && row.fitted_error) << row.cell->id;
+        EXPECT_LE(*row.cost_low_ms, *row.cost_ms);
+        EXPECT_LE(*row.cost_ms, *row.cost_high_ms);
+        EXPECT_GE(row.cell->ao.runs_ms.size(), 6u);
+        EXPECT_TRUE(row.cell->image_file.empty()) << "nobody asked for pictures";
+        EXPECT_TRUE(row.within_budget);
+    }
+    EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [](const SweepRow& row) { return row.on_front; }));
+    const std::string csv = read_file(folder / "out/sweep.csv");
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 6);
+    EXPECT_THAT(read_file(folder / "out/index.html"), HasSubstr("sweep-chart"));
+}
+
+TEST(Sweep, FetchesGrowWithTheSamplesOnTheAxis) {
+    const auto folder = output_dir();
+    const auto run = run_aoscore(
+        "sweep wall --view facing --methods alchemy --vary samples=2,4,8 --size 48x32 --samples 8 --out out",
+        folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    for (const CellRecord& cell : read_results(folder / "out").cells)
+        EXPECT_DOUBLE_EQ(*cell.fetches_per_pixel, cell.parameters.at("samples").get<double>()) << cell.id;
+}
+
+TEST(Claims, AreJudgedFromWhatWasMeasuredForThem) {
+    const auto folder = output_dir();
+    const auto run = run_aoscore("claims H14 H33 G37 --scale 0.1 --out out", folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Results results = read_results(folder / "out");
+    std::map<std::string, ClaimRecord> by_id;
+    for (const ClaimRecord& claim : results.claims) by_id[claim.id] = claim;
+    ASSERT_EQ(by_id.size(), 3u);
+    EXPECT_EQ(by_id["H33"].verdict, ClaimRecord::kHolds) << by_id["H33"].reason;
+    EXPECT_FALSE(by_id["H14"].findings.empty());
+    EXPECT_EQ(by_id["G37"].verdict, ClaimRecord::kCannotTell);
+    EXPECT_THAT(by_id["G37"].reason, HasSubstr("frames"));
+    EXPECT_THAT(read_file(folder / "out/index.html"), HasSubstr("claim-H33"));
+    EXPECT_EQ(run_aoscore("claims H99", folder).exit_code, 64);
+}
+
+}  // namespace
+}  // namespace aoscore
