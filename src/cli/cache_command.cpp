@@ -1,5 +1,6 @@
 #include "cli/command.h"
 #include "core/log.h"
+#include "experiment/measurement_store.h"
 #include "reference/cache/truth_cache.h"
 
 #include <fmt/format.h>
@@ -67,6 +68,10 @@ void print(const CacheEntry& entry) {
                bytes_text(entry.bytes), age_text(entry.age_s), state_text(entry));
 }
 
+MeasurementStore measurements() {
+    return MeasurementStore(MeasurementStore::folder_in(default_cache_dir()));
+}
+
 ExitCode list(const TruthCache& cache, const Options&) {
     std::uint64_t bytes = 0;
     const std::vector<CacheEntry> entries = cache.list();
@@ -75,6 +80,8 @@ ExitCode list(const TruthCache& cache, const Options&) {
         bytes += entry.bytes;
     }
     fmt::print("{} truths, {}, in {}\n", entries.size(), bytes_text(bytes), default_cache_dir().string());
+    const MeasurementStore::Size size = measurements().size();
+    fmt::print("{} measurements, {}\n", size.entries, bytes_text(size.bytes));
     return ExitCode::ok;
 }
 
@@ -82,7 +89,8 @@ ExitCode clear(const TruthCache& cache, const Options&) {
     const ClearedCache cleared = cache.clear();
     fmt::print("{} truths removed, {} freed", cleared.files, bytes_text(cleared.bytes));
     if (cleared.kept_in_use > 0) fmt::print("; {} kept, in use by another process", cleared.kept_in_use);
-    fmt::print("\n");
+    const MeasurementStore::Size removed = measurements().clear();
+    fmt::print("\n{} measurements removed, {} freed\n", removed.entries, bytes_text(removed.bytes));
     return ExitCode::ok;
 }
 
@@ -102,6 +110,10 @@ ExitCode verify(const TruthCache& cache, const Options& options) {
                    traced);
     }
     fmt::print("{} truths, {} bad\n", entries.size(), bad);
+    const std::vector<std::filesystem::path> damaged = measurements().damaged();
+    for (const std::filesystem::path& file : damaged) fmt::print("BAD {}\n", file.string());
+    fmt::print("{} measurements, {} bad\n", measurements().size().entries, damaged.size());
+    bad += damaged.size();
     return bad > 0 ? ExitCode::file_error : ExitCode::ok;
 }
 
@@ -114,8 +126,9 @@ const std::map<std::string, Action>& actions() {
 }  // namespace
 
 CommandEntry add_cache_command(CLI::App& program, const GlobalOptions&) {
-    CLI::App* app = program.add_subcommand(
-        "cache", "The truths that are kept, in references/cache or the folder that AOSCORE_CACHE names");
+    CLI::App* app = program.add_subcommand("cache",
+                                           "The truths and measurements that are kept, in references/cache "
+                                           "or the folder that AOSCORE_CACHE names");
     const auto options = std::make_shared<Options>();
     std::vector<std::string> names;
     for (const auto& [id, action] : actions()) names.push_back(id);

@@ -80,6 +80,25 @@ void MeasurementStore::put_file(const std::string& key, const fs::path& source) 
     put(key, {{"extension", extension}, {"file_digest", digest_of(bytes)}});
 }
 
+MeasurementStore::Size MeasurementStore::size() const {
+    Size size;
+    if (!enabled() || !fs::is_directory(folder_)) return size;
+    for (const auto& file : fs::recursive_directory_iterator(folder_)) {
+        if (!file.is_regular_file()) continue;
+        size.entries += file.path().extension() == ".json";
+        size.bytes += file.file_size();
+    }
+    return size;
+}
+
+MeasurementStore::Size MeasurementStore::clear() const {
+    const Size size_before = size();
+    std::error_code ec;
+    if (enabled()) fs::remove_all(folder_, ec);
+    if (ec) throw file_error("cannot be removed: " + ec.message(), folder_.string());
+    return size_before;
+}
+
 std::vector<fs::path> MeasurementStore::damaged() const {
     std::vector<fs::path> paths;
     if (!enabled() || !fs::is_directory(folder_)) return paths;

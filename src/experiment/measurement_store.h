@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -28,6 +29,14 @@ class MeasurementStore {
     /// Copies the file that was put under the key to `target`; false where there is none, or it is damaged.
     bool fetch_file(const std::string& key, const std::filesystem::path& target) const;
     void put_file(const std::string& key, const std::filesystem::path& source) const;
+
+    struct Size {
+        std::size_t entries = 0;
+        std::uintmax_t bytes = 0;
+    };
+    Size size() const;
+    /// Removes everything; what another process needs of it, that one makes again.
+    Size clear() const;
 
     /// Every entry's file that does not hold what was put; empty when all do.
     std::vector<std::filesystem::path> damaged() const;

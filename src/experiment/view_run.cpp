@@ -10,6 +10,7 @@
 #include "experiment/view_description.h"
 #include "experiment/view_measurement.h"
 #include "experiment/view_stock.h"
+#include "reference/cache/truth_cache.h"
 
 #include <fmt/format.h>
 
@@ -88,6 +89,7 @@ class Runner {
         stored.view_source = described.view_source;
         stored.view_note = described.view_note;
         stored.warnings = described.warnings;
+        stored.truth_origin = origin_id(TruthOrigin::cached);
         if (run_.pictured()) {
             stored.truth_file = view_file("truth");
             if (!store_.fetch_file(stock_.truth_file_key, run_.folder / stored.truth_file)) return false;

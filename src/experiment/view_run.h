@@ -30,8 +30,6 @@ struct ViewRun {
     bool keep_gbuffer = true;
     std::filesystem::path truth_cache;  ///< empty: none
     std::string command;                ///< that makes the results again
-    std::filesystem::path truth_cache;  ///< empty: none
-    std::string command;                ///< that makes the results again
     std::set<std::string> kept_inputs;  ///< of the G-buffer, in its file beside what the cells read
     std::filesystem::path folder;       ///< of the results; images go below it
 
