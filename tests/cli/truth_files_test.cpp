@@ -68,7 +68,7 @@ TEST(TruthFile, HoldsBentNormalsAndConesWhereAskedFor) {
 TEST(Score, ResultsSayCausesAndWhatTheTruthSaved) {
     const auto folder = output_dir();
     const auto run =
-        run_aoscore("score pillar --methods alchemy --size 96x64 --error 0.02 --out page", folder);
+        run_aoscore("score pillar --methods alchemy --size 96x64 --error 0.001 --out page", folder);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const Results results = read_results(folder / "page");
     for (const ViewRecord& view : results.views) {

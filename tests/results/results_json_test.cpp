@@ -93,6 +93,7 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     cell.ao = {{1, 2, 4}, 2.0, 1.5};
     cell.blur = {{}, std::nullopt, std::nullopt};
     cell.frame_ms = 3.25;
+    cell.fixed_pass_ms = 12.5;
     cell.nonfinite = 7;
     cell.analysis.emplace().missing.area = 0.125;
     cell.own_truth = "quadratic-1";
@@ -101,8 +102,8 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     results.cells = {cell};
     const CellRecord back = results_from_json(to_json(results), "results.json").cells.at(0);
     const auto& [id, view_key, method, method_label, preset, filter, parameters, error, ao, blur, frame_ms,
-                 fetches_per_pixel, nonfinite, ranked_truth, own_truth, ranked, own, raw, analysis,
-                 image_file] = back;
+                 fetches_per_pixel, fixed_pass_ms, nonfinite, ranked_truth, own_truth, ranked, own, raw,
+                 analysis, image_file] = back;
     EXPECT_EQ(std::tie(id, view_key, method, method_label, preset, filter, parameters, error),
               std::tie(cell.id, cell.view_key, cell.method, cell.method_label, cell.preset, cell.filter,
                        cell.parameters, cell.error));
@@ -113,6 +114,7 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     EXPECT_EQ(blur.median_ms, std::nullopt);
     EXPECT_EQ(frame_ms, 3.25);
     EXPECT_EQ(fetches_per_pixel, std::nullopt);
+    EXPECT_EQ(fixed_pass_ms, 12.5);
     EXPECT_EQ(nonfinite, 7U);
     ASSERT_TRUE(analysis);
     EXPECT_EQ(analysis->missing.area, 0.125);
