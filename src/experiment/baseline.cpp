@@ -43,8 +43,23 @@ std::string obstacle(const Results& now, const CellRecord& cell, const Results& 
     return {};
 }
 
+/// The cell of the earlier run that this one stands for: of the same id, else the only one of its method,
+/// preset and filter on the view, so that a change of parameters can be held against what was before.
+const CellRecord* earlier_cell(const CellRecord& cell, const Results& before) {
+    if (const CellRecord* same = find(before.cells, cell.id, &CellRecord::id)) return same;
+    const CellRecord* only = nullptr;
+    for (const CellRecord& old : before.cells) {
+        if (old.view_key != cell.view_key || old.method != cell.method || old.preset != cell.preset ||
+            old.filter != cell.filter)
+            continue;
+        if (only != nullptr) return nullptr;
+        only = &old;
+    }
+    return only;
+}
+
 ChangeRecord change_of(const Results& now, const CellRecord& cell, const Results& before) {
-    const CellRecord* old = find(before.cells, cell.id, &CellRecord::id);
+    const CellRecord* old = earlier_cell(cell, before);
     ChangeRecord change;
     change.cell_id = cell.id;
     const bool debiased = (!cell.analysis || value_of(cell, "rmse_debiased")) &&

@@ -51,14 +51,17 @@ Gates::Tripped Gates::check(const MetricMap& metrics) const {
 
 Gates::Tripped Gates::check(const ChangeRecord& change) const {
     Tripped tripped;
-    if (change.verdict != "worse") return tripped;
+    // A cell that was there before but cannot be compared any more may hide what the gate is for.
+    const bool untold = change.verdict == "not comparable" && change.before;
+    if (change.verdict != "worse" && !untold) return tripped;
     const std::string line =
-        change.change ? fmt::format(
-                            "worse: {} went from {:.6g} to {:.6g}; the change is between {:.3g} and "
-                            "{:.3g} with 95 % confidence",
-                            change.metric, change.before.value_or(0), change.now.value_or(0),
-                            change.change->low, change.change->high)
-                      : "worse: " + change.reason;
+        untold          ? "whether it is worse cannot be told: " + change.reason
+        : change.change ? fmt::format(
+                              "worse: {} went from {:.6g} to {:.6g}; the change is between {:.3g} and "
+                              "{:.3g} with 95 % confidence",
+                              change.metric, change.before.value_or(0), change.now.value_or(0),
+                              change.change->low, change.change->high)
+                        : "worse: " + change.reason;
     if (fail_.worse) tripped.failures.push_back(line);
     if (warn_.worse) tripped.warnings.push_back(line);
     return tripped;

@@ -132,6 +132,12 @@ TEST(Baseline, TheSameRunIsTheSameAndAWorseOneFailsWhereAskedTo) {
         folder);
     EXPECT_EQ(worse.exit_code, 2) << worse.err;
     EXPECT_THAT(worse.err, HasSubstr("95 % confidence"));
+    const ProgramRun untold = run_aoscore(
+        "score wall --view facing --size 32x24 --samples 16 --methods alchemy --out other --baseline first "
+        "--fail worse",
+        folder);
+    EXPECT_EQ(untold.exit_code, 2) << untold.err;
+    EXPECT_THAT(untold.err, HasSubstr("cannot be told: the images differ in size"));
     EXPECT_EQ(run_aoscore(std::string(kScore) + "--out o --fail worse", folder).exit_code, 64)
         << "worse than what?";
 }
