@@ -101,9 +101,9 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     cell.image_file = "c.exr";
     results.cells = {cell};
     const CellRecord back = results_from_json(to_json(results), "results.json").cells.at(0);
-    const auto& [id, view_key, method, method_label, preset, filter, parameters, error, ao, blur, frame_ms,
-                 fetches_per_pixel, fixed_pass_ms, nonfinite, ranked_truth, own_truth, ranked, own, raw,
-                 analysis, image_file] = back;
+    const auto& [id, view_key, method, method_label, preset, filter, parameters, error, ao, blur,
+                 fixed_pass_ms, frame_ms, fetches_per_pixel, nonfinite, ranked_truth, own_truth, ranked, own,
+                 raw, analysis, image_file] = back;
     EXPECT_EQ(std::tie(id, view_key, method, method_label, preset, filter, parameters, error),
               std::tie(cell.id, cell.view_key, cell.method, cell.method_label, cell.preset, cell.filter,
                        cell.parameters, cell.error));

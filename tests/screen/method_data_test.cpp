@@ -62,6 +62,13 @@ double scale_of(const std::string& scale, std::size_t i, std::size_t size) {
     return std::lerp(0.1, 1.0, t * t);
 }
 
+Kernel with_choices(Kernel kernel, const json& chosen) {
+    for (std::string* member : {&kernel.directions, &kernel.radii, &kernel.sequence}) {
+        if (member->starts_with('@')) *member = chosen.at(member->substr(1)).get<std::string>();
+    }
+    return kernel;
+}
+
 // What a reader makes of the table for a smaller size is what the program compiles in.
 TEST(MethodData, KernelTablesHoldThePointsOfEverySize) {
     std::size_t kernels = 0;
@@ -71,19 +78,20 @@ TEST(MethodData, KernelTablesHoldThePointsOfEverySize) {
             ++kernels;
             const json& described = *std::find_if(data["kernels"].begin(), data["kernels"].end(),
                                                   [&](const json& k) { return k["id"] == kernel.id; });
-            for (const std::size_t size :
-                 {std::size_t{1}, std::size_t{5}, described["largest"].get<std::size_t>()}) {
-                Kernel asked = kernel;
-                asked.size = std::to_string(size);
+            for (const json& table : described["tables"]) {
+                Kernel asked = with_choices(kernel, table["when"]);
                 if (asked.scale.starts_with('@')) asked.scale = "squared";
-                const auto points = generate_kernel(asked, kSeed);
-                for (std::size_t i = 0; i < size; ++i) {
-                    for (int axis = 0; axis < 3; ++axis) {
-                        const auto component =
-                            described["tables"][0]["points"][3 * i + static_cast<std::size_t>(axis)];
-                        EXPECT_NEAR(component.get<double>() * scale_of(asked.scale, i, size),
-                                    static_cast<double>(points[i][axis]), 1e-7)
-                            << method.id << " " << kernel.id << " " << i;
+                for (const std::size_t size :
+                     {std::size_t{1}, std::size_t{5}, described["largest"].get<std::size_t>()}) {
+                    asked.size = std::to_string(size);
+                    const auto points = generate_kernel(asked, kSeed);
+                    for (std::size_t i = 0; i < size; ++i) {
+                        for (int axis = 0; axis < 3; ++axis) {
+                            const auto component = table["points"][3 * i + static_cast<std::size_t>(axis)];
+                            EXPECT_NEAR(component.get<double>() * scale_of(asked.scale, i, size),
+                                        static_cast<double>(points[i][axis]), 1e-7)
+                                << method.id << " " << kernel.id << " " << i;
+                        }
                     }
                 }
             }
