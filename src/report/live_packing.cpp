@@ -1,7 +1,7 @@
 #include "report/live_packing.h"
 
-#include "core/error.h"
 #include "report/base64.h"
+#include "report/deflate.h"
 
 #include <zlib.h>
 
@@ -11,24 +11,6 @@
 
 namespace aoscore {
 namespace {
-
-/// `strategy` is zlib's: residuals are noise and runs, for which a search for repetitions gains nothing.
-std::string deflated(std::string_view bytes, int level, int strategy) {
-    z_stream stream{};
-    if (deflateInit2(&stream, level, Z_DEFLATED, MAX_WBITS, MAX_MEM_LEVEL, strategy) != Z_OK)
-        throw internal_error("zlib does not start", "page");
-    std::string packed(deflateBound(&stream, bytes.size()), '\0');
-    const std::string input(bytes);
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(input.data()));
-    stream.avail_in = static_cast<uInt>(input.size());
-    stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-    stream.avail_out = static_cast<uInt>(packed.size());
-    const int result = deflate(&stream, Z_FINISH);
-    packed.resize(stream.total_out);
-    deflateEnd(&stream);
-    if (result != Z_STREAM_END) throw internal_error("zlib does not finish", "page");
-    return packed;
-}
 
 std::uint32_t folded(std::uint32_t residual) {
     return (residual << 1U) ^ (residual >> 31U != 0 ? 0xffffffffU : 0U);

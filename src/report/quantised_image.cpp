@@ -1,7 +1,7 @@
 #include "report/quantised_image.h"
 
-#include "core/error.h"
 #include "report/base64.h"
+#include "report/deflate.h"
 
 #include <zlib.h>
 
@@ -12,24 +12,6 @@
 
 namespace aoscore {
 namespace {
-
-/// Residuals are noise for the most part, with runs of zeros where all is open: entropy coding and runs get
-/// nearly all that a search for repetitions would, several times as fast.
-std::string deflated(const std::string& bytes) {
-    z_stream stream{};
-    if (deflateInit2(&stream, 1, Z_DEFLATED, MAX_WBITS, MAX_MEM_LEVEL, Z_RLE) != Z_OK)
-        throw internal_error("zlib does not start", "page");
-    std::string packed(deflateBound(&stream, bytes.size()), '\0');
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-    stream.avail_in = static_cast<uInt>(bytes.size());
-    stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-    stream.avail_out = static_cast<uInt>(packed.size());
-    const int result = deflate(&stream, Z_FINISH);
-    packed.resize(stream.total_out);
-    deflateEnd(&stream);
-    if (result != Z_STREAM_END) throw internal_error("zlib does not finish", "page");
-    return packed;
-}
 
 int predicted(int left, int up, int up_left) {
     if (up_left >= std::max(left, up)) return std::min(left, up);
@@ -82,7 +64,9 @@ QuantisedImage quantise(const ImageF& image, double low, double high, int levels
     }
     QuantisedImage result{image.width, image.height, low, 0, levels <= kLevelsOfOneByte ? 1 : 2, {}};
     result.step = high > low ? (high - low) / (levels - 1) : 1;
-    result.data = base64(deflated(residuals(codes_of(image, result), result.bytes)));
+    // Residuals are noise for the most part, with runs of zeros where all is open: entropy coding and runs
+    // get nearly all that a search for repetitions would, several times as fast.
+    result.data = base64(deflated(residuals(codes_of(image, result), result.bytes), 1, Z_RLE));
     return result;
 }
 

@@ -3,6 +3,7 @@
 #include "hand_made.h"
 #include "oracle_cases.h"
 #include "oracle_formulas.h"
+#include "oracle_pictures.h"
 #include "support/support.h"
 
 #include <gtest/gtest.h>
@@ -24,30 +25,6 @@ double terrain(double x, double y) {
     return -6 + 0.25 * x + bump + hollow + 0.2 * smooth_step(0.2, 0.26, y + 0.3 * x);
 }
 
-Scene relief_scene(const std::function<double(double, double)>& z) {
-    // Wider than the picture and twice as fine.
-    constexpr int kCells = 2 * kSize + 80;
-    const double extent = kCells * kPixel / 4;
-    Scene scene = empty_scene();
-    Mesh mesh;
-    for (int j = 0; j <= kCells; ++j) {
-        for (int i = 0; i <= kCells; ++i) {
-            const double x = -extent + i * kPixel / 2, y = -extent + j * kPixel / 2;
-            mesh.positions.emplace_back(x, y, z(x, y));
-        }
-    }
-    const auto at = [](int i, int j) { return static_cast<unsigned>(j * (kCells + 1) + i); };
-    for (int j = 0; j < kCells; ++j) {
-        for (int i = 0; i < kCells; ++i) {
-            mesh.triangles.emplace_back(at(i, j), at(i + 1, j), at(i + 1, j + 1));
-            mesh.triangles.emplace_back(at(i, j), at(i + 1, j + 1), at(i, j + 1));
-        }
-    }
-    scene.meshes.push_back(std::move(mesh));
-    scene.instances.emplace_back();
-    return scene;
-}
-
 // The pixels that are compared: far enough from the border for every radius.
 const std::vector<glm::ivec2> kPixels = {{60, 60}, {46, 52}, {70, 76}, {72, 45}, {52, 66}, {64, 48}};
 
@@ -61,7 +38,7 @@ TEST_P(Estimator, AgreesWithItsPapersFormulaInDoublePrecision) {
     camera.half_height = kSize * kPixel / 2;
     const CameraFrame frame(camera, kSize, kSize);
     ScreenRenderer renderer;
-    renderer.set_scene(relief_scene(terrain));
+    renderer.set_scene(height_field_scene(terrain, kPixel));
     renderer.draw_gbuffer(frame, {"normal_geometric"});
     const GBufferImages images = renderer.read_gbuffer();
     MethodRequest request;
@@ -102,7 +79,7 @@ TEST(MultiResolution, ReadsItsLevelsFormulasAtTheBottomOfABowl) {
     camera.projection = Camera::Projection::orthographic;
     camera.half_height = kSize * kPixel / 2;
     ScreenRenderer renderer;
-    renderer.set_scene(relief_scene(bowl));
+    renderer.set_scene(height_field_scene(bowl, kPixel));
     renderer.draw_gbuffer(CameraFrame(camera, kSize, kSize), {"normal_geometric"});
     double darkest = 1, product = 1;
     for (const int scale : {1, 2, 4, 8}) {
