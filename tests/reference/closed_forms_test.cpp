@@ -29,8 +29,8 @@ const std::array kCases = {
     Case{"pit", builtin::generate_pit, kNoCutoff, {0.1, 3, 0.1}, {0, 0, 0}},
 };
 
-/// Errors over many pixels in units of their stated standard errors. One pixel's score has a t distribution
-/// of 3 degrees of freedom, which passes 3 in 5.8 % of cases; the sums over pixels are close to normal.
+/// Errors over many pixels in units of their stated standard errors. One pixel's score has heavier tails than
+/// a normal one, since its error is estimated from few blocks; the sums over pixels are close to normal.
 struct Scores {
     int pixels = 0;
     double error_sum = 0, squared_error_sum = 0, variance_sum = 0;
