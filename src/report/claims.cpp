@@ -34,7 +34,8 @@ std::string with_unit(std::optional<double> value, const ClaimFinding& finding) 
 }
 
 std::string claimed_text(const ClaimFinding& finding) {
-    const auto text = [](double limit) { return short_text(limit); };
+    // A limit of -0, the mirror image of 0, is written as 0.
+    const auto text = [](double limit) { return short_text(limit == 0 ? 0.0 : limit); };
     if (finding.claimed_low && finding.claimed_high)
         return fmt::format("{} to {}", text(*finding.claimed_low), text(*finding.claimed_high));
     if (finding.claimed_low) return "above " + text(*finding.claimed_low);

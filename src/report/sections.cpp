@@ -30,13 +30,13 @@ const std::vector<Section>& sections() {
         {"verdict", "Verdict", section::verdict, pictured, has_pictures},
         {"ranking", "Ranking", section::ranking, pictured, has_pictures},
         {"pictures", "Pictures", section::pictures, pictured, has_pictures},
-        {"claims", "Published claims", section::claims, all, has_claims},
         {"sweeps", "Sweeps", section::sweeps, all, has_sweeps},
         {"cost", "Run time against error", section::cost, pictured, has_pictures},
         {"failures", "Where it fails", section::failures, pictured, has_pictures},
         {"distributions", "Errors in detail", section::distributions, pictured, has_pictures},
         {"live", "Live parameters", section::live, pictured, has_pictures},
         {"published", "Published tables beside ours", section::published, pictured, has_pictures},
+        {"claims", "Published claims", section::claims, all, has_claims},
         {"measurement", "How it was measured", section::measurement, all},
     };
     return table;
