@@ -10,6 +10,7 @@ class LiveBench {
     this.turn = 0;
     this.changed = false;
     this.drawing = false;
+    this.loading = null;  // the key of the view that is being unpacked
     this.runner.live.canvas.addEventListener('webglcontextlost', () => {
       this.showFailure('The graphics driver gave up, perhaps for too many samples. Load the page again to go on.');
     });
@@ -48,11 +49,13 @@ class LiveBench {
   async chooseView(key) {
     const turn = this.turn += 1;
     const view = this.index.views[key];
+    this.loading = key;
     this.result.setBusy(true);
     const stageView = stageData.views.find((other) => other.key === key);
     const { truth, noise } = stageView.images;
     const [inputs, ...images] = await Promise.all([unpackedInputs(view), imageValues(truth), imageValues(noise)]);
     if (turn !== this.turn) return;
+    this.loading = null;
     this.result.setView(stageView, ...images);
     this.runner.setView(view, inputs);
     this.setting.view = view;
@@ -139,7 +142,7 @@ class LiveBench {
       }
     }
     this.drawing = false;
-    this.result.setBusy(false);
+    this.result.setBusy(this.loading !== null);
   }
 
   async draw() {

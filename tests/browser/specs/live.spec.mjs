@@ -98,8 +98,9 @@ test('the values stay when the view changes', async () => {
 
 test('the picture under the pointer is read', async () => {
   const { output } = await shown(page);
-  const box = await page.locator('.live-output').boundingBox();
-  await page.mouse.move(box.x + box.width * 40.5 / 160, box.y + box.height * 30.5 / 96);
+  const canvas = page.locator('.live-output');
+  const { width, height } = await canvas.boundingBox();
+  await canvas.hover({ position: { x: width * 40.5 / 160, y: height * 30.5 / 96 } });  // waits until it stands still
   const truth = exr(`${second} truth`)[40 + 30 * 160];
   await page.waitForFunction((text) => document.querySelector('.live-probe').textContent.startsWith(text),
     `Pixel 40, 30: live ${output[40 + 30 * 160].toFixed(4)}, truth ${truth.toFixed(4)}`);
