@@ -15,7 +15,7 @@ namespace aoscore {
 namespace {
 
 struct Options {
-    std::string scene;
+    std::vector<std::string> scenes;
     std::vector<std::string> views;
     std::vector<std::string> methods;
     std::vector<std::string> axes;
@@ -68,7 +68,6 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     plan.command = global.command_line;
     plan.keep_gbuffer = options.keep_images;
     ViewPlan view;
-    view.scene = options.scene;
     view.width = options.size.width;
     view.height = options.size.height;
     view.samples = options.effort.samples;
@@ -79,19 +78,25 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     const Registry registry = load_registry(options.methods_dir);
     const SweepRequest request = request_of(options, registry);
     SweepPlan sweep;
-    sweep.title = "Sweep of " + options.scene;
+    sweep.title = fmt::format("Sweep of {}", fmt::join(options.scenes, ", "));
     sweep.budget_ms = options.budget_ms;
     const std::vector<std::string> views =
         options.views.empty() ? std::vector<std::string>{""} : options.views;
-    for (const std::string& id : views) {
-        view.view = id;
-        add_sweep(plan, view, request, sweep, registry);
+    for (const std::string& scene : options.scenes) {
+        view.scene = scene;
+        for (const std::string& id : views) {
+            view.view = id;
+            add_sweep(plan, view, request, sweep, registry);
+        }
     }
     for (const std::string& note : sweep.notes) log_info(note);
     plan.sweeps.push_back(std::move(sweep));
-    const std::string stem = std::filesystem::path(options.scene).stem().string();
+    std::vector<std::string> stems;
+    for (const std::string& scene : options.scenes)
+        stems.push_back(std::filesystem::path(scene).stem().string());
     const std::filesystem::path folder =
-        options.out.empty() ? home_dir() / "reports" / "out" / ("sweep-" + stem) : options.out;
+        options.out.empty() ? home_dir() / "reports" / "out" / fmt::format("sweep-{}", fmt::join(stems, "-"))
+                            : options.out;
     return run_and_report(std::move(plan), folder, options.outcome);
 }
 
@@ -101,9 +106,11 @@ CommandEntry add_sweep_command(CLI::App& program, const GlobalOptions& global) {
     CLI::App* app = program.add_subcommand(
         "sweep", "Run time against error over parameters of methods; prints the page's path");
     const auto options = std::make_shared<Options>();
-    app->add_option("scene", options->scene, "A built-in scene (see list scenes), or a .gltf or .glb file")
+    app->add_option(
+           "scene", options->scenes,
+           "Built-in scenes (see list scenes), or .gltf or .glb files; several have one front together")
         ->required();
-    app->add_option("--view", options->views, "Views of the scene (see list views SCENE) [all]")
+    app->add_option("--view", options->views, "Views of every scene (see list views SCENE) [all]")
         ->delimiter(',');
     app->add_option("--methods", options->methods, "Methods to sweep (see list methods) [all]")
         ->delimiter(',');

@@ -38,10 +38,10 @@ void ViewMeasurement::draw() {
     for (const ResolvedCell& cell : run_.cells) inputs.merge(needed_gbuffer_inputs(cell.request));
     ScreenRenderer& renderer = run_.tools.ready_renderer();
     const double first_ms = renderer.draw_gbuffer(frame_, inputs);
-    if (run_.pictured() && !view_.gbuffer.median_ms) {
+    if (run_.times_gbuffer() && !view_.gbuffer.median_ms) {
         std::vector<double> runs_ms;
         for (int i = timed_runs(first_ms); i > 0; --i)
-            runs_ms.push_back(renderer.draw_gbuffer(frame_, inputs));
+            runs_ms.push_back(renderer.time_gbuffer(frame_, inputs));
         view_.gbuffer = summarize(std::move(runs_ms));
     }
     // What no cell reads is no cost of theirs: it comes after the clock.

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "core/progress.h"
 #include "experiment/cell_timing.h"
 #include "experiment/experiment.h"
 #include "experiment/own_truth.h"
@@ -42,12 +43,7 @@ class Runner {
             timed_before.push_back(stock_.times[i].has_value());
         }
         if (!view_reused) make_view();
-        for (std::size_t i = 0; i < run_.cells.size(); ++i) {
-            if (measured_before[i]) continue;
-            throw_if_interrupted();
-            ++outcome_.measured;
-            run_guarded(i, [&] { measure_cell(i); });
-        }
+        measure_cells(measured_before);
         record_times(timed_before);
         outcome_.rays = measurement_.rays();
         return std::move(outcome_);
@@ -99,8 +95,8 @@ class Runner {
                 if (!store_.fetch_file(stock_.gbuffer_file_key, run_.folder / stored.gbuffer_file))
                     return false;
             }
-            if (!stored.gbuffer.median_ms) return false;
         }
+        if (run_.times_gbuffer() && !stored.gbuffer.median_ms) return false;
         outcome_.view = std::move(stored);
         return true;
     }
@@ -151,6 +147,20 @@ class Runner {
         } catch (const Error& e) {
             if (e.exit_code() == ExitCode::interrupted) throw;
             record.error = e.what();
+        }
+    }
+
+    void measure_cells(const std::vector<bool>& measured_before) {
+        const auto missing = std::ranges::count(measured_before, false);
+        if (missing == 0) return;
+        measurement_.trace();  // it has a progress of its own
+        Progress progress("measuring " + run_.key, static_cast<std::size_t>(missing));
+        for (std::size_t i = 0; i < run_.cells.size(); ++i) {
+            if (measured_before[i]) continue;
+            throw_if_interrupted();
+            ++outcome_.measured;
+            run_guarded(i, [&] { measure_cell(i); });
+            progress.step();
         }
     }
 
@@ -234,6 +244,10 @@ class Runner {
 bool ViewRun::pictured() const {
     return std::any_of(cells.begin(), cells.end(),
                        [](const ResolvedCell& cell) { return cell.plan.keep_image; });
+}
+
+bool ViewRun::times_gbuffer() const {
+    return pictured() || plan.timing_goal.has_value();
 }
 
 ViewOutcome run_view(const ViewRun& run, const MeasurementStore& store, const ViewStock& stock) {

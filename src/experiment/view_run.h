@@ -33,8 +33,10 @@ struct ViewRun {
     std::set<std::string> kept_inputs;  ///< of the G-buffer, in its file beside what the cells read
     std::filesystem::path folder;       ///< of the results; images go below it
 
-    /// Whether a cell keeps its image; then the view keeps its own, and times its G-buffer.
+    /// Whether a cell keeps its image; then the view keeps its own.
     bool pictured() const;
+    /// Whether what a frame costs without AO is asked for: by pictures, and by timings to a goal.
+    bool times_gbuffer() const;
 };
 
 struct ViewOutcome {

@@ -41,6 +41,35 @@ std::optional<double> metric_of(const CellRecord& cell, const std::string& id) {
     return found == cell.ranked.end() ? std::nullopt : found->second.value;
 }
 
+// What belongs to one view alone is left empty over several.
+std::string line_of(const SweepRecord& sweep, const SweepRow& row, const std::set<std::string>& axes) {
+    const CellRecord& cell = *row.cell;
+    const ViewRecord* view = row.view;
+    const auto of_view = [&](std::optional<double> number) {
+        return view != nullptr ? number : std::nullopt;
+    };
+    Line line;
+    line.add(sweep.title).add(view != nullptr ? view->key : std::string("all views"));
+    line.add(of_view(view != nullptr ? view->width : 0)).add(of_view(view != nullptr ? view->height : 0));
+    line.add(cell.method).add(cell.preset).add(cell.filter);
+    for (const std::string& axis : axes) {
+        const auto found = row.point->at.find(axis);
+        if (found == row.point->at.end())
+            line.add(std::string());
+        else
+            line.add(found->second);
+    }
+    line.add(of_view(view != nullptr ? view->gbuffer.median_ms : std::nullopt));
+    line.add(of_view(cell.ao.median_ms)).add(of_view(cell.blur.median_ms));
+    line.add(row.cost_ms).add(row.cost_low_ms).add(row.cost_high_ms).add(row.frame_ms);
+    line.add(of_view(static_cast<double>(cell.ao.runs_ms.size())));
+    line.add(row.relative_cost).add(row.fetches);
+    line.add(row.error).add(row.raw_error).add(row.fitted_error).add(row.unfiltered_error).add(row.bias);
+    for (const char* id : {"ssim", "flip"}) line.add(of_view(metric_of(cell, id)));
+    line.add(std::string(row.on_front ? "1" : "0")).add(cell.error);
+    return line.text();
+}
+
 }  // namespace
 
 std::string sweeps_as_csv(const Results& results) {
@@ -50,34 +79,16 @@ std::string sweeps_as_csv(const Results& results) {
     for (const char* name : {"sweep", "view", "width", "height", "method", "preset_run", "filter_run"})
         head.add(std::string(name));
     for (const std::string& axis : axes) head.add("at." + axis);
-    for (const char* name : {"ao_ms", "filter_ms", "cost_ms", "cost_low_ms", "cost_high_ms", "runs",
-                             "relative_cost", "fetches", "rmse_debiased", "rmse", "rmse_debiased_fitted",
-                             "rmse_debiased_unfiltered", "bias", "ssim", "flip", "pareto", "failed"})
+    for (const char* name :
+         {"gbuffer_ms", "ao_ms", "filter_ms", "cost_ms", "cost_low_ms", "cost_high_ms", "frame_ms", "runs",
+          "relative_cost", "fetches", "rmse_debiased", "rmse", "rmse_debiased_fitted",
+          "rmse_debiased_unfiltered", "bias", "ssim", "flip", "pareto", "failed"})
         head.add(std::string(name));
     std::string csv = head.text();
     for (const SweepRecord& sweep : results.sweeps) {
-        for (const SweepRow& row : sweep_rows(results, sweep)) {
-            const CellRecord& cell = *row.cell;
-            Line line;
-            line.add(sweep.title).add(row.view->key);
-            line.add(std::optional<double>(row.view->width)).add(std::optional<double>(row.view->height));
-            line.add(cell.method).add(cell.preset).add(cell.filter);
-            for (const std::string& axis : axes) {
-                const auto found = row.point->at.find(axis);
-                if (found == row.point->at.end())
-                    line.add(std::string());
-                else
-                    line.add(found->second);
-            }
-            line.add(cell.ao.median_ms).add(cell.blur.median_ms);
-            line.add(row.cost_ms).add(row.cost_low_ms).add(row.cost_high_ms);
-            line.add(std::optional<double>(static_cast<double>(cell.ao.runs_ms.size())));
-            line.add(row.relative_cost).add(cell.fetches_per_pixel);
-            line.add(row.error).add(row.raw_error).add(row.fitted_error).add(row.unfiltered_error);
-            for (const char* id : {"bias", "ssim", "flip"}) line.add(metric_of(cell, id));
-            line.add(std::string(row.on_front ? "1" : "0")).add(cell.error);
-            csv += line.text();
-        }
+        const std::vector<SweepRow> rows = sweep_rows(results, sweep);
+        for (const SweepRow& row : rows) csv += line_of(sweep, row, axes);
+        for (const SweepRow& row : rows_over_views(rows)) csv += line_of(sweep, row, axes);
     }
     return csv;
 }

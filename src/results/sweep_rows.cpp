@@ -8,7 +8,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numeric>
+#include <set>
 
 namespace aoscore {
 namespace {
@@ -34,6 +37,8 @@ double median(std::vector<double> values) {
 
 void add_costs(SweepRow& row, const SweepRecord& sweep) {
     const CellRecord& cell = *row.cell;
+    row.fetches = cell.fetches_per_pixel;
+    row.frame_ms = cell.frame_ms;
     if (cell.ao.runs_ms.empty()) return;
     std::vector<double> runs = cell.ao.runs_ms;
     for (std::size_t i = 0; i < runs.size() && i < cell.blur.runs_ms.size(); ++i)
@@ -45,6 +50,43 @@ void add_costs(SweepRow& row, const SweepRecord& sweep) {
     }
     if (cell.fixed_pass_ms.value_or(0) > 0) row.relative_cost = *row.cost_ms / *cell.fixed_pass_ms;
     if (sweep.budget_ms) row.within_budget = *row.cost_ms <= *sweep.budget_ms;
+}
+
+void mark_front(std::vector<SweepRow>& rows, const std::vector<std::size_t>& indices) {
+    std::vector<CostAndError> points;
+    for (const std::size_t i : indices) points.push_back({rows[i].cost_ms, rows[i].error});
+    const std::vector<bool> front = pareto_front(points);
+    for (std::size_t k = 0; k < indices.size(); ++k) rows[indices[k]].on_front = front[k];
+}
+
+using Number = std::optional<double> SweepRow::*;
+
+/// Empty where one of the rows lacks it.
+std::optional<double> mean_power(const std::vector<const SweepRow*>& rows, Number number, double power) {
+    double sum = 0;
+    for (const SweepRow* row : rows) {
+        const std::optional<double> value = row->*number;
+        if (!value) return std::nullopt;
+        sum += std::pow(*value, power);
+    }
+    return std::pow(sum / static_cast<double>(rows.size()), 1 / power);
+}
+
+SweepRow over_views(const std::vector<const SweepRow*>& rows) {
+    SweepRow all;
+    all.point = rows.front()->point;
+    all.cell = rows.front()->cell;
+    for (const Number cost :
+         {&SweepRow::cost_ms, &SweepRow::cost_low_ms, &SweepRow::cost_high_ms, &SweepRow::relative_cost,
+          &SweepRow::frame_ms, &SweepRow::fetches, &SweepRow::bias})
+        all.*cost = mean_power(rows, cost, 1);
+    for (const Number error :
+         {&SweepRow::error, &SweepRow::raw_error, &SweepRow::fitted_error, &SweepRow::unfiltered_error})
+        all.*error = mean_power(rows, error, 2);
+    if (std::ranges::all_of(rows, [](const SweepRow* row) { return row->within_budget.has_value(); }))
+        all.within_budget =
+            std::ranges::all_of(rows, [](const SweepRow* row) { return *row->within_budget; });
+    return all;
 }
 
 }  // namespace
@@ -63,17 +105,37 @@ std::vector<SweepRow> sweep_rows(const Results& results, const SweepRecord& swee
             row.raw_error = value_of(row.cell->ranked, "rmse");
             if (row.cell->analysis) row.fitted_error = row.cell->analysis->fit.rmse_debiased;
             row.unfiltered_error = value_of(row.cell->raw, "rmse_debiased");
+            row.bias = value_of(row.cell->ranked, "bias");
         }
         by_view[row.view].push_back(rows.size());
         rows.push_back(row);
     }
-    for (const auto& [view, indices] : by_view) {
-        std::vector<CostAndError> points;
-        for (const std::size_t i : indices) points.push_back({rows[i].cost_ms, rows[i].error});
-        const std::vector<bool> front = pareto_front(points);
-        for (std::size_t k = 0; k < indices.size(); ++k) rows[indices[k]].on_front = front[k];
-    }
+    for (const auto& [view, indices] : by_view) mark_front(rows, indices);
     return rows;
+}
+
+std::vector<SweepRow> rows_over_views(const std::vector<SweepRow>& rows) {
+    std::set<const ViewRecord*> views;
+    std::map<std::map<std::string, nlohmann::json>, std::vector<const SweepRow*>> by_setting;
+    std::vector<const std::vector<const SweepRow*>*> in_order;
+    for (const SweepRow& row : rows) {
+        views.insert(row.view);
+        auto& same = by_setting[row.point->at];
+        if (same.empty()) in_order.push_back(&same);
+        same.push_back(&row);
+    }
+    std::vector<SweepRow> all;
+    if (views.size() < 2) return all;
+    for (const auto* same : in_order) {
+        const bool everywhere = same->size() == views.size();
+        const bool worked =
+            std::ranges::all_of(*same, [](const SweepRow* row) { return row->cell->error.empty(); });
+        if (everywhere && worked) all.push_back(over_views(*same));
+    }
+    std::vector<std::size_t> indices(all.size());
+    std::iota(indices.begin(), indices.end(), std::size_t{0});
+    mark_front(all, indices);
+    return all;
 }
 
 std::string point_text(const SweepPointRecord& point) {

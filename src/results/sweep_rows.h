@@ -11,21 +11,30 @@ namespace aoscore {
 /// One setting of a sweep with what a reader compares: what its table, its curves and its CSV show.
 struct SweepRow {
     const SweepPointRecord* point = nullptr;
-    const CellRecord* cell = nullptr;
-    const ViewRecord* view = nullptr;
+    const CellRecord* cell = nullptr;                 ///< over several views: the first one's, for its names
+    const ViewRecord* view = nullptr;                 ///< null over several views
     std::optional<double> cost_ms;                    ///< median of the AO pass with its filter
     std::optional<double> cost_low_ms, cost_high_ms;  ///< the interval of its median; empty with too few runs
     std::optional<double> relative_cost;              ///< to the view's fixed pass of sixteen fetches
+    std::optional<double> frame_ms;                   ///< G-buffer, AO and filter
+    std::optional<double> fetches;                    ///< a pixel, of the AO pass
     std::optional<double> error;                      ///< debiased RMSE
     std::optional<double> raw_error;                  ///< RMSE, the truth's noise included
     std::optional<double> fitted_error;      ///< debiased RMSE after the best fit of strength and exponent
     std::optional<double> unfiltered_error;  ///< debiased RMSE before the filter
-    bool on_front = false;                   ///< of cost and error among the rows of its view
-    std::optional<bool> within_budget;       ///< empty without a budget
+    std::optional<double> bias;
+    bool on_front = false;              ///< of cost and error among the rows of its view
+    std::optional<bool> within_budget;  ///< empty without a budget
 };
 
 /// The rows in the sweep's order. Throws file_error where it names a cell or view that the results lack.
 std::vector<SweepRow> sweep_rows(const Results& results, const SweepRecord& sweep);
+
+/// The settings that were measured in every view of the sweep, each as one row over all of them: errors as
+/// the root of the mean square over views, so that every view counts the same; costs, bias and fetches as
+/// means over views (the ends of their intervals too, which is wider than the interval of the mean). The
+/// front is that of these rows. Empty for a sweep of one view.
+std::vector<SweepRow> rows_over_views(const std::vector<SweepRow>& rows);
 
 /// "samples 8, radius 0.5": where a point lies on the axes, without its method.
 std::string point_text(const SweepPointRecord& point);

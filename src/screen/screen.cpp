@@ -74,9 +74,15 @@ double ScreenRenderer::draw_gbuffer(const CameraFrame& frame, const std::set<std
     impl_->context.make_current();
     if (!impl_->geometry) throw internal_error("no scene was set", "ScreenRenderer");
     impl_->runner->forget_derived();
+    ++impl_->gbuffers_drawn;
+    return time_gbuffer(frame, inputs);
+}
+
+double ScreenRenderer::time_gbuffer(const CameraFrame& frame, const std::set<std::string>& inputs) {
+    impl_->context.make_current();
+    if (!impl_->geometry) throw internal_error("no scene was set", "ScreenRenderer");
     const Clock clock;
     impl_->gbuffer.draw(*impl_->geometry, frame, inputs);
-    ++impl_->gbuffers_drawn;
     return clock.milliseconds();
 }
 

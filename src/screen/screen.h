@@ -90,6 +90,8 @@ class ScreenRenderer {
     /// Draws the G-buffer: linear and hardware depth always, of the rest only what `inputs` names
     /// (gbuffer_inputs()). All requests after it use it. Returns milliseconds to glFinish.
     double draw_gbuffer(const CameraFrame& frame, const std::set<std::string>& inputs);
+    /// The G-buffer that was drawn last, drawn again for the clock: same arguments, same textures.
+    double time_gbuffer(const CameraFrame& frame, const std::set<std::string>& inputs);
     /// What was drawn; images that were not asked for are empty.
     GBufferImages read_gbuffer();
     /// Digest of all G-buffer textures' bytes: equal before and after a method ran.
@@ -101,7 +103,7 @@ class ScreenRenderer {
 
     /// What was done since the renderer was made.
     struct Work {
-        std::uint64_t gbuffers = 0;      ///< drawn
+        std::uint64_t gbuffers = 0;      ///< drawn, those for the clock alone left out
         std::uint64_t passes = 0;        ///< drawn or computed, of methods and filters
         std::uint64_t compilations = 0;  ///< of their programs
     };

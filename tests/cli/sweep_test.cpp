@@ -4,10 +4,12 @@
 #include "results/sweep_rows.h"
 #include "support/support.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace aoscore {
@@ -56,6 +58,38 @@ TEST(Sweep, FetchesGrowWithTheSamplesOnTheAxis) {
     ASSERT_EQ(run.exit_code, 0) << run.err;
     for (const CellRecord& cell : read_results(folder / "out").cells)
         EXPECT_DOUBLE_EQ(*cell.fetches_per_pixel, cell.parameters.at("samples").get<double>()) << cell.id;
+}
+
+TEST(Sweep, HasOneFrontOverTheViewsOfSeveralScenes) {
+    const auto folder = output_dir();
+    const auto run = run_aoscore(
+        "sweep wall pit --view facing,above --methods alchemy --vary samples=2,8 --size 32x24 --samples 8 "
+        "--out out",
+        folder);
+    ASSERT_EQ(run.exit_code, 64) << "neither scene has both views: " << run.out;
+    const auto both = run_aoscore(
+        "sweep wall pit --methods alchemy --vary samples=2,8 --size 32x24 --samples 8 --out out", folder);
+    ASSERT_EQ(both.exit_code, 0) << both.err;
+    const Results results = read_results(folder / "out");
+    const std::vector<SweepRow> rows = sweep_rows(results, results.sweeps.at(0));
+    const std::vector<SweepRow> all = rows_over_views(rows);
+    ASSERT_EQ(all.size(), 2u);
+    ASSERT_EQ(rows.size(), 2 * results.views.size());
+    for (const SweepRow& combined : all) {
+        double squares = 0, costs = 0;
+        for (const SweepRow& row : rows) {
+            if (row.point->at != combined.point->at) continue;
+            squares += *row.error * *row.error;
+            costs += *row.cost_ms;
+            EXPECT_GT(*row.frame_ms, *row.cost_ms) << "the G-buffer is part of a frame";
+        }
+        const auto views = static_cast<double>(results.views.size());
+        EXPECT_NEAR(*combined.error, std::sqrt(squares / views), 1e-12);
+        EXPECT_NEAR(*combined.cost_ms, costs / views, 1e-9);
+    }
+    EXPECT_THAT(read_file(folder / "out/index.html"),
+                HasSubstr(fmt::format("All {} views", results.views.size())));
+    EXPECT_THAT(read_file(folder / "out/sweep.csv"), HasSubstr(",all views,"));
 }
 
 TEST(Claims, AreJudgedFromWhatWasMeasuredForThem) {
