@@ -18,6 +18,24 @@ function chartAxis(label, more = {}) {
     labelFont: '13px system-ui, sans-serif', labelSize: 22, ...more };
 }
 
+// 1, 2 and 5 of every decade; all digits where that leaves fewer than three.
+function logSplits(chart, axis, low, high) {
+  const digits = (list) => {
+    const splits = [];
+    for (let power = Math.floor(Math.log10(low)); 10 ** power <= high; power += 1) {
+      splits.push(...list.map((digit) => digit * 10 ** power).filter((value) => value >= low && value <= high));
+    }
+    return splits;
+  };
+  const few = digits([1, 2, 5]);
+  return few.length < 3 ? digits([1, 1.2, 1.5, 2, 3, 4, 5, 6, 7, 8, 9]) : few;
+}
+
+function logAxis(label, more = {}) {
+  return chartAxis(label, { splits: logSplits, filter: (chart, splits) => splits,
+    values: (chart, splits) => splits.map((value) => String(Number(value.toPrecision(2)))), ...more });
+}
+
 // `options()` is asked anew when the colour scheme changes. Charts are made when they come near the window.
 function showChart(element, options, data) {
   let chart = null;

@@ -1,13 +1,4 @@
 // Run time against error: points with bars for the spread, names beside them, and a step line along the Pareto front.
-// 1, 2 and 5 of every decade.
-const logSplits = (chart, axis, low, high) => {
-  const splits = [];
-  for (let power = Math.floor(Math.log10(low)); 10 ** power <= high; power += 1) {
-    splits.push(...[1, 2, 5].map((digit) => digit * 10 ** power).filter((value) => value >= low && value <= high));
-  }
-  return splits;
-};
-
 function drawBarsAndNames(chart, points) {
   const { ctx, bbox } = chart;
   const ratio = uPlot.pxRatio;
@@ -60,7 +51,7 @@ for (const element of document.querySelectorAll('.cost-chart')) {
       cursor: { drag: { x: false, y: false }, points: { show: false } },
       scales: { x: { time: false, distr: 3, range: (chart, low, high) => [low / 1.6, high * 1.9] },
         y: { range: [0, largest * 1.15] } },
-      axes: [chartAxis('AO and filter, ms', { splits: logSplits, values: (chart, splits) => splits.map((value) => String(Number(value.toPrecision(1)))), filter: (chart, splits) => splits }),
+      axes: [logAxis('AO and filter, ms'),
         chartAxis(element.dataset.metric, { size: 60 })],
       series: [{}, { paths: uPlot.paths.stepped({ align: 1 }), stroke: pageColour('accent'), width: 2, spanGaps: true,
         points: { ...dot(pageColour('accent')), fill: pageColour('accent') } },

@@ -1,5 +1,4 @@
 // Curves of error over cost, one for each method, with the Pareto front on top. The table beneath says the same.
-const hues = [210, 25, 130, 350, 265, 50, 180, 310, 90, 235];
 const costs = { ms: 'Cost, ms', relative: 'Cost, fixed passes', fetches: 'Fetches a pixel' };
 const errors = { error: 'RMSE', raw: 'RMSE, raw', fitted: 'RMSE after the best fit' };
 
@@ -20,45 +19,65 @@ const aligned = (curves, cost, error) => {
 };
 
 const picker = (name, choices, chosen, onChange) => {
-  const label = document.createElement('label');
-  label.textContent = `${name} `;
-  const select = document.createElement('select');
+  const select = make('select', '');
   for (const [value, text] of Object.entries(choices)) select.add(new Option(text, value, value === chosen, value === chosen));
   select.addEventListener('change', () => onChange(select.value));
-  label.append(select);
-  return label;
+  return make('label', '', `${name} `, select);
+};
+
+// The intervals of the medians, across.
+const drawIntervals = (chart, curves, error) => {
+  const { ctx, bbox } = chart;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.clip();
+  ctx.setLineDash([]);
+  ctx.lineWidth = uPlot.pxRatio;
+  curves.forEach((curve, i) => {
+    if (!chart.series[i + 1].show) return;
+    ctx.strokeStyle = seriesLook(i).stroke;
+    for (const point of curve.points.filter((p) => p.ms_low > 0 && p[error] > 0)) {
+      const y = chart.valToPos(point[error], 'y', true);
+      ctx.beginPath();
+      ctx.moveTo(chart.valToPos(point.ms_low, 'x', true), y);
+      ctx.lineTo(chart.valToPos(point.ms_high, 'x', true), y);
+      ctx.stroke();
+    }
+  });
+  ctx.restore();
 };
 
 const startChart = (place) => {
   const data = JSON.parse(place.querySelector('script').textContent);
   const has = (key) => data.curves.some((curve) => curve.points.some((p) => p[key] > 0));
   const offered = (choices) => Object.fromEntries(Object.entries(choices).filter(([key]) => has(key)));
-  const shown = { cost: 'ms', error: 'error' };
-  const canvas = document.createElement('div');
-  let plot = null;
-  const draw = () => {
-    plot?.destroy();
-    const colour = getComputedStyle(place).color;
-    const axis = (label) => ({ label, stroke: colour, grid: { stroke: 'rgba(128,128,128,.25)' }, ticks: { stroke: colour } });
+  const chosen = { cost: 'ms', error: 'error' };
+  const near = (chart, low, high) => [low / 1.1, high * 1.1];
+  const options = () => {
     const series = data.curves.map((curve, i) => {
-      const stroke = `hsl(${hues[i % hues.length]} 70% ${i < hues.length ? 45 : 65}%)`;
-      return { label: curve.label, stroke, width: 1.5, spanGaps: true, points: { show: true, size: 7, fill: stroke } };
+      const look = seriesLook(i);
+      return { ...look, label: curve.label, spanGaps: true, points: { show: true, size: 7, fill: look.stroke } };
     });
-    plot = new uPlot({
-      width: Math.max(place.clientWidth, 280),
-      height: 380,
-      scales: { x: { time: false, distr: 3 }, y: { distr: 3 } },
-      axes: [axis(costs[shown.cost]), { ...axis(errors[shown.error]), size: 70 }],
-      series: [{ label: costs[shown.cost] }, ...series, { label: 'Pareto front', stroke: colour, width: 1, dash: [6, 4], spanGaps: true, points: { show: false } }],
-    }, aligned(data.curves, shown.cost, shown.error), canvas);
+    const front = { label: 'Pareto front', stroke: pageColour('ink'), width: 1, dash: [6, 4], spanGaps: true, points: { show: false } };
+    return {
+      scales: { x: { time: false, distr: 3, range: near }, y: { distr: 3, range: near } },
+      axes: [logAxis(costs[chosen.cost]), logAxis(errors[chosen.error], { size: 70 })],
+      series: [{ label: costs[chosen.cost] }, ...series, front],
+      hooks: { draw: chosen.cost === 'ms' ? [(chart) => drawIntervals(chart, data.curves, chosen.error)] : [] },
+    };
   };
-  const controls = document.createElement('p');
-  controls.append(
-    picker('Across', offered(costs), shown.cost, (value) => { shown.cost = value; draw(); }), ' ',
-    picker('up', offered(errors), shown.error, (value) => { shown.error = value; draw(); }));
+  const canvas = make('div', '');
+  const draw = () => {
+    const fresh = make('div', '');
+    canvas.replaceChildren(fresh);
+    showChart(fresh, options, aligned(data.curves, chosen.cost, chosen.error));
+  };
+  const controls = make('p', '',
+    picker('Across', offered(costs), chosen.cost, (value) => { chosen.cost = value; draw(); }), ' ',
+    picker('up', offered(errors), chosen.error, (value) => { chosen.error = value; draw(); }));
   place.append(controls, canvas);
   draw();
-  window.addEventListener('resize', () => plot.setSize({ width: Math.max(place.clientWidth, 280), height: 380 }));
 };
 for (const place of document.querySelectorAll('.sweep-chart')) {
   if (place.querySelector('script').textContent.includes('"at"')) startChart(place);
