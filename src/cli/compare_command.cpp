@@ -40,21 +40,28 @@ void print_line(const std::string& name, const std::string& value, const std::st
     fmt::print("{:<16} {:>12}{}{}\n", name, value, note.empty() ? "" : "  ", note);
 }
 
+/// "[low, high]", the 95 % interval; empty where there is none.
+std::string interval_text(const std::optional<ErrorAnalysis>& analysis, const std::string& id) {
+    if (!analysis || !analysis->intervals.contains(id)) return {};
+    const Interval& interval = analysis->intervals.at(id);
+    return fmt::format("[{:.6f}, {:.6f}]", interval.low, interval.high);
+}
+
 void print_table(const Comparison& comparison) {
     const std::optional<ErrorAnalysis>& analysis = comparison.analysis;
     for (const Metric& metric : metrics()) {
         const std::string id(metric.id);
         const MeasuredMetric& measured = comparison.metrics.at(id);
         std::string note = measured.note;
-        if (analysis && analysis->intervals.contains(id)) {
-            const Interval& interval = analysis->intervals.at(id);
-            note += fmt::format("{}[{:.6f}, {:.6f}]", note.empty() ? "" : " ", interval.low, interval.high);
-        }
+        if (const std::string interval = interval_text(analysis, id); !interval.empty())
+            note += (note.empty() ? "" : " ") + interval;
         print_line(id, measured.value ? fmt::format("{:.6f}", *measured.value) : "-", note);
     }
     if (analysis) {
-        print_line("missing_area", fmt::format("{:.6f}", analysis->missing.area));
-        print_line("false_area", fmt::format("{:.6f}", analysis->false_occlusion.area));
+        print_line("missing_area", fmt::format("{:.6f}", analysis->missing.area),
+                   interval_text(analysis, kMissingArea));
+        print_line("false_area", fmt::format("{:.6f}", analysis->false_occlusion.area),
+                   interval_text(analysis, kFalseArea));
         print_line("fit_rmse", fmt::format("{:.6f}", analysis->fit.rmse),
                    fmt::format("at strength {:.3g} and exponent {:.3g}", analysis->fit.strength,
                                analysis->fit.exponent));

@@ -142,13 +142,14 @@ void bench_compare(std::uint64_t seed) {
     const Pair pair = made_up_pair(seed);
     const Mask valid(kWidth, kHeight, 1);
     const ImageF standard_error(kWidth, kHeight, 0.02F);
-    const MetricInput input{pair.truth, pair.test, valid, &standard_error};
+    MapSums maps;
+    const MetricInput input{pair.truth, pair.test, valid, &standard_error, &maps};
     fmt::print("{}, {} threads; {}x{}, fastest of {} runs\n", cpu_name(), thread_count(), kWidth, kHeight,
                kRuns);
     compare_ssim(pair, [&] { return *metric("ssim").measure(input).value; });
     for (const Metric& row : metrics()) measure(row.label, [&] { row.measure(input); });
     measure("all metrics together", [&] { evaluate(input); });
-    measure("analysis", [&] { analyse(input, {}, kMaskThreshold, seed); });
+    measure("analysis, with intervals", [&] { analyse(input, {}, kMaskThreshold, seed); });
 }
 
 }  // namespace aoscore

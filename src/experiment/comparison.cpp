@@ -98,8 +98,9 @@ Comparison compare_images(const ComparisonRequest& request) {
     const Mask valid =
         finite_pixels(pair.truth.visibility, pair.test.visibility, pair.candidate, result.nonfinite);
     for (const auto pixel : valid.pixels) result.valid_pixels += pixel;
+    MapSums maps;
     const MetricInput input{pair.truth.visibility, pair.test.visibility, valid,
-                            pair.truth.standard_error.empty() ? nullptr : &pair.truth.standard_error};
+                            pair.truth.standard_error.empty() ? nullptr : &pair.truth.standard_error, &maps};
     result.metrics = evaluate(input);
     if (input.standard_error != nullptr) result.noise = noise_floor(*input.standard_error, valid);
     result.analysis = analyse(input, {}, request.mask_threshold, request.seed);

@@ -29,13 +29,36 @@ double mean_of(const Entry& entry, const std::string& metric) {
     return sum / static_cast<double>(entry.size());
 }
 
-PlaceRecord place_of(const Entry& entry, const std::string& metric) {
+/// Every measure that all cells have; of one view as its analysis says.
+std::map<std::string, MeasureRecord> measures_of(const Entry& entry, std::uint64_t seed) {
+    std::map<std::string, MeasureRecord> measures;
+    for (const auto& [id, metric] : entry.front()->ranked) {
+        if (std::ranges::all_of(entry, [&](const CellRecord* cell) { return has(*cell, id); }))
+            measures[id].value = mean_of(entry, id);
+    }
+    const auto area_of = [&](MaskSummary ErrorAnalysis::*mask) {
+        double sum = 0;
+        for (const CellRecord* cell : entry) sum += (*cell->analysis.*mask).area;
+        return sum / static_cast<double>(entry.size());
+    };
+    measures[kMissingArea].value = area_of(&ErrorAnalysis::missing);
+    measures[kFalseArea].value = area_of(&ErrorAnalysis::false_occlusion);
+    const std::map<std::string, Interval> intervals =
+        entry.size() == 1 ? entry.front()->analysis->intervals : confidence_intervals(blocks_of(entry), seed);
+    for (auto& [id, measure] : measures) {
+        if (const auto found = intervals.find(id); found != intervals.end()) measure.interval = found->second;
+    }
+    return measures;
+}
+
+PlaceRecord place_of(const Entry& entry, const std::string& metric, std::uint64_t seed) {
     PlaceRecord place;
     place.method = entry.front()->method;
     place.method_label = entry.front()->method_label;
     place.filter = entry.front()->filter;
     for (const CellRecord* cell : entry) place.cell_ids.push_back(cell->id);
     place.value = mean_of(entry, metric);
+    place.measures = measures_of(entry, seed);
     return place;
 }
 
@@ -64,7 +87,7 @@ RankingRecord ranking_of(std::vector<Entry> entries, const std::string& preset, 
     std::ranges::stable_sort(entries, {}, [&](const Entry& entry) { return mean_of(entry, ranking.metric); });
     std::vector<std::vector<double>> values;
     for (const Entry& entry : entries) {
-        ranking.places.push_back(place_of(entry, ranking.metric));
+        ranking.places.push_back(place_of(entry, ranking.metric, seed));
         values.push_back(resampled(ranking.metric, blocks_of(entry), seed));
     }
     find_ties(ranking.places, values);

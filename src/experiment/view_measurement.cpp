@@ -146,9 +146,11 @@ void ViewMeasurement::measure(const ResolvedCell& cell, CellRecord& record) {
     if (record.nonfinite > 0) {
         throw internal_error(fmt::format("{} pixels are NaN or infinite", record.nonfinite));
     }
-    record.ranked = metrics_against(truth_.queries[0], output.visibility, valid);
-    record.analysis = analyse({truth_.visibility[0], output.visibility, valid, &truth_.standard_error[0]},
-                              facts_, run_.mask_threshold, run_.seed);
+    MapSums maps;
+    const MetricInput ranked{truth_.visibility[0], output.visibility, valid, &truth_.standard_error[0],
+                             &maps};
+    record.ranked = evaluate(ranked);
+    record.analysis = analyse(ranked, facts_, run_.mask_threshold, run_.seed);
     if (cell.plan.own_truth)
         record.own = metrics_against(cell.own, output.visibility, valid, kUnrankedMetrics);
     if (filtered) {

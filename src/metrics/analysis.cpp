@@ -19,7 +19,7 @@ std::optional<ErrorAnalysis> analyse(const MetricInput& input, const PixelFacts&
     analysis.regions = worst_regions(masks, input, facts.causes);
     analysis.splits = error_splits(input, facts);
     analysis.distribution = error_distribution(input);
-    analysis.blocks = block_errors(input);
+    analysis.blocks = block_errors(input, masks);
     const std::array<const BlockErrors*, 1> images{&analysis.blocks};
     analysis.intervals = confidence_intervals(images, seed);
     return analysis;

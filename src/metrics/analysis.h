@@ -19,7 +19,7 @@ namespace aoscore {
 
 /// Where and how a test image is wrong, beside how much (the metrics).
 struct ErrorAnalysis {
-    std::map<std::string, Interval> intervals;  ///< 95 % confidence, by metric id; see confidence_intervals()
+    std::map<std::string, Interval> intervals;  ///< 95 % confidence, by id; see confidence_intervals()
     BestFit fit;                                ///< strength and exponent that would suit it best
     MaskSummary missing;                        ///< brighter than the truth beyond threshold and noise
     MaskSummary false_occlusion;                ///< darker
@@ -29,8 +29,9 @@ struct ErrorAnalysis {
     BlockErrors blocks;  ///< what the intervals are made of; pairs with those of other tests of the truth
 };
 
-/// `mask_threshold` in visibility; `seed` of the resampling. Empty without a valid pixel or where a valid one
-/// is NaN or infinite. Throws sizes_differ.
+/// SSIM, MS-SSIM and FLIP have intervals where evaluate() left their sums in `input.maps`. `mask_threshold`
+/// in visibility; `seed` of the resampling. Empty without a valid pixel or where a valid one is NaN or
+/// infinite. Throws sizes_differ.
 std::optional<ErrorAnalysis> analyse(const MetricInput& input, const PixelFacts& facts, double mask_threshold,
                                      std::uint64_t seed);
 

@@ -1,41 +1,41 @@
 #include "metrics/block_errors.h"
 
+#include "metrics/block_grid.h"
 #include "metrics/mean_error.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace aoscore {
-namespace {
 
-constexpr int kBlocksAcross = 24;
-
-}  // namespace
-
-BlockErrors block_errors(const MetricInput& input) {
+BlockErrors block_errors(const MetricInput& input, const OcclusionMasks& masks) {
     require_one_size(input);
+    const BlockGrid grid(input.truth.width, input.truth.height);
     BlockErrors blocks;
-    blocks.side_px = std::max(1, input.truth.width / kBlocksAcross);
-    blocks.across = (input.truth.width + blocks.side_px - 1) / blocks.side_px;
-    blocks.down = (input.truth.height + blocks.side_px - 1) / blocks.side_px;
-    blocks.counts.assign(static_cast<std::size_t>(blocks.across) * static_cast<std::size_t>(blocks.down), 0);
+    blocks.side_px = grid.side_px;
+    blocks.across = grid.across;
+    blocks.down = grid.down;
+    blocks.counts.assign(grid.size(), 0);
     blocks.squared_sums = blocks.absolute_sums = blocks.signed_sums = blocks.counts;
+    blocks.missing_counts = blocks.false_counts = blocks.counts;
     if (input.standard_error != nullptr) blocks.variance_sums = blocks.counts;
+    if (input.maps != nullptr) blocks.maps = *input.maps;
+    const auto add = [&](std::size_t block, std::size_t i) {
+        if (input.valid.pixels[i] == 0) return;
+        const double error = double{input.test.pixels[i]} - double{input.truth.pixels[i]};
+        blocks.counts[block] += 1;
+        blocks.squared_sums[block] += error * error;
+        blocks.absolute_sums[block] += std::abs(error);
+        blocks.signed_sums[block] += error;
+        blocks.missing_counts[block] += masks.missing.pixels[i];
+        blocks.false_counts[block] += masks.false_occlusion.pixels[i];
+        if (input.standard_error == nullptr) return;
+        const auto sigma = double{input.standard_error->pixels[i]};
+        blocks.variance_sums[block] += sigma * sigma;
+    };
     for (int y = 0; y < input.truth.height; ++y) {
-        for (int x = 0; x < input.truth.width; ++x) {
-            const std::size_t i = input.truth.index(x, y);
-            if (input.valid.pixels[i] == 0) continue;
-            const double error = double{input.test.pixels[i]} - double{input.truth.pixels[i]};
-            const auto block =
-                static_cast<std::size_t>(y / blocks.side_px * blocks.across + x / blocks.side_px);
-            blocks.counts[block] += 1;
-            blocks.squared_sums[block] += error * error;
-            blocks.absolute_sums[block] += std::abs(error);
-            blocks.signed_sums[block] += error;
-            if (input.standard_error == nullptr) continue;
-            const auto sigma = double{input.standard_error->pixels[i]};
-            blocks.variance_sums[block] += sigma * sigma;
-        }
+        grid.for_each_piece(y, 0, input.truth.width, 0, [&](std::size_t block, int from, int to) {
+            for (int x = from; x < to; ++x) add(block, input.truth.index(x, y));
+        });
     }
     return blocks;
 }

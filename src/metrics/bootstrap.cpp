@@ -15,76 +15,132 @@ namespace {
 constexpr int kResamples = 2000;
 constexpr double kNotThere = std::numeric_limits<double>::quiet_NaN();
 
-/// Sums over the blocks drawn.
-struct Totals {
-    double count = 0, squared = 0, absolute = 0, signed_sum = 0, variance = 0;
+/// What is summed over the blocks drawn; MS-SSIM is no sum, but drawn as well.
+enum Sum : std::size_t {
+    kCount,
+    kSquared,
+    kAbsolute,
+    kSigned,
+    kVariance,
+    kMissing,
+    kFalse,
+    kSsim,
+    kSsimWeight,
+    kFlip,
+    kSums,
+    kMsSsim = kSums
+};
+using Drawn = std::array<double, kSums + 1>;
 
-    void add(const BlockErrors& blocks, std::size_t block) {
-        count += blocks.counts[block];
-        squared += blocks.squared_sums[block];
-        absolute += blocks.absolute_sums[block];
-        signed_sum += blocks.signed_sums[block];
-        variance += blocks.variance_sums.empty() ? kNotThere : blocks.variance_sums[block];
+/// An image as it is drawn from. What it lacks is NaN.
+class Urn {
+  public:
+    explicit Urn(const BlockErrors& image) : blocks_(image.counts.size()), maps_(image.maps) {
+        fill(kCount, image.counts);
+        fill(kSquared, image.squared_sums);
+        fill(kAbsolute, image.absolute_sums);
+        fill(kSigned, image.signed_sums);
+        fill(kVariance, image.variance_sums);
+        fill(kMissing, image.missing_counts);
+        fill(kFalse, image.false_counts);
+        fill(kSsim, image.maps.ssim_sums);
+        fill(kSsimWeight, image.maps.ssim_weights);
+        fill(kFlip, image.maps.flip_sums);
     }
+
+    /// Squares for MS-SSIM come from a generator of their own: they are other than the blocks.
+    Drawn draw(std::mt19937_64& random, std::mt19937_64& random_squares) const {
+        Drawn sums{};
+        for (std::size_t k = 0; k < blocks_.size(); ++k) {
+            const Drawn& block = blocks_[random() % blocks_.size()];
+            for (std::size_t s = 0; s < kSums; ++s) sums[s] += block[s];
+        }
+        sums[kMsSsim] = draw_ms_ssim(random_squares);
+        return sums;
+    }
+
+  private:
+    double draw_ms_ssim(std::mt19937_64& random) const {
+        if (!maps_.ms_ssim) return kNotThere;
+        const std::vector<double>& influences = maps_.ms_ssim_influences;
+        double moved = 0;
+        for (std::size_t k = 0; k < influences.size(); ++k) moved += influences[random() % influences.size()];
+        // To first order only; the index has no value above 1.
+        return std::min(1.0, *maps_.ms_ssim * std::exp(moved));
+    }
+
+    void fill(Sum sum, const std::vector<double>& values) {
+        for (std::size_t b = 0; b < blocks_.size(); ++b)
+            blocks_[b][sum] = values.size() == blocks_.size() ? values[b] : kNotThere;
+    }
+
+    std::vector<Drawn> blocks_;
+    const MapSums& maps_;
 };
 
 struct Statistic {
-    const char* metric;
-    double (*value)(const Totals& totals);
+    const char* measure;
+    double (*value)(const Drawn& sums);
 };
 
-constexpr std::array<Statistic, 5> kStatistics{{
-    {"rmse", [](const Totals& t) { return std::sqrt(t.squared / t.count); }},
+constexpr std::array<Statistic, 10> kStatistics{{
+    {"rmse", [](const Drawn& s) { return std::sqrt(s[kSquared] / s[kCount]); }},
     // Not std::max, which would turn NaN into 0.
     {"rmse_debiased",
-     [](const Totals& t) {
-         const double mse = (t.squared - t.variance) / t.count;
+     [](const Drawn& s) {
+         const double mse = (s[kSquared] - s[kVariance]) / s[kCount];
          return mse < 0 ? 0.0 : std::sqrt(mse);
      }},
-    {"mae", [](const Totals& t) { return t.absolute / t.count; }},
-    {"bias", [](const Totals& t) { return t.signed_sum / t.count; }},
-    {"psnr", [](const Totals& t) { return -10 * std::log10(t.squared / t.count); }},
+    {"mae", [](const Drawn& s) { return s[kAbsolute] / s[kCount]; }},
+    {"bias", [](const Drawn& s) { return s[kSigned] / s[kCount]; }},
+    {"psnr", [](const Drawn& s) { return -10 * std::log10(s[kSquared] / s[kCount]); }},
+    {"ssim", [](const Drawn& s) { return s[kSsim] / s[kSsimWeight]; }},
+    {"flip", [](const Drawn& s) { return s[kFlip] / s[kCount]; }},
+    {"ms_ssim", [](const Drawn& s) { return s[kMsSsim]; }},
+    {kMissingArea, [](const Drawn& s) { return s[kMissing] / s[kCount]; }},
+    {kFalseArea, [](const Drawn& s) { return s[kFalse] / s[kCount]; }},
 }};
 
-const Statistic& statistic(const std::string& metric) {
-    const auto found = std::ranges::find(kStatistics, metric, &Statistic::metric);
-    if (found == kStatistics.end()) throw internal_error("no bootstrap of " + metric);
+const Statistic& statistic(const std::string& measure) {
+    const auto found = std::ranges::find(kStatistics, measure, &Statistic::measure);
+    if (found == kStatistics.end()) throw internal_error("no bootstrap of " + measure);
     return *found;
-}
-
-/// Draws images and blocks of them, and calls take(totals) for each image drawn.
-template <class Take>
-void resample(BootstrapImages images, std::mt19937_64& random, Take take) {
-    for (std::size_t i = 0; i < images.size(); ++i) {
-        const BlockErrors& image = *images[images.size() == 1 ? 0 : random() % images.size()];
-        const std::size_t blocks = image.counts.size();
-        Totals totals;
-        for (std::size_t k = 0; k < blocks; ++k) totals.add(image, random() % blocks);
-        take(totals);
-    }
 }
 
 /// Values of several statistics from the same draws.
 std::vector<std::vector<double>> resampled_together(std::span<const Statistic> statistics,
                                                     BootstrapImages images, std::uint64_t seed) {
+    std::vector<Urn> urns;
+    for (const BlockErrors* image : images) urns.emplace_back(*image);
     std::vector<std::vector<double>> values(statistics.size());
-    std::mt19937_64 random(seed);
+    std::mt19937_64 random(seed), random_squares(seed);
     for (int i = 0; i < kResamples; ++i) {
         std::vector<double> sums(statistics.size());
-        resample(images, random, [&](const Totals& totals) {
+        for (std::size_t k = 0; k < urns.size(); ++k) {
+            const Urn& urn = urns[urns.size() == 1 ? 0 : random() % urns.size()];
+            const Drawn drawn = urn.draw(random, random_squares);
             for (std::size_t s = 0; s < sums.size(); ++s)
-                sums[s] += totals.count > 0 ? statistics[s].value(totals) : kNotThere;
-        });
+                sums[s] += drawn[kCount] > 0 ? statistics[s].value(drawn) : kNotThere;
+        }
         for (std::size_t s = 0; s < sums.size(); ++s)
-            values[s].push_back(sums[s] / static_cast<double>(images.size()));
+            values[s].push_back(sums[s] / static_cast<double>(urns.size()));
     }
     return values;
 }
 
 }  // namespace
 
-std::vector<double> resampled(const std::string& metric, BootstrapImages images, std::uint64_t seed) {
-    return resampled_together({&statistic(metric), 1}, images, seed).front();
+const std::vector<std::string>& bootstrap_measures() {
+    static const std::vector<std::string> ids = [] {
+        std::vector<std::string> list;
+        for (const Statistic& row : kStatistics) list.emplace_back(row.measure);
+        return list;
+    }();
+    return ids;
+}
+
+std::vector<double> resampled(const std::string& measure, BootstrapImages images, std::uint64_t seed) {
+    return resampled_together({&statistic(measure), 1}, images, seed).front();
 }
 
 std::optional<Interval> confidence_interval(std::vector<double> values) {
@@ -110,7 +166,7 @@ std::map<std::string, Interval> confidence_intervals(BootstrapImages images, std
     std::map<std::string, Interval> intervals;
     for (std::size_t s = 0; s < values.size(); ++s) {
         if (const auto interval = confidence_interval(values[s]))
-            intervals[kStatistics[s].metric] = *interval;
+            intervals[kStatistics[s].measure] = *interval;
     }
     return intervals;
 }

@@ -1,4 +1,6 @@
 #include "core/threads.h"
+#include "metrics/block_errors.h"
+#include "metrics/block_grid.h"
 #include "metrics/convolution.h"
 #include "metrics/mean_error.h"
 #include "metrics/measures.h"
@@ -6,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 // After Pontus Andersson, Jim Nilsson, Tomas Akenine-Möller, Magnus Oskarsson, Kalle Åström, Mark Fairchild,
@@ -183,23 +187,29 @@ Plane feature_difference(const Plane& truth, const Plane& test, const Plane& val
     return difference;
 }
 
-/// Sum over the valid pixels of some rows. Images hold luminance, and 0 where they are invalid.
-double difference_sum(const Plane& truth, const Plane& test, const Plane& valid, Rows rows) {
+/// Sums over the valid pixels of some rows, by block. Images hold luminance, and 0 where they are invalid.
+std::vector<double> difference_sums(const Plane& truth, const Plane& test, const Plane& valid, Rows rows,
+                                    const BlockGrid& grid) {
     static const Kernels kernels;
     const MaskedFilter contrast(valid, rows, kernels.contrast, kernels.contrast);
     const Plane seen_truth = contrast.mean(truth), seen_test = contrast.mean(test);
     const Plane edges = feature_difference(truth, test, valid, rows, kernels.edge, kernels.blur);
     const Plane points = feature_difference(truth, test, valid, rows, kernels.point, kernels.blur);
     const double* self_valid = &valid.at(0, rows.first);
-    double sum = 0;
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        if (self_valid[i] == 0) continue;
+    const auto difference = [&](std::size_t i) {
+        if (self_valid[i] == 0) return 0.0;
         const double color = color_difference(seen_truth.pixels[i], seen_test.pixels[i]);
         const double feature =
             std::pow(std::max(edges.pixels[i], points.pixels[i]) / std::numbers::sqrt2, kFeatureExponent);
-        sum += std::pow(color, 1 - feature);
+        return std::pow(color, 1 - feature);
+    };
+    std::vector<double> sums(grid.size());
+    for (int y = 0; y < rows.count; ++y) {
+        grid.for_each_piece(rows.first + y, 0, edges.width, 0, [&](std::size_t block, int from, int to) {
+            for (int x = from; x < to; ++x) sums[block] += difference(edges.index(x, y));
+        });
     }
-    return sum;
+    return sums;
 }
 
 }  // namespace
@@ -219,13 +229,16 @@ MetricValue measure::flip(const MetricInput& input) {
             test.pixels[i] = linear_from_srgb(std::clamp(double{input.test.pixels[i]}, 0.0, 1.0));
         }
     });
-    std::vector<double> bands(band_count(height));
+    const BlockGrid grid(width, height);
+    std::vector<std::vector<double>> bands(band_count(height));
     for_each_band(height, [&](std::size_t band, int first, int rows) {
-        bands[band] = difference_sum(truth, test, valid, {first, rows});
+        bands[band] = difference_sums(truth, test, valid, {first, rows}, grid);
     });
-    double sum = 0, count = 0;
-    for (const double band : bands) sum += band;
-    for (const double pixel : valid.pixels) count += pixel;
+    std::vector<double> sums;
+    for (const std::vector<double>& band : bands) add_sums(sums, band);
+    const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
+    const double count = std::accumulate(valid.pixels.begin(), valid.pixels.end(), 0.0);
+    if (input.maps != nullptr) input.maps->flip_sums = std::move(sums);
     return defined(sum / count);
 }
 

@@ -9,12 +9,15 @@
 
 namespace aoscore {
 
+struct MapSums;
+
 /// What a metric looks at. All images have one size; visibility in [0,1], 1 = open.
 struct MetricInput {
     const ImageF& truth;
     const ImageF& test;
     const Mask& valid;                       ///< pixels that count; finite in both images
     const ImageF* standard_error = nullptr;  ///< of the truth, where it is known
+    MapSums* maps = nullptr;  ///< where metrics that are means of a map leave what they add up, if wanted
 };
 
 struct MetricValue {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace aoscore {
@@ -31,17 +32,14 @@ struct WeightedImages {
     const ImageF &truth, &test, &weight;
 };
 
-struct Sums {
-    SsimMeans weighted;
-    double weight = 0;
-};
-
 /// The sums of one band of rows. Rows are convolved across as they are read, and down over the last eleven of
 /// them, which stay in cache.
 class Band {
   public:
-    Band(const WeightedImages& pair, bool weighted)
+    Band(const WeightedImages& pair, bool weighted, const BlockGrid& grid, int halvings)
         : pair_(pair),
+          grid_(grid),
+          halvings_(halvings),
           moments_(weighted ? kMoments : kWeight),
           width_(static_cast<std::size_t>(pair.truth.width)),
           inner_(width_ - 2 * kSsimBorder_px),
@@ -51,8 +49,8 @@ class Band {
           ssim_(inner_),
           contrast_structure_(inner_) {}
 
-    Sums sum(int first_row, int rows) {
-        Sums all;
+    SsimSums sum(int first_row, int rows) {
+        SsimSums all(grid_.size());
         for (int y = 0; y < rows + 2 * kSsimBorder_px; ++y) {
             read_row(first_row + y);
             convolve_across(static_cast<std::size_t>(y));
@@ -124,19 +122,29 @@ class Band {
         }
     }
 
-    void add_row(int y, Sums& all) const {
-        const std::size_t from = pair_.weight.index(kSsimBorder_px, y);
-        for (std::size_t i = 0; i < inner_; ++i) {
-            const double weight = pair_.weight.pixels[from + i];
-            if (weight == 0) continue;
-            all.weighted.ssim += weight * ssim_[i];
-            all.weighted.contrast_structure += weight * contrast_structure_[i];
-            all.weight += weight;
-        }
+    void add_row(int y, SsimSums& all) const {
+        const float* weights = &pair_.weight.at(0, y);
+        const int last_x = pair_.weight.width - kSsimBorder_px;
+        grid_.for_each_piece(y, kSsimBorder_px, last_x, halvings_, [&](std::size_t block, int from, int to) {
+            double ssim = 0, contrast_structure = 0, sum = 0;
+            for (int x = from; x < to; ++x) {
+                const double weight = weights[x];
+                if (weight == 0) continue;
+                const auto i = static_cast<std::size_t>(x - kSsimBorder_px);
+                ssim += weight * ssim_[i];
+                contrast_structure += weight * contrast_structure_[i];
+                sum += weight;
+            }
+            all.ssim[block] += ssim;
+            all.contrast_structure[block] += contrast_structure;
+            all.weights[block] += sum;
+        });
     }
 
     inline static const std::array<double, kWindow_px> kWindow = gaussian_window();
     const WeightedImages& pair_;
+    const BlockGrid& grid_;
+    int halvings_;
     std::size_t moments_, width_, inner_;
     std::vector<double> terms_;  ///< one row of what is summed, by moment
     std::vector<double> ring_;   ///< eleven rows convolved across, by moment
@@ -153,27 +161,36 @@ ImageF weights_of(const Mask& valid) {
     return weight;
 }
 
-std::optional<SsimMeans> structural_similarity(const ImageF& truth, const ImageF& test,
-                                               const ImageF& weight) {
+void SsimSums::add(const SsimSums& other) {
+    add_sums(ssim, other.ssim);
+    add_sums(contrast_structure, other.contrast_structure);
+    add_sums(weights, other.weights);
+}
+
+std::optional<SsimMeans> SsimSums::means() const {
+    const auto total = [](const std::vector<double>& sums) {
+        return std::accumulate(sums.begin(), sums.end(), 0.0);
+    };
+    const double weight = total(weights);
+    if (weight == 0) return std::nullopt;
+    return SsimMeans{total(ssim) / weight, total(contrast_structure) / weight};
+}
+
+SsimSums structural_similarity(const ImageF& truth, const ImageF& test, const ImageF& weight,
+                               const BlockGrid& grid, int halvings) {
     const WeightedImages pair{truth, test, weight};
     const int width = pair.truth.width - 2 * kSsimBorder_px;
     const int height = pair.truth.height - 2 * kSsimBorder_px;
-    if (width <= 0 || height <= 0) return std::nullopt;
+    SsimSums all(grid.size());
+    if (width <= 0 || height <= 0) return all;
 
     const bool weighted = std::ranges::any_of(pair.weight.pixels, [](float w) { return w != 1; });
-    std::vector<Sums> bands(band_count(height));
+    std::vector<SsimSums> bands(band_count(height));
     for_each_band(height, [&](std::size_t band, int first_row, int rows) {
-        bands[band] = Band(pair, weighted).sum(first_row, rows);
+        bands[band] = Band(pair, weighted, grid, halvings).sum(first_row, rows);
     });
-
-    Sums all;
-    for (const Sums& sums : bands) {
-        all.weighted.ssim += sums.weighted.ssim;
-        all.weighted.contrast_structure += sums.weighted.contrast_structure;
-        all.weight += sums.weight;
-    }
-    if (all.weight == 0) return std::nullopt;
-    return SsimMeans{all.weighted.ssim / all.weight, all.weighted.contrast_structure / all.weight};
+    for (const SsimSums& sums : bands) all.add(sums);
+    return all;
 }
 
 }  // namespace aoscore

@@ -1,5 +1,6 @@
 #include "core/error.h"
 #include "report/baseline_table.h"
+#include "report/interval_tables.h"
 #include "report/number_text.h"
 #include "report/ranking_columns.h"
 #include "report/section.h"
@@ -183,6 +184,7 @@ nlohmann::json section::ranking(const PageSource& source) {
     json model = {{"heads", heads},
                   {"views", json::array()},
                   {"overall", json::array()},
+                  {"intervals", interval_tables(results)},
                   {"baselines", baseline_tables(results)},
                   {"failures", failed_rows(columns, results)},
                   {"gaps", gaps_of(columns.list, results)}};

@@ -78,6 +78,15 @@ void visit_members(Visit& visit, Record& record) {
     visit("cumulative", record.cumulative);
 }
 
+template <class Visit, RecordOf<MapSums> Record>
+void visit_members(Visit& visit, Record& record) {
+    visit("ssim_sums", record.ssim_sums);
+    visit("ssim_weights", record.ssim_weights);
+    visit("flip_sums", record.flip_sums);
+    visit("ms_ssim", record.ms_ssim);
+    visit("ms_ssim_influences", record.ms_ssim_influences);
+}
+
 template <class Visit, RecordOf<BlockErrors> Record>
 void visit_members(Visit& visit, Record& record) {
     visit("side_px", record.side_px);
@@ -88,6 +97,9 @@ void visit_members(Visit& visit, Record& record) {
     visit("absolute_sums", record.absolute_sums);
     visit("signed_sums", record.signed_sums);
     visit("variance_sums", record.variance_sums);
+    visit("missing_counts", record.missing_counts);
+    visit("false_counts", record.false_counts);
+    visit("maps", record.maps);
 }
 
 template <class Visit, RecordOf<ErrorAnalysis> Record>

@@ -123,6 +123,12 @@ struct CellRecord {
     std::string image_file;  ///< EXR: Y (output), raw.Y (before the filter); empty when not kept
 };
 
+/// A metric or a mask's area of one method over a ranking's views: the mean, and how sure it is.
+struct MeasureRecord {
+    double value = 0;
+    std::optional<Interval> interval;  ///< 95 % confidence; empty for what cannot be resampled
+};
+
 /// One method in a ranking.
 struct PlaceRecord {
     std::string method;
@@ -135,6 +141,8 @@ struct PlaceRecord {
     int rank = 1;
     std::vector<std::size_t> ties;  ///< places of this ranking neither surely closer nor surely farther
     Interval behind_best;           ///< of value - the first place's value, paired; 0 for the first place
+    /// Of every metric and mask area that all of the cells have, by id (kMissingArea, kFalseArea for areas).
+    std::map<std::string, MeasureRecord> measures;
 };
 
 /// Cells that can be compared fairly: of one preset, on one view or on the same several ones.
@@ -229,7 +237,7 @@ struct WorkRecord {
 };
 
 struct Results {
-    static constexpr int kSchemaVersion = 2;
+    static constexpr int kSchemaVersion = 3;
     std::string program_version;
     std::string created_utc;  ///< 2026-11-22T02:11:47Z
     std::string command;      ///< that makes it again

@@ -128,6 +128,13 @@ void visit_members(Visit& visit, Record& record) {
     visit("rank", record.rank);
     visit("ties", record.ties);
     visit("behind_best", record.behind_best);
+    visit("measures", record.measures);
+}
+
+template <class Visit, RecordOf<MeasureRecord> Record>
+void visit_members(Visit& visit, Record& record) {
+    visit("value", record.value);
+    visit("interval", record.interval);
 }
 
 template <class Visit, RecordOf<RankingRecord> Record>

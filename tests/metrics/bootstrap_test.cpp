@@ -1,11 +1,16 @@
 #include "metrics/bootstrap.h"
 
 #include "core/error.h"
+#include "metrics/evaluate.h"
 #include "pictures.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <map>
+#include <numeric>
+#include <string>
 
 namespace aoscore {
 namespace {
@@ -37,7 +42,8 @@ TEST(BlockErrors, AddUpToTheImage) {
     Pair pair = natural_pair(130, 70);
     testing::mask_out(pair, 0.7);
     const ImageF standard_error(130, 70, 0.5F);
-    const BlockErrors blocks = block_errors(pair.input(&standard_error));
+    const BlockErrors blocks =
+        block_errors(pair.input(&standard_error), occlusion_masks(pair.input(&standard_error)));
     EXPECT_EQ(blocks.side_px, 5);
     ASSERT_EQ(blocks.counts.size(), static_cast<std::size_t>(blocks.across * blocks.down));
     double count = 0, squared = 0, variance = 0;
@@ -91,22 +97,148 @@ TEST(Bootstrap, DifferencesArePairedSoThatWhatTwoTestsShareCancels) {
     EXPECT_LE(held, 200);
 }
 
-TEST(Bootstrap, IntervalsHoldTheirMetricsAndAreNarrowForLargeImages) {
-    const Pair pair = natural_pair(240, 240);
-    const ImageF standard_error(240, 240, 0.01F);
-    const MetricInput input = pair.input(&standard_error);
-    const BlockErrors blocks = block_errors(input);
+/// Everything measured of a pair: values by id of bootstrap_measures(), and what they are resampled from.
+struct Measured {
+    std::map<std::string, double> values;
+    BlockErrors blocks;
+};
+
+Measured measured(const Pair& pair) {
+    const ImageF standard_error(pair.truth.width, pair.truth.height, 0.01F);
+    MapSums maps;
+    MetricInput input = pair.input(&standard_error);
+    input.maps = &maps;
+    Measured result;
+    for (const auto& [id, metric] : evaluate(input)) result.values[id] = metric.value.value();
+    const OcclusionMasks masks = occlusion_masks(input);
+    result.values[kMissingArea] = masks.missing_area;
+    result.values[kFalseArea] = masks.false_area;
+    result.blocks = block_errors(input, masks);
+    return result;
+}
+
+std::map<std::string, Interval> intervals_of(const BlockErrors& blocks) {
     const std::array<const BlockErrors*, 1> images{&blocks};
-    const auto intervals = confidence_intervals(images, 1);
-    EXPECT_EQ(intervals.size(), 5U);
-    for (const Metric& metric : metrics()) {
-        const auto found = intervals.find(std::string(metric.id));
-        if (found == intervals.end()) continue;
-        const double value = *metric.measure(input).value;
-        EXPECT_LT(found->second.low, value) << metric.id;
-        EXPECT_GT(found->second.high, value) << metric.id;
-        EXPECT_LT(found->second.high - found->second.low, 0.2 * std::abs(value)) << metric.id;
+    return confidence_intervals(images, 1);
+}
+
+double total(const std::vector<double>& sums) {
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+/// Patches that err each in its own way, and nothing else in the picture.
+Pair patchwork(int side_px, int patch_px, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> shift(-0.3F, 0.3F), noise(-2, 2), texture(-0.1F, 0.1F);
+    const int across = (side_px + patch_px - 1) / patch_px;
+    Image<float> shifts(across, across), noises(across, across);
+    for (float& value : shifts.pixels) value = shift(random);
+    for (float& value : noises.pixels) value = noise(random);
+    Pair pair(side_px, side_px);
+    for (int y = 0; y < side_px; ++y) {
+        for (int x = 0; x < side_px; ++x) {
+            const int px = x / patch_px, py = y / patch_px;
+            pair.truth.at(x, y) = 0.5F + texture(random);
+            pair.test.at(x, y) =
+                pair.truth.at(x, y) + shifts.at(px, py) + noises.at(px, py) * texture(random);
+        }
     }
+    return pair;
+}
+
+TEST(BlockErrors, OfMapsAddUpToTheirMetrics) {
+    Pair pair = natural_pair(250, 190);
+    testing::mask_out(pair, 0.9);
+    const Measured all = measured(pair);
+    const BlockErrors& blocks = all.blocks;
+    EXPECT_NEAR(total(blocks.maps.ssim_sums) / total(blocks.maps.ssim_weights), all.values.at("ssim"), 1e-12);
+    EXPECT_NEAR(total(blocks.maps.flip_sums) / total(blocks.counts), all.values.at("flip"), 1e-12);
+    EXPECT_NEAR(total(blocks.missing_counts) / total(blocks.counts), all.values.at(kMissingArea), 1e-12);
+    EXPECT_NEAR(total(blocks.false_counts) / total(blocks.counts), all.values.at(kFalseArea), 1e-12);
+}
+
+TEST(BlockErrors, InfluenceOfASquareIsWhatMsSsimLosesWithoutIt) {
+    const auto ms_ssim_of = [](const Pair& pair, MapSums& maps) {
+        MetricInput input = pair.input();
+        input.maps = &maps;
+        return *metric("ms_ssim").measure(input).value;
+    };
+    Pair pair = patchwork(5 * 176, 40, 1);
+    MapSums whole, part;
+    const double value = ms_ssim_of(pair, whole);
+    ASSERT_EQ(whole.ms_ssim_influences.size(), 25U);
+    EXPECT_NEAR(total(whole.ms_ssim_influences), 0, 1e-12);
+    // The square that does most, so that what its neighbours' windows miss of it matters least.
+    const auto most =
+        std::ranges::max_element(whole.ms_ssim_influences, {}, [](double x) { return std::abs(x); });
+    const auto square = static_cast<int>(most - whole.ms_ssim_influences.begin());
+    for (int y = 0; y < 176; ++y) {
+        for (int x = 0; x < 176; ++x) pair.valid.at(square % 5 * 176 + x, square / 5 * 176 + y) = 0;
+    }
+    const double lost = std::log(value / ms_ssim_of(pair, part));
+    EXPECT_GT(std::abs(lost), 1e-3);
+    EXPECT_NEAR(*most, lost, 0.4 * std::abs(lost));
+}
+
+TEST(Bootstrap, IntervalsHoldTheirMeasuresAndAreNarrowForLargeImages) {
+    const Measured all = measured(natural_pair(5 * 176, 3 * 176));
+    const auto intervals = intervals_of(all.blocks);
+    EXPECT_EQ(intervals.size(), bootstrap_measures().size());
+    for (const std::string& id : bootstrap_measures()) {
+        const double value = all.values.at(id);
+        EXPECT_LE(intervals.at(id).low, value) << id;
+        EXPECT_GE(intervals.at(id).high, value) << id;
+        EXPECT_LT(intervals.at(id).high - intervals.at(id).low, 0.2 * std::abs(value) + 1e-9) << id;
+    }
+    EXPECT_FALSE(intervals_of(measured(natural_pair(4 * 176, 3 * 176)).blocks).contains("ms_ssim"))
+        << "twelve squares are too few";
+}
+
+/// How wide intervals are against how much pictures of one kind differ; 1 where they say the truth.
+struct Calibration {
+    double sum = 0, squares = 0, widths = 0;
+    int pictures = 0;
+
+    void add(double value, const Interval& interval) {
+        sum += value;
+        squares += value * value;
+        widths += interval.high - interval.low;
+        ++pictures;
+    }
+    double ratio() const {
+        const double mean = sum / pictures;
+        return widths / pictures / (2 * 1.96 * std::sqrt(squares / pictures - mean * mean));
+    }
+};
+
+TEST(Bootstrap, IntervalsAreAsWideAsPicturesOfOneKindDiffer) {
+    std::map<std::string, Calibration> calibrations;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        const Measured all = measured(patchwork(240, 10, seed));
+        for (const auto& [id, interval] : intervals_of(all.blocks))
+            calibrations[id].add(all.values.at(id), interval);
+    }
+    EXPECT_EQ(calibrations.size(), bootstrap_measures().size() - 1) << "all but MS-SSIM";
+    for (const auto& [id, calibration] : calibrations) {
+        // The deviation of 40 pictures is known to 11 %; windows reach over several patches.
+        EXPECT_GT(calibration.ratio(), 0.65) << id;
+        EXPECT_LT(calibration.ratio(), 1.4) << id;
+    }
+}
+
+TEST(Bootstrap, IntervalOfMsSsimIsAsWideAsPicturesOfOneKindDiffer) {
+    Calibration calibration;
+    const std::vector<std::string> ids{"ms_ssim"};
+    for (unsigned seed = 0; seed < 24; ++seed) {
+        const Pair pair = patchwork(4 * 176, 40, seed);
+        MapSums maps;
+        MetricInput input = pair.input();
+        input.maps = &maps;
+        const double value = *evaluate(input, ids).at("ms_ssim").value;
+        calibration.add(value, intervals_of(block_errors(input, occlusion_masks(input))).at("ms_ssim"));
+    }
+    EXPECT_GT(calibration.ratio(), 0.65);
+    EXPECT_LT(calibration.ratio(), 1.4);
 }
 
 TEST(Bootstrap, OfSeveralViewsIsWiderThanOfEachBecauseViewsDiffer) {
@@ -124,11 +256,13 @@ TEST(Bootstrap, OfSeveralViewsIsWiderThanOfEachBecauseViewsDiffer) {
 TEST(Bootstrap, HasNoIntervalWithoutAValidPixelNorForAnInfinitePsnr) {
     Pair pair = natural_pair(48, 48);
     pair.valid = Mask(48, 48, 0);
-    const BlockErrors nothing = block_errors(pair.input());
+    const BlockErrors nothing = block_errors(pair.input(), occlusion_masks(pair.input()));
     const std::array<const BlockErrors*, 1> images{&nothing};
     EXPECT_TRUE(confidence_intervals(images, 1).empty());
     EXPECT_FALSE(confidence_interval(values("psnr", blocks_of({0, 0, 0}))));
-    EXPECT_THROW(values("ssim", nothing), Error);
+    EXPECT_THROW(values("max_error", nothing), Error);
+    // Where evaluate() left no sums, there is no interval either.
+    EXPECT_FALSE(confidence_interval(values("ssim", blocks_of({1, 2, 3}))));
 }
 
 }  // namespace

@@ -127,6 +127,18 @@ CellRecord cell_record(const std::string& view, const MethodFacts& facts, const 
     return cell;
 }
 
+std::map<std::string, MeasureRecord> measures_of(const CellRecord& cell) {
+    std::map<std::string, MeasureRecord> measures;
+    for (const auto& [id, metric] : cell.ranked) {
+        if (metric.value)
+            measures[id] = {*metric.value, Interval{*metric.value - 0.002, *metric.value + 0.002}};
+    }
+    measures["max_error"].interval.reset();
+    measures[kMissingArea] = {0.25, Interval{0.21, 0.29}};
+    measures[kFalseArea] = {0.125, Interval{0.11, 0.14}};
+    return measures;
+}
+
 /// By view and preset, without ties.
 std::vector<RankingRecord> rankings_of(const std::vector<CellRecord>& cells) {
     std::vector<RankingRecord> rankings;
@@ -147,7 +159,8 @@ std::vector<RankingRecord> rankings_of(const std::vector<CellRecord>& cells) {
                                  {value - 0.002, value + 0.002},
                                  1,
                                  {},
-                                 {}});
+                                 {},
+                                 measures_of(cell)});
     }
     for (RankingRecord& ranking : rankings) {
         std::ranges::sort(ranking.places, {}, &PlaceRecord::value);

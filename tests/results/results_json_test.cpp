@@ -167,6 +167,8 @@ TEST(Results, ListOfMembersForgetsNone) {
     EXPECT_EQ(listed<SplitBin>(), declared<SplitBin>());
     EXPECT_EQ(listed<Split>(), declared<Split>());
     EXPECT_EQ(listed<ErrorDistribution>(), declared<ErrorDistribution>());
+    EXPECT_EQ(listed<MapSums>(), declared<MapSums>());
+    EXPECT_EQ(listed<MeasureRecord>(), declared<MeasureRecord>());
     EXPECT_EQ(listed<BlockErrors>(), declared<BlockErrors>());
     EXPECT_EQ(listed<ErrorAnalysis>(), declared<ErrorAnalysis>());
     EXPECT_EQ(listed<TruthRecord>(), declared<TruthRecord>());
@@ -203,7 +205,7 @@ TEST(Results, AnotherSchemaVersionIsRefused) {
     EXPECT_EQ(object.at("schema_version"), Results::kSchemaVersion);
     object["schema_version"] = Results::kSchemaVersion + 1;
     object["from_the_future"] = 1;
-    EXPECT_THAT(refusal(object), HasSubstr("results.json.schema_version: is 3"));
+    EXPECT_THAT(refusal(object), HasSubstr("results.json.schema_version: is 4"));
     object.erase("schema_version");
     EXPECT_THAT(refusal(object), HasSubstr("schema_version: is missing"));
 }

@@ -31,11 +31,11 @@ std::vector<Part> measure_parts() {
                              return found == map.end() ? std::nullopt : found->second.value;
                          }});
     }
-    for (const char* id : {"rmse", "rmse_debiased", "mae", "bias", "psnr"}) {
+    for (const std::string& id : bootstrap_measures()) {
         for (const auto& [suffix, end] :
              {std::pair("_low", &Interval::low), std::pair("_high", &Interval::high)}) {
             parts.push_back(
-                {{std::string(id) + suffix, "", 4, false},
+                {{id + suffix, "", 4, false},
                  [id, end](const MetricMap&, const ErrorAnalysis* a) { return bound(a, id, end); }});
         }
     }
