@@ -124,6 +124,40 @@ TEST(MsSsim, OfAUniformShiftIsTheCoarsestLuminanceTermByItsExponent) {
     EXPECT_NEAR(*metric("ms_ssim").measure(pair.input()).value, std::pow(luminance, 0.1333), 1e-9);
 }
 
+// Computed outside: contrast-structure by scipy 1.10.1 (ndimage.gaussian_filter, sigma 1.5, truncate 3.5),
+// the coarsest scale by scikit-image 0.19.3 (metrics.structural_similarity, as in AgreesWithScikitImage),
+// halved by its transform.downscale_local_mean without an odd last row or column; gray levels by 255 in
+// double precision.
+TEST(MsSsim, AgreesWithScipyAndScikitImage) {
+    struct Case {
+        const char* name;
+        int width, height;
+        int (*truth)(int x, int y);
+        int (*test)(int truth, int x, int y);
+        double ms_ssim;
+    };
+    const Case cases[] = {
+        {"stripes", 256, 192, [](int x, int y) { return (7 * x + 13 * y) % 256; },
+         [](int level, int, int) { return level * 9 / 10 + 12; }, 0.9947469236718469},
+        {"ramp of odd height", 250, 181, [](int x, int) { return x * 255 / 249; },
+         [](int level, int, int) { return std::max(level - 25, 0); }, 0.9913723969715037},
+        {"curves of odd sizes", 321, 243, [](int x, int y) { return (x * x + 3 * y * y) / 97 % 200 + 20; },
+         [](int level, int x, int y) { return level * 4 / 5 + (x / 9 + y / 7) % 5 * 10; },
+         0.9005699687908739},
+    };
+    for (const Case& c : cases) {
+        Pair pair(c.width, c.height);
+        for (int y = 0; y < c.height; ++y) {
+            for (int x = 0; x < c.width; ++x) {
+                const int level = c.truth(x, y);
+                pair.truth.at(x, y) = static_cast<float>(level) / 255.0F;
+                pair.test.at(x, y) = static_cast<float>(c.test(level, x, y)) / 255.0F;
+            }
+        }
+        EXPECT_NEAR(*metric("ms_ssim").measure(pair.input()).value, c.ms_ssim, 1e-6) << c.name;
+    }
+}
+
 TEST(MsSsim, HasNoValueForSmallImages) {
     const MetricValue value = metric("ms_ssim").measure(natural_pair(175, 300).input());
     EXPECT_FALSE(value.value);
