@@ -1,6 +1,7 @@
 // What a pass may read. The descriptor lists the inputs; each is the sampler u_<input>. Fetches at the shaded pixel
 // itself are the centre's; every other one is a tap, and an instrumented build counts the taps (all of depth, normal
 // and other G-buffer texels; noise and the centre are not counted).
+#include "contract/mirror.glsl"
 #include "contract/view.glsl"
 
 uniform sampler2D u_linear_depth;      // metres, positive; u_far on background
@@ -38,7 +39,9 @@ vec3 centre_normal_from_depth() { return picture_texel(u_normal_from_depth, vec2
 vec3 centre_normal_from_depth_accurate() {
     return picture_texel(u_normal_from_depth_accurate, vec2(centre_texel())).xyz;
 }
-vec4 tiled_noise() { return texelFetch(u_noise_4x4, drawn_texel() & 3, 0); }
+// The texel whose noise is this one's.
+ivec2 noise_texel() { return mirrored_texel(drawn_texel(), (ivec2(u_size_px) + SCALE - 1) / SCALE); }
+vec4 tiled_noise() { return texelFetch(u_noise_4x4, noise_texel() & 3, 0); }
 
 // The picture's texel that a tap reads. Texels as floats: they are needed as such, and outside of the picture they need
 // not fit an integer. A G-buffer of half the resolution holds one texel of each block of 2x2, that on the lower right;

@@ -1,4 +1,6 @@
 // One level of the depth mips from the level above it (u_source_level; -1 copies the full picture).
+#include "contract/mirror.glsl"
+
 uniform sampler2D u_source;
 uniform int u_source_level;
 uniform float u_radius;  // metres, WEIGHTED only
@@ -22,7 +24,10 @@ float reduced(ivec2 texel) {
 }
 #else
 // One of the four, its place rotated from texel to texel (McGuire, Mara and Luebke, Scalable Ambient Obscurance, 2012).
-float reduced(ivec2 texel) { return source_depth(2 * texel + ivec2(~texel.y & 1, ~texel.x & 1)); }
+float reduced(ivec2 texel) {
+    ivec2 turned = mirrored_texel(texel, max(source_size >> 1, 1));
+    return source_depth(mirrored_texel(2 * turned + ivec2(~turned.y & 1, ~turned.x & 1), source_size));
+}
 #endif
 
 void main() {

@@ -1,11 +1,12 @@
 // Marching over the depth surface in image directions.
+#include "contract/mirror.glsl"
 #include "contract/view.glsl"
 #include "lib/constants.glsl"
 
 // The i-th of `count` evenly spread image directions, turned by `turn` in [0,1) of their spacing.
 vec2 image_direction(int i, int count, float turn) {
     float angle = (float(i) + turn) * (kTwoPi / float(count));
-    return vec2(cos(angle), sin(angle));
+    return mirrored(vec2(cos(angle), sin(angle)));
 }
 
 // The view-space direction along the picture plane; image y runs down.

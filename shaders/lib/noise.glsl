@@ -34,7 +34,7 @@ vec4 interleaved_gradient_noise(ivec2 texel) {
 // Four numbers in [0,1) for this pixel; none: the same for all pixels, to see what the randomness is worth.
 vec4 pixel_noise() {
     if (p_noise == noise_none) return vec4(0.75, 0.5, 0.25, 0.5);
-    if (p_noise == noise_hash) return hash_noise(drawn_texel(), 0u);
-    if (p_noise == noise_interleaved_gradient) return interleaved_gradient_noise(drawn_texel());
+    if (p_noise == noise_hash) return hash_noise(noise_texel(), 0u);
+    if (p_noise == noise_interleaved_gradient) return interleaved_gradient_noise(noise_texel());
     return tiled_noise();
 }

@@ -52,10 +52,11 @@ ViewSlice view_slice(float azimuth, vec3 position, vec3 normal, vec3 line_of_sig
     return completed(slice, normal, line_of_sight);
 }
 
-// The slice through a direction of the picture; a metre along it is the face-on projection.
-ViewSlice screen_slice(vec2 direction, vec3 position, vec3 normal, vec3 line_of_sight) {
+// The slice at this azimuth in the picture; a metre along it is the face-on projection.
+ViewSlice screen_slice(float azimuth, vec3 position, vec3 normal, vec3 line_of_sight) {
     ViewSlice slice;
     slice.view = view_vector(position);
+    vec2 direction = mirrored(vec2(cos(azimuth), sin(azimuth)));
     vec3 along = view_of_image_direction(direction);
     slice.along = normalize(along - slice.view * dot(along, slice.view));
     slice.image_px = direction * pixels_per_metre(-position.z);

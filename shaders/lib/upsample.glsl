@@ -7,7 +7,8 @@ ivec2 texel_of_coarser(ivec2 coarse) { return min(coarse * COARSER_SCALE + COARS
 
 ivec2 coarser_corner(out vec2 fraction) {
     vec2 at = (vec2(centre_texel()) + 0.5 - float(COARSER_SCALE / 2) - 0.5) / float(COARSER_SCALE);
-    vec2 low = floor(at);
+    // Where a coarse texel lies in the pixel's own row or column, the next one may be that on either side.
+    vec2 low = vec2(MIRROR_X < 0 ? ceil(at.x) - 1.0 : floor(at.x), MIRROR_Y < 0 ? ceil(at.y) - 1.0 : floor(at.y));
     fraction = at - low;
     return ivec2(low);
 }

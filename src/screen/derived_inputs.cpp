@@ -1,6 +1,7 @@
 #include "screen/derived_inputs.h"
 
 #include "core/files.h"
+#include "screen/pass_program.h"
 #include "screen/precision.h"
 #include "screen/texture.h"
 
@@ -42,12 +43,14 @@ void DerivedInputs::draw(const GBuffer& gbuffer, const ShaderProgram& p, GLuint 
 }
 
 GLuint DerivedInputs::depth_mips(const GBuffer& gbuffer, GLuint linear_depth, const std::string& filter,
-                                 double radius_m) {
-    const std::string key = fmt::format("depth_mips {} {} {}", linear_depth, filter, radius_m);
+                                 double radius_m, Mirror mirror) {
+    const std::string mirrored = mirror_macros(mirror);
+    const std::string key = fmt::format("depth_mips {} {} {} {}", linear_depth, filter, radius_m, mirrored);
     if (const auto found = textures_.find(key); found != textures_.end()) return found->second.name();
     gl::Texture mips = make_mipmapped_texture(kR32F, gbuffer.width(), gbuffer.height(), kMipLevels);
-    const ShaderProgram& p = program(gbuffer, "depth_mip.frag",
-                                     fmt::format("#define WEIGHTED {}\n", filter == "weighted" ? 1 : 0));
+    const ShaderProgram& p =
+        program(gbuffer, "depth_mip.frag",
+                fmt::format("#define WEIGHTED {}\n{}", filter == "weighted" ? 1 : 0, mirrored));
     p.use();
     gl::Uniform1i(p.location("u_source"), 0);
     gl::Uniform1f(p.location("u_radius"), static_cast<float>(radius_m));

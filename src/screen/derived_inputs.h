@@ -22,8 +22,8 @@ class DerivedInputs {
 
     /// `radius_m` is that of a "weighted" chain.
     /// `linear_depth` is the texture that they are made of.
-    GLuint depth_mips(const GBuffer& gbuffer, GLuint linear_depth, const std::string& filter,
-                      double radius_m);
+    GLuint depth_mips(const GBuffer& gbuffer, GLuint linear_depth, const std::string& filter, double radius_m,
+                      Mirror mirror);
 
     /// What the depth buffer of that format gives back (PrecisionFormat::stored), metres.
     GLuint stored_depth(const GBuffer& gbuffer, std::string_view stored);

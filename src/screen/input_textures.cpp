@@ -64,7 +64,7 @@ GLuint InputTextures::depth_mips(const PassBuild& build, GLuint linear_depth) {
     const DepthMips& mips = build.method->depth_mips;
     const bool has_radius = !mips.radius_parameter.empty();
     const double radius = has_radius ? build.parameters->at(mips.radius_parameter).get<double>() : 0;
-    return derived_.depth_mips(*gbuffer_, linear_depth, mips.filter, radius);
+    return derived_.depth_mips(*gbuffer_, linear_depth, mips.filter, radius, build.mirror);
 }
 
 GLuint InputTextures::linear_depth(Precision precision) {

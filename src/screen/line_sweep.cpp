@@ -52,16 +52,16 @@ class Sweep {
           edge_(edge),
           perspective_(input.frame->camera().projection == Camera::Projection::perspective) {}
 
-    int line_count() const { return major_size() > 0 ? minor_size() + reach() : 0; }
+    int line_count() const { return major_size() > 0 ? minor_size() + 2 * reach() : 0; }
 
     // Adds one side of the slice's visibility to every pixel of the line.
     void run(int line, ImageF& sum) const {
-        const double offset = line - (direction_.slope > 0 ? reach() : 0);
+        const int offset = line - reach();
         std::vector<PlanePoint> hull;
         const int size = major_size();
         for (int i = 0; i < size; ++i) {
             const int major = direction_.step > 0 ? i : size - 1 - i;
-            const double minor = offset + direction_.slope * major;
+            const double minor = offset + direction_.slope * (major - middle());
             const int nearest = static_cast<int>(std::lround(minor));
             if (nearest < 0 || nearest >= minor_size()) continue;
             const double depth = depth_on_line(major, minor, nearest);
@@ -81,8 +81,13 @@ class Sweep {
   private:
     int major_size() const { return direction_.along_x ? in_.linear_depth->width : in_.linear_depth->height; }
     int minor_size() const { return direction_.along_x ? in_.linear_depth->height : in_.linear_depth->width; }
-    // How far lines climb over the picture, pixels.
-    int reach() const { return static_cast<int>(std::ceil(std::abs(direction_.slope) * major_size())) + 1; }
+    // Lines are a pixel apart and meet pixel centres here, so that the two directions of a mirror run along
+    // mirrored lines.
+    int middle() const { return (major_size() - 1) / 2; }
+    // How far lines climb from there to either side of the picture, pixels.
+    int reach() const {
+        return static_cast<int>(std::ceil(std::abs(direction_.slope) * (major_size() - middle()))) + 1;
+    }
 
     double depth_at(int major, int minor) const {
         const int m = std::clamp(minor, 0, minor_size() - 1);

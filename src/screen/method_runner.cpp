@@ -32,6 +32,7 @@ PassBuild MethodRunner::base_build(const MethodRequest& request, const MethodDes
     build.orthographic = gbuffer_->orthographic();
     build.border_far = request.border == Border::far;
     build.uniform_form = request.uniform_form;
+    build.mirror = request.mirror;
     return build;
 }
 

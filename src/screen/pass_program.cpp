@@ -3,7 +3,6 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "screen/kernel.h"
-#include "screen/screen.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -107,7 +106,7 @@ std::string kernel_block(const PassBuild& build) {
 std::string macro_block(const PassBuild& build) {
     std::string text;
     for (const auto& [name, value] : pass_macros(build)) text += fmt::format("#define {} {}\n", name, value);
-    return text;
+    return text + mirror_macros(build.mirror);
 }
 
 void add_body(ShaderSource& source, const PassBuild& build, const Pass& pass) {
@@ -164,6 +163,18 @@ std::map<std::string, int> pass_macros(const PassBuild& build) {
             {"HALF_TAPS", build.half_taps ? 1 : 0},
             {"DUAL", build.dual ? 1 : 0},
             {"COUNT_FETCHES", build.count_fetches ? 1 : 0}};
+}
+
+std::string mirror_macros(Mirror mirror) {
+    switch (mirror) {
+        case Mirror::none:
+            return "";
+        case Mirror::left_right:
+            return "#define MIRROR_X -1\n";
+        case Mirror::up_down:
+            return "#define MIRROR_Y -1\n";
+    }
+    return "";
 }
 
 ShaderSource pass_source(const PassBuild& build, const Pass& pass) {

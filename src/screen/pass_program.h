@@ -1,6 +1,7 @@
 #pragma once
 
 #include "screen/method.h"
+#include "screen/screen.h"
 #include "screen/shader_program.h"
 
 #include <cstdint>
@@ -23,10 +24,14 @@ struct PassBuild {
     bool dual = false;           ///< shades only where the coarse result varies
     bool uniform_form = false;   ///< parameters and kernels as uniforms, not constants
     bool count_fetches = false;  ///< with the second output o_fetches
+    Mirror mirror = Mirror::none;
 };
 
 /// The macros that a pass is compiled with, by name.
 std::map<std::string, int> pass_macros(const PassBuild& build);
+
+/// The definitions that mirror a shader's randomness; none where nothing is mirrored.
+std::string mirror_macros(Mirror mirror);
 
 /// The fragment shader of a pass: macros, parameters, kernels, then the method's own file.
 ShaderSource pass_source(const PassBuild& build, const Pass& pass);

@@ -28,6 +28,7 @@ void add_descriptor(Digest& digest, const MethodRequest& request, const MethodDe
         build.orthographic = orthographic;
         build.border_far = request.border == Border::far;
         build.uniform_form = request.uniform_form;
+        build.mirror = request.mirror;
         digest.text(pass_source(build, pass).text());
     }
 }

@@ -43,6 +43,10 @@ enum class Precision { full, depth_32f, depth_32f_reversed, depth_24, depth_16, 
 /// and McNaughton 2008).
 enum class Resolution { full, half, dual, half_gbuffer };
 
+/// Whether all that a method chooses at random (noise, kernels, frames, the pattern of depth mips) is
+/// mirrored: for tests, where a mirrored scene must give the mirrored picture.
+enum class Mirror { none, left_right, up_down };
+
 /// What to run on the current G-buffer.
 struct MethodRequest {
     const MethodDescriptor* method = nullptr;
@@ -56,6 +60,7 @@ struct MethodRequest {
     Precision precision = Precision::full;
     /// Parameters and kernels as uniforms instead of constants: the same picture, slower; for comparison.
     bool uniform_form = false;
+    Mirror mirror = Mirror::none;
 };
 
 struct MethodOutput {

@@ -12,7 +12,7 @@ vec2 spiral_radius_px(float depth) {
 float visibility(vec2 image_px, vec3 position) {
     vec3 normal = centre_normal_geometric();
     vec2 radius_px = spiral_radius_px(-position.z);
-    float turn = p_rotation == rotation_none ? 0.0 : dot(image_px, vec2(2.3734372915, 3.58540627421));
+    float turn = p_rotation == rotation_none ? 0.0 : dot(vec2(noise_texel()) + 0.5, vec2(2.3734372915, 3.58540627421));
     float sum = 0.0;
 #pragma unroll
     for (int i = 0; i < p_samples; ++i) {

@@ -9,6 +9,7 @@
 // Twice the first two channels less 1: a vector in the square, whose angle turns the directions.
 mat2 direction_rotation(vec2 vector) {
     if (p_rotation == rotation_unit) vector = normalize(vector);
+    vector.y *= kHandedness;  // mirrored, it turns the other way
     return mat2(vector.x, -vector.y, vector.y, vector.x);
 }
 

@@ -24,7 +24,7 @@ float visibility(vec2 image_px, vec3 position) {
     float occlusion = 0.0;
 #pragma unroll
     for (int i = 0; i < p_samples; ++i) {
-        vec3 point = position + into_hemisphere(reflect(k_points[i], mirror), normal) * p_radius;
+        vec3 point = position + into_hemisphere(mirrored(reflect(k_points[i], mirror)), normal) * p_radius;
         float surface_z = surface_z_at(point);
         float invalid = clamp((position.z - surface_z) / surface_z, 0.0, 1.0);
         occlusion += hides(surface_z, point, p_bias) ? 1.0 - invalid : 0.0;

@@ -32,7 +32,7 @@ float visibility(vec2 image_px, vec3 position) {
     float sum = 0.0;
     for (int i = 0; i < p_slices; ++i) {
         float azimuth = (float(i) + noise.x) * (kPi / float(p_slices));
-        ViewSlice slice = screen_slice(vec2(cos(azimuth), sin(azimuth)), position, normal, line_of_sight);
+        ViewSlice slice = screen_slice(azimuth, position, normal, line_of_sight);
         float gamma = slice.normal_angle;
         float shift = fract(noise.y + float(i) * 0.61803399);
         float h0 = -acos(clamp(horizon_cosine(image_px, position, slice, -1.0, cos(gamma - kHalfPi), shift), -1.0, 1.0));
