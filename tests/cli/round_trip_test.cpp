@@ -1,7 +1,6 @@
 // The way of an outside method as README shows it: export, render elsewhere, compare.
-#include "core/files.h"
+#include "readme.h"
 #include "results/image_file.h"
-#include "support/support.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,32 +13,16 @@ namespace {
 
 using testing::output_dir;
 
-/// The indented lines of a section of README.
-std::string commands_of(const std::string& heading) {
-    std::istringstream lines(read_file(std::filesystem::path(AOSCORE_SOURCE_DIR) / "README.md"));
-    std::string line, commands;
-    bool inside = false;
-    while (std::getline(lines, line)) {
-        if (line.starts_with("## ")) inside = line == "## " + heading;
-        if (inside && line.starts_with("    ")) commands += line.substr(4) + "\n";
-    }
-    return commands;
-}
-
 TEST(RoundTrip, CommandsOfTheReadmeScoreAnImageMadeElsewhere) {
     if (std::system("command -v oiiotool >/dev/null") != 0) {
         GTEST_SKIP() << "oiiotool is not there (Debian: openimageio-tools)";
     }
     const auto folder = output_dir();
-    std::string commands = commands_of("An image of another engine");
-    ASSERT_THAT(commands, ::testing::HasSubstr("./run.sh compare"));
-    for (auto at = commands.find("./run.sh"); at != std::string::npos; at = commands.find("./run.sh"))
-        commands.replace(at, 8, "'" AOSCORE_PROGRAM "'");
-    write_atomically(folder / "commands.sh", "set -e\n" + commands);
-    ASSERT_EQ(std::system(("cd '" + folder.string() + "' && bash commands.sh >out.txt 2>err.txt").c_str()), 0)
-        << read_file(folder / "err.txt");
-    const std::string out = read_file(folder / "out.txt");
-    EXPECT_THAT(out, ::testing::HasSubstr("rmse_debiased"));
+    const std::string section = "An image of another engine";
+    ASSERT_THAT(testing::readme_commands(section), ::testing::HasSubstr("./run.sh compare"));
+    const auto run = testing::run_readme_commands(section, folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.out, ::testing::HasSubstr("rmse_debiased"));
     const ImageFile gbuffer = read_image(folder / "gbuffer.exr");
     for (const char* name : {"Z", "P.X", "P.Y", "P.Z", "N.X", "Ns.Z", "albedo.R", "mask.Y"})
         EXPECT_NE(gbuffer.channel(name), nullptr) << name;
