@@ -80,9 +80,10 @@ const std::vector<LimitCase>& limit_cases() {
         std::vector<LimitCase> cases;
         for (const char* name : {"starcraft", "ssao", "hemisphere", "monte_carlo", "n8ao", "tangent_sphere"})
             cases.push_back({name, radius_below_a_pixel, "below_a_pixel"});
-        for (const char* name : {"starcraft", "ssao", "hemisphere", "monte_carlo", "n8ao", "sao", "cacao",
-                                 "volumetric_sphere", "volumetric_hemisphere", "tangent_sphere", "hbao",
-                                 "hbao_plus", "gtao", "xegtao", "bitmask", "ray_march"})
+        for (const char* name :
+             {"starcraft", "ssao", "hemisphere", "monte_carlo", "n8ao", "sao", "cacao", "volumetric_sphere",
+              "volumetric_hemisphere", "tangent_sphere", "hbao", "hbao_plus", "gtao", "xegtao", "bitmask",
+              "ray_march", "alchemy", "alchemy_spiral"})
             cases.push_back({name, radius_beyond_the_picture, "beyond_the_picture"});
         return cases;
     }();
@@ -221,6 +222,31 @@ TEST_F(LimitOfCoarseDepth, IsThatTapsOfMultiResolutionAreAPixelAway) {
     EXPECT_LE(m.shader, m.formula + 0.01) << "the finest level bounds it from above";
     EXPECT_GT(m.unlimited - m.formula, 0.01);
     EXPECT_TRUE(request.method->limits.contains("depth-format"));
+}
+
+// Their bias is a height over the tangent plane that grows with the distance from the eye.
+TEST(LimitOfAlchemy, IsThatItsBiasGrowsWithTheDistance) {
+    const auto bowl_at = [](double distance) {
+        return [=](double x, double y) { return -distance + 2 * (x * x + y * y); };
+    };
+    const auto methods = load_methods();
+    const CameraFrame frame = oracle_frame(kPixel);
+    ScreenRenderer renderer;
+    for (const char* name : {"alchemy", "alchemy_spiral"}) {
+        const formula::Case& c = oracle_case(name);
+        double formulas[2] = {};
+        for (int i = 0; i < 2; ++i) {
+            const auto bowl = bowl_at(i == 0 ? 6 : 90);
+            renderer.set_scene(height_field_scene(bowl, kPixel));
+            renderer.draw_gbuffer(frame, {"normal_geometric"});
+            const ImageF shader = mean_over_seeds(renderer, methods, c);
+            const Point point = point_at(frame, renderer.read_gbuffer(), 60, 60);
+            formulas[i] = c.expected(Field{bowl, kPixel}, point);
+            EXPECT_NEAR(static_cast<double>(shader.at(60, 60)), formulas[i], c.tolerance) << name;
+        }
+        EXPECT_GT(formulas[1] - formulas[0], 0.03) << name;
+        EXPECT_TRUE(find_method(methods, c.method).limits.contains("fov")) << name;
+    }
 }
 
 // Its steps are a part of the picture, not of the radius.
