@@ -15,7 +15,9 @@ target_compile_options(aoscore_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-t
 target_compile_options(aoscore_options INTERFACE -ffp-contract=off)
 if(AOSCORE_SANITIZE)
     target_compile_options(aoscore_options INTERFACE -fsanitize=${AOSCORE_SANITIZE} -fno-omit-frame-pointer
-                           -fno-sanitize-recover=undefined)
+                           -fno-sanitize-recover=undefined
+                           # GCC 12 sees uninitialised members in std::function once it is instrumented.
+                           -Wno-maybe-uninitialized)
     target_link_options(aoscore_options INTERFACE -fsanitize=${AOSCORE_SANITIZE})
 endif()
 
