@@ -1,6 +1,7 @@
 #include "cli/method_options.h"
 
 #include "core/error.h"
+#include "experiment/resolved_cell.h"
 #include "experiment/run_modes.h"
 
 #include <fmt/format.h>
@@ -21,6 +22,22 @@ std::pair<std::string, nlohmann::json> parse_assignment(const std::string& text)
     // A word is a choice's name: --set exponent_form=text.
     if (parsed.is_discarded()) parsed = value;
     return {text.substr(0, equals), std::move(parsed)};
+}
+
+/// Whether the cell's method, or its filter, has the parameter; then it is set.
+bool assign(const std::string& parameter, const nlohmann::json& value,
+            const std::vector<MethodDescriptor>& methods, const std::vector<MethodDescriptor>& filters,
+            CellPlan& cell) {
+    const MethodDescriptor& method = find_method(methods, cell.method);
+    if (!parameter.starts_with(kFilterPrefix)) {
+        if (method.find_parameter(parameter) == nullptr) return false;
+        cell.overrides[parameter] = value;
+        return true;
+    }
+    const std::string id = parameter.substr(kFilterPrefix.size()), filter = filter_of(cell, method);
+    if (filter == "none" || find_method(filters, filter).find_parameter(id) == nullptr) return false;
+    cell.filter_overrides[id] = value;
+    return true;
 }
 
 // The descriptor's choice of modes, where the user made none.
@@ -49,8 +66,10 @@ void add_method_options(CLI::App& app, MethodOptions& options) {
     app.add_option("--preset", options.preset,
                    "Which preset of each method [those it is scored with, mostly default]");
     app.add_option("--filter", options.filter, "A filter (see list methods), or none [the preset's own]");
-    app.add_option("--set", options.assignments,
-                   "A parameter of the methods that have it, over the preset: radius=0.5");
+    app.add_option(
+        "--set", options.assignments,
+        "A parameter of the methods that have it, over the preset: radius=0.5; or of their filters: "
+        "filter.taps=5");
     for (const RunModeOption& mode : run_mode_options()) {
         app.add_option_function<std::string>(
                fmt::format("--{}", mode.id),
@@ -63,7 +82,8 @@ void add_method_options(CLI::App& app, MethodOptions& options) {
     }
 }
 
-std::vector<CellPlan> plan_cells(const std::vector<MethodDescriptor>& methods, const MethodOptions& options,
+std::vector<CellPlan> plan_cells(const std::vector<MethodDescriptor>& methods,
+                                 const std::vector<MethodDescriptor>& filters, const MethodOptions& options,
                                  std::vector<std::string>& warnings) {
     std::vector<CellPlan> cells;
     for (const MethodDescriptor& method : methods) {
@@ -81,11 +101,7 @@ std::vector<CellPlan> plan_cells(const std::vector<MethodDescriptor>& methods, c
     for (const std::string& text : options.assignments) {
         const auto [parameter, value] = parse_assignment(text);
         bool taken = false;
-        for (CellPlan& cell : cells) {
-            if (find_method(methods, cell.method).find_parameter(parameter) == nullptr) continue;
-            cell.overrides[parameter] = value;
-            taken = true;
-        }
+        for (CellPlan& cell : cells) taken |= assign(parameter, value, methods, filters, cell);
         if (!taken) throw usage_error("no chosen method has a parameter " + parameter, "--set " + text);
     }
     return cells;

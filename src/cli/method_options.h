@@ -25,9 +25,11 @@ void add_method_options(CLI::App& app, MethodOptions& options);
 
 /// The cells of each method: one for the preset that was asked for, or one for each that its descriptor
 /// names; likewise for the modes of running, and what a descriptor changes there is said in `warnings`. An
-/// assignment goes to the methods that have the parameter. Throws usage_error for an assignment that none of
-/// them has, file_error for a descriptor's mode that does not exist.
-std::vector<CellPlan> plan_cells(const std::vector<MethodDescriptor>& methods, const MethodOptions& options,
+/// assignment goes to the methods that have the parameter, and one of "filter.taps" to those whose filter has
+/// it. Throws usage_error for an assignment that none of them has, file_error for a descriptor's mode that
+/// does not exist.
+std::vector<CellPlan> plan_cells(const std::vector<MethodDescriptor>& methods,
+                                 const std::vector<MethodDescriptor>& filters, const MethodOptions& options,
                                  std::vector<std::string>& warnings);
 
 }  // namespace aoscore

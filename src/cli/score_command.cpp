@@ -51,7 +51,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     view.samples = options.effort.samples;
     view.max_error = options.effort.max_error;
     if (!options.radii.empty()) view.radius_m = options.radii[0];
-    view.cells = plan_cells(chosen_methods(options), options.method_options, plan.warnings);
+    view.cells = plan_cells(chosen_methods(options), load_filters(), options.method_options, plan.warnings);
     plan.views.push_back(std::move(view));
     const std::string stem = std::filesystem::path(options.choice.scene).stem().string();
     const std::filesystem::path folder =

@@ -202,7 +202,7 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
     results.total_seconds = elapsed.count();
     results.peak_memory_mib = peak_memory_mib();
     write_results(results, folder);
-    if (!pictured.empty()) write_live_file(folder, registry, frames, plan.seed);
+    if (!pictured.empty()) write_live_file(folder, registry, plan.methods_dir, frames, plan.seed);
     if (!results.sweeps.empty()) write_atomically(folder / "sweep.csv", sweeps_as_csv(results));
     if (finish) finish(folder);
     staged.publish();

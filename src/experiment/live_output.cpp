@@ -41,8 +41,10 @@ std::set<std::string> gbuffer_inputs_of(const Registry& registry) {
 }
 
 void write_live_file(const std::filesystem::path& folder, const Registry& registry,
+                     const std::filesystem::path& methods_dir,
                      const std::map<std::string, CameraFrame>& views, std::uint64_t seed) {
     json data = {{"contract", contract_data(seed)},
+                 {"methods_dir", methods_dir.string()},
                  {"methods", descriptors(registry.methods, seed)},
                  {"filters", descriptors(registry.filters, seed)},
                  {"views", json::object()}};

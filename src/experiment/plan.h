@@ -13,9 +13,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace aoscore {
+
+/// Before a filter's parameter among a cell's: "filter.taps".
+inline constexpr std::string_view kFilterPrefix = "filter.";
 
 /// One method as it is to be run on one view.
 struct CellPlan {

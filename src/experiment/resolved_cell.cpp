@@ -19,10 +19,16 @@ std::string cell_name(const CellPlan& plan) {
         changes.push_back(id + "=" + (value.is_string() ? value.get<std::string>() : value.dump()));
     };
     for (const auto& [id, value] : plan.overrides) add(id, value);
-    for (const auto& [id, value] : plan.filter_overrides) add("filter." + id, value);
+    for (const auto& [id, value] : plan.filter_overrides) add(std::string(kFilterPrefix) + id, value);
     for (const auto& [mode, choice] : unusual_modes(plan.modes)) add(mode, choice);
     if (!changes.empty()) name += fmt::format("/{}", fmt::join(changes, ","));
     return name;
+}
+
+std::string filter_of(const CellPlan& plan, const MethodDescriptor& method) {
+    if (plan.filter) return *plan.filter;
+    const auto own = method.preset_filters.find(plan.preset);
+    return own == method.preset_filters.end() ? "none" : own->second;
 }
 
 ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64_t seed) {
@@ -33,11 +39,7 @@ ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64
     cell.request.parameters = method.values(plan.preset, plan.overrides);
     cell.request.seed = seed;
     plan.modes.apply_to(cell.request);
-    if (plan.filter) {
-        cell.filter = *plan.filter;
-    } else if (const auto own = method.preset_filters.find(plan.preset); own != method.preset_filters.end()) {
-        cell.filter = own->second;
-    }
+    cell.filter = filter_of(plan, method);
     if (cell.filter != "none") {
         cell.request.filter = &find_method(registry.filters, cell.filter);
         cell.request.filter_parameters = cell.request.filter->values("default", plan.filter_overrides);

@@ -29,6 +29,9 @@ struct ResolvedCell {
 /// "hbao/quality/none/directions=8,resolution=half".
 std::string cell_name(const CellPlan& plan);
 
+/// The id of the filter that the cell is run with, the preset's own where the plan names none; "none".
+std::string filter_of(const CellPlan& plan, const MethodDescriptor& method);
+
 /// Throws usage_error for an unknown method, preset, filter or parameter. `registry` must outlive the result.
 ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64_t seed);
 

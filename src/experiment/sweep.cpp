@@ -16,8 +16,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::string_view kFilterPrefix = "filter.";
-
 const RunModeOption* find_mode(const std::string& id) {
     const auto& modes = run_mode_options();
     const auto found = std::find_if(modes.begin(), modes.end(), [&](const auto& m) { return m.id == id; });
@@ -68,12 +66,6 @@ class Expansion {
     }
 
   private:
-    std::string filter_of(const MethodDescriptor& method, const CellPlan& cell) const {
-        if (cell.filter) return *cell.filter;
-        const auto own = method.preset_filters.find(cell.preset);
-        return own == method.preset_filters.end() ? "none" : own->second;
-    }
-
     void check_axes() const {
         std::set<std::string> known{"preset", "filter", "size"};
         for (const RunModeOption& mode : run_mode_options()) known.emplace(mode.id);
@@ -143,7 +135,7 @@ class Expansion {
                                   fmt::format("{}", fmt::join(mode->choices, ", ")));
             mode->choose(point.cell.modes, choice);
         } else if (id.starts_with(kFilterPrefix)) {
-            const std::string filter = filter_of(method, point.cell);
+            const std::string filter = filter_of(point.cell, method);
             if (filter == "none") return false;
             return set_parameter(find_method(registry_.filters, filter), point.cell.filter_overrides,
                                  id.substr(kFilterPrefix.size()), value);

@@ -80,6 +80,13 @@ void ViewMeasurement::obtain_truth() {
     truth_ = std::move(traced.truth);
     rays_ = traced.origin == TruthOrigin::cached ? 0 : truth_.rays;
     view_.truth_origin = origin_id(traced.origin);
+    view_.least_samples = traced.made_for.settings.samples;
+    view_.integrator = kIntegratorVersion;
+    TruthRequest again = traced.made_for;
+    again.queries = request.queries;
+    std::erase_if(again.queries, [](const TruthQuery& query) { return query.falloff != Falloff::binary; });
+    view_.truth_command =
+        reference_command(run_.scene, run_.view.id, again, file_name(run_.key) + "-truth.exr");
     if (traced.made_for.settings.max_error > 0) view_.max_error = traced.made_for.settings.max_error;
 }
 

@@ -67,7 +67,8 @@ class Runner {
         record.filter = cell.filter;
         record.parameters = cell.request.parameters;
         for (const auto& [mode, choice] : unusual_modes(cell.plan.modes)) record.parameters[mode] = choice;
-        for (const auto& [id, value] : cell.plan.filter_overrides) record.parameters["filter." + id] = value;
+        for (const auto& [id, value] : cell.plan.filter_overrides)
+            record.parameters[std::string(kFilterPrefix) + id] = value;
         if (!cell.plan.own_truth) return record;
         const bool ranked = cell.own == TruthQuery{Falloff::binary, outcome_.view.radius_m, 0};
         record.own_truth = ranked ? "ranked" : truth_id(cell.own);

@@ -36,7 +36,7 @@ std::vector<Point> points_of(const Results& results, const ViewRecord& view, con
     return points;
 }
 
-json chart_data(const std::vector<Point>& points) {
+json chart_data(const std::vector<Point>& points, const std::string& metric) {
     json list = json::array();
     for (const Point& point : points) {
         const double spread = point.cell->ao.spread_ms.value_or(0) + point.cell->blur.spread_ms.value_or(0);
@@ -47,6 +47,12 @@ json chart_data(const std::vector<Point>& points) {
                         {"spread", spread},
                         {"error", point.error},
                         {"front", point.front}});
+        if (!point.cell->analysis) continue;
+        const auto& intervals = point.cell->analysis->intervals;
+        if (const auto found = intervals.find(metric); found != intervals.end()) {
+            list.back()["low"] = found->second.low;
+            list.back()["high"] = found->second.high;
+        }
     }
     return list;
 }
@@ -73,7 +79,7 @@ nlohmann::json section::cost(const PageSource& source) {
         }
         model["charts"].push_back({{"view", view.key},
                                    {"metric", metric == "rmse_debiased" ? "debiased RMSE" : "RMSE"},
-                                   {"data", script_json(chart_data(points))},
+                                   {"data", script_json(chart_data(points, metric))},
                                    {"front", std::move(front)}});
     }
     model["has_charts"] = !model["charts"].empty();

@@ -75,7 +75,16 @@ std::string savings_text(const ViewRecord& view) {
         count_text(saved.untraced_tiles), count_text(saved.tiles));
 }
 
-json view_model(const ViewRecord& view) {
+/// All that the bits of a truth depend on beside scene, camera and radii, which have their own lines.
+std::string truth_settings_text(const ViewRecord& view, std::uint64_t seed) {
+    const std::string effort =
+        view.max_error ? fmt::format("at least {} samples a pixel, then more until the standard error is {}",
+                                     view.least_samples, short_text(*view.max_error))
+                       : fmt::format("{} samples a pixel, without a bound on the error", view.least_samples);
+    return fmt::format("seed {}, {}; version {} of the integrator", seed, effort, view.integrator);
+}
+
+json view_model(const ViewRecord& view, std::uint64_t seed) {
     json facts = json::array({
         fact("Size",
              fmt::format("{}×{} pixels, {} triangles", view.width, view.height, count_text(view.triangles))),
@@ -84,6 +93,7 @@ json view_model(const ViewRecord& view) {
         fact("Ranking radius", fmt::format("{} m, {} pixels in the median", short_text(view.radius_m),
                                            fixed_text(view.radius_px_median, 1))),
         fact("Truth", truth_cost_text(view)),
+        fact("Truth's settings", truth_settings_text(view, seed)),
         fact("Rays saved", savings_text(view)),
         fact("G-buffer", fmt::format("{} ms, median of {} runs", fixed_text(view.gbuffer.median_ms, 1),
                                      view.gbuffer.runs_ms.size())),
@@ -98,7 +108,10 @@ json view_model(const ViewRecord& view) {
                           {"mean_error", fixed_text(truth.mean_standard_error, 4)},
                           {"floor", fixed_text(truth.noise_floor_rmse, 4)}});
     }
-    return {{"key", view.key}, {"facts", std::move(facts)}, {"truths", std::move(truths)}};
+    return {{"key", view.key},
+            {"facts", std::move(facts)},
+            {"truths", std::move(truths)},
+            {"truth_command", view.truth_command}};
 }
 
 json machine_facts(const Results& results) {
@@ -163,7 +176,7 @@ nlohmann::json section::measurement(const PageSource& source) {
     const Results& results = source.results;
     json views = json::array(), warnings = json::array();
     for (const ViewRecord& view : results.views) {
-        views.push_back(view_model(view));
+        views.push_back(view_model(view, results.seed));
         for (const std::string& warning : view.warnings) warnings.push_back(view.key + ": " + warning);
     }
     for (const std::string& warning : results.warnings) warnings.push_back(warning);

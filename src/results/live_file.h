@@ -4,6 +4,7 @@ namespace aoscore {
 
 /// Beside results.json: the methods' shaders and the cameras, for the page to run methods on the stored
 /// G-buffer.
+///   methods_dir: the folder of the user's own methods as the run was told it; empty where it was not;
 ///   contract: what all methods share; methods, filters: each as data (screen/method_data.h);
 ///   views: by key {width, height, pixel_size, near_m, far_m, orthographic}, the uniforms of
 ///   shaders/contract/view.glsl.

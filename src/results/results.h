@@ -91,6 +91,12 @@ struct ViewRecord {
     double truth_seconds = 0;
     /// "traced", "resumed" after an interruption, "refined" from fewer rays, or "cached": not traced again.
     std::string truth_origin = "traced";
+    /// What the truth was made for, which may be more than this run asked for; where it came from the cache,
+    /// by an earlier run.
+    int least_samples = 0;  ///< rays that every pixel got which got any
+    int integrator = 0;     ///< version of what makes truths: another one makes other bits
+    std::string
+        truth_command;  ///< that traces the truth of the ranking again, and those of other binary radii
     std::uint64_t truth_rays_now = 0;   ///< traced in this run
     std::uint64_t truth_rays = 0;       ///< that the truth is made of
     std::size_t background_pixels = 0;  ///< without surface

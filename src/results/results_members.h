@@ -84,6 +84,9 @@ void visit_members(Visit& visit, Record& view) {
     visit("open_pixels", view.open_pixels);
     visit("truth_seconds", view.truth_seconds);
     visit("truth_origin", view.truth_origin);
+    visit("least_samples", view.least_samples);
+    visit("integrator", view.integrator);
+    visit("truth_command", view.truth_command);
     visit("truth_rays_now", view.truth_rays_now);
     visit("truth_rays", view.truth_rays);
     visit("background_pixels", view.background_pixels);

@@ -25,6 +25,10 @@ nlohmann::json dumped(const fs::path& exr, const std::string& channel, const fs:
     return {{"file", to.string()}, {"width", image->width}, {"height", image->height}};
 }
 
+// Less than what CTest gives a test, so that the log is still shown.
+constexpr int kLongestSpec_s = 540;
+constexpr int kTimedOut = 124;  // what timeout exits with
+
 }  // namespace
 
 std::string missing_for_browser() {
@@ -63,10 +67,14 @@ nlohmann::json exr_values(const Results& results, const fs::path& folder) {
 
 void expect_spec_holds(const std::string& script, const fs::path& folder) {
     const std::string command = fmt::format(
-        "AOSCORE_TEST_FOLDER='{}' AOSCORE_HOME='{}' timeout 300 node '{}/{}' >'{}' 2>&1", folder.string(),
-        home_dir().string(), AOSCORE_BROWSER_SPECS, script, (folder / "spec.log").string());
+        "AOSCORE_TEST_FOLDER='{}' AOSCORE_HOME='{}' timeout {} node '{}/{}' >'{}' 2>&1", folder.string(),
+        home_dir().string(), kLongestSpec_s, AOSCORE_BROWSER_SPECS, script, (folder / "spec.log").string());
     const int status = std::system(command.c_str());
-    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << read_file(folder / "spec.log");
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0)
+        << (WIFEXITED(status) && WEXITSTATUS(status) == kTimedOut
+                ? fmt::format("stopped after {} s, in the test after the last one named:\n", kLongestSpec_s)
+                : "")
+        << read_file(folder / "spec.log");
 }
 
 }  // namespace aoscore::testing

@@ -60,13 +60,20 @@ ImageF picture_of(const fs::path& folder) {
 TEST(LiveExport, MeasuresWhatThePageShowed) {
     REQUIRE_BROWSER();
     const fs::path folder = testing::output_dir();
+    const fs::path mine = folder / "methods" / "my-ssao";
+    fs::create_directories(mine.parent_path());
+    fs::copy(home_dir() / "shaders" / "methods" / "crytek-ssao", mine);
     testing::ProgramRun run = testing::run_aoscore(
-        "score atrium --view close --size 160x96 --samples 16 --methods ssao --quiet --out measured", folder);
+        "score atrium --view close --size 160x96 --samples 16 --methods-dir methods --methods ssao --quiet "
+        "--out measured",
+        folder);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     testing::expect_spec_holds("live-export.mjs", folder);
 
     const std::string command = read_file(folder / "command.txt"), program = "aoscore ";
     ASSERT_TRUE(command.starts_with(program)) << command;
+    EXPECT_NE(command.find(" --methods-dir methods --methods my-ssao "), std::string::npos) << command;
+    EXPECT_NE(command.find(" filter.taps=2"), std::string::npos) << command;
     run = testing::run_aoscore(command.substr(program.size()) + " --quiet --out by-command", folder);
     ASSERT_EQ(run.exit_code, 0) << command << run.err;
     const ImageF measured = picture_of(folder / "by-command");
@@ -79,16 +86,14 @@ TEST(LiveExport, MeasuresWhatThePageShowed) {
         near += std::abs(shown[i] - measured.pixels[i]) <= 2.0F / 255 ? 1 : 0;
     EXPECT_GE(static_cast<double>(near), 0.995 * static_cast<double>(shown.size()));
 
-    // As its own method's preset: merged into the descriptor, under another id.
-    const fs::path mine = folder / "methods" / "my-ssao";
-    fs::create_directories(mine.parent_path());
-    fs::copy(home_dir() / "shaders" / "methods" / "crytek-ssao", mine);
+    // As the method's preset, merged into its descriptor; a preset names its filter but has none of its
+    // values.
     nlohmann::json descriptor = nlohmann::json::parse(read_file(mine / "method.json"));
     descriptor.merge_patch(nlohmann::json::parse(read_file(folder / "preset.json")));
     write_atomically(mine / "method.json", descriptor.dump());
     run = testing::run_aoscore(
         "score atrium --view close --size 160x96 --samples 16 --methods-dir methods --methods my-ssao "
-        "--preset live --border clamp --quiet --out by-preset",
+        "--preset live --border clamp --set filter.taps=2 --quiet --out by-preset",
         folder);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     EXPECT_EQ(picture_of(folder / "by-preset").pixels, measured.pixels);

@@ -18,12 +18,13 @@ TEST(LiveFile, HasTheWholeRegistryAndEveryCamera) {
     const CameraFrame flat(camera, 16, 8);
     const Registry registry = load_registry({});
     const std::filesystem::path folder = testing::output_dir();
-    write_live_file(folder, registry, {{"scene/wide", wide}, {"scene/flat", flat}}, 3);
+    write_live_file(folder, registry, "mine", {{"scene/wide", wide}, {"scene/flat", flat}}, 3);
 
     const nlohmann::json data = nlohmann::json::parse(read_file(folder / kLiveFile));
     EXPECT_EQ(data["methods"].size(), registry.methods.size());
     EXPECT_EQ(data["filters"].size(), registry.filters.size());
     EXPECT_EQ(data["contract"]["seed"], 3);
+    EXPECT_EQ(data["methods_dir"], "mine");
     EXPECT_FALSE(data["views"]["scene/wide"]["orthographic"].get<bool>());
     EXPECT_NEAR(data["views"]["scene/wide"]["pixel_size"][1].get<double>(), wide.pixel_footprint(1), 1e-12);
     EXPECT_TRUE(data["views"]["scene/flat"]["orthographic"].get<bool>());

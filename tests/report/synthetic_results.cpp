@@ -59,6 +59,9 @@ ViewRecord view_record(const std::string& view) {
     record.gbuffer_file = "views/atrium-" + view + "-gbuffer.exr";
     record.samples = 64;
     record.truth_seconds = 3.5;
+    record.least_samples = 64;
+    record.integrator = 1;
+    record.truth_command = "aoscore reference atrium --view " + view + " --seed 1 --out truth.exr";
     record.truth_rays = record.truth_rays_now = 1234567;
     record.gbuffer = {{10, 11, 12}, 11, 0.5};
     record.truths.push_back({"ranked", "binary", 0.5, {}, "V0.Y", "SE0.Y", 0.02, 0.031});

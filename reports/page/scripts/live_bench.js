@@ -5,7 +5,7 @@ class LiveBench {
     this.form = element.querySelector('.live-controls');
     this.failure = element.querySelector('.live-failure');
     this.runner = new LiveRunner(index.contract);
-    this.result = new LiveResult(element, index.contract.seed);
+    this.result = new LiveResult(element, { seed: index.contract.seed, methodsDir: index.methods_dir });
     this.setting = { border: 'far', resolution: 'full' };
     this.turn = 0;
     this.changed = false;
@@ -105,7 +105,7 @@ class LiveBench {
     this.chooseMode('border', cell?.parameters.border ?? 'far');
     this.chooseMode('resolution', cell?.parameters.resolution === 'half' ? 'half' : 'full');
     fillParameters(this.form.querySelector('.live-method-parameters'), method, this.setting.parameters, () => this.request());
-    this.chooseFilter(cell?.filter ?? method.preset_filters[preset] ?? 'none');
+    this.chooseFilter(cell?.filter ?? method.preset_filters[preset] ?? 'none', cell?.parameters);
   }
 
   chooseMode(name, choice) {
@@ -114,10 +114,12 @@ class LiveBench {
     this.request();
   }
 
-  chooseFilter(id) {
+  // `measured` may hold parameters of the filter, as cells name them.
+  chooseFilter(id, measured = {}) {
     const filter = this.index.filters.find((other) => other.id === id) ?? null;
     this.setting.filter = filter;
-    this.setting.filterParameters = { ...filter?.presets.default };
+    this.setting.filterParameters = Object.fromEntries(
+      Object.entries(filter?.presets.default ?? {}).map(([name, value]) => [name, measured[`filter.${name}`] ?? value]));
     const { blur, filter: chooser } = this.form.elements;
     blur.checked = filter !== null;
     if (filter) chooser.value = id;

@@ -19,11 +19,13 @@ function quoted(word) {
   return /^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
 }
 
-function commandText({ view, method, parameters, filter, border, resolution }, seed) {
+function commandText({ view, method, parameters, filter, filterParameters, border, resolution }, { seed, methodsDir }) {
   const words = ['aoscore', ...(seed === 1 ? [] : ['--seed', String(seed)]), 'score', view.scene, '--view', view.view,
-    '--methods', method.id, '--size', `${view.width}x${view.height}`, '--samples', String(view.samples),
+    ...(methodsDir ? ['--methods-dir', methodsDir] : []), '--methods', method.id, '--size', `${view.width}x${view.height}`, '--samples', String(view.samples),
     '--radius', String(view.radius_m), '--filter', filter ? filter.id : 'none', '--border', border, '--resolution', resolution];
-  const assignments = Object.entries(changedValues(method, parameters)).map(([id, value]) => `${id}=${value}`);
+  const assignments = Object.entries({ ...changedValues(method, parameters),
+    ...(filter ? Object.fromEntries(Object.entries(changedValues(filter, filterParameters)).map(([id, value]) => [`filter.${id}`, value])) : {}),
+  }).map(([id, value]) => `${id}=${value}`);
   if (assignments.length > 0) words.push('--set', ...assignments);
   return words.map(quoted).join(' ');
 }

@@ -10,9 +10,10 @@ function modesText({ parameters: { resolution, normals, precision } }) {
 
 // What a live setting gives: numbers beside the measured ones, pictures, and the setting's names elsewhere.
 class LiveResult {
-  constructor(element, seed) {
+  // `run` is {seed, methodsDir}, of the run that made the page.
+  constructor(element, run) {
     this.element = element;
-    this.seed = seed;
+    this.run = run;
     this.shown = this.find('[name=shown]');
     fillCaption(this.find('.live-error-caption'), {
       title: 'Signed error', text: 'Live result minus truth. Red is too bright: occlusion is missing. Blue is too dark.',
@@ -62,7 +63,7 @@ class LiveResult {
     this.paintVisibility();
     paintError(this.find('.live-error'), view, output, this.truth, this.noise, liveErrorRange);
     this.find('#live-preset-text').value = presetText(setting);
-    this.find('#live-command-text').value = commandText(setting, this.seed);
+    this.find('#live-command-text').value = commandText(setting, this.run);
     this.find('.live-filter-note').hidden = !filter || Object.keys(changedValues(filter, filterParameters)).length === 0;
   }
 

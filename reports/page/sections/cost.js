@@ -41,7 +41,7 @@ for (const element of document.querySelectorAll('.cost-chart')) {
   const presets = new Set(points.map(({ preset }) => preset));
   for (const point of points) if (presets.size > 1) point.label = `${point.label}, ${point.preset}`;
   const times = points.map(({ ms }) => ms);
-  const largest = Math.max(...points.map(({ error }) => error));
+  const largest = Math.max(...points.map(({ error, high }) => high ?? error));
   const data = [times, points.map(({ error, front }) => (front ? error : null)),
     points.map(({ error, front }) => (front ? null : error))];
   const options = () => {

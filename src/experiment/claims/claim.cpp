@@ -163,8 +163,8 @@ class Reader {
             json varied = cell;
             if (axis == "view" || axis == "preset" || axis == "filter" || axis == "method")
                 varied[axis] = value;
-            else if (axis.starts_with("filter."))
-                varied["filter_set"][axis.substr(7)] = value;
+            else if (axis.starts_with(kFilterPrefix))
+                varied["filter_set"][axis.substr(kFilterPrefix.size())] = value;
             else if (is_mode(axis))
                 varied["modes"][axis] = value;
             else

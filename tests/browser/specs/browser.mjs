@@ -22,6 +22,7 @@ after(() => browser.close());
 // asked for beside the page's own.
 export async function open({ which = 'measured', hash = '', ...context } = {}) {
   const view = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...context });
+  view.setDefaultTimeout(120000);  // shaders are compiled and charts drawn on whatever machine this is
   const page = await view.newPage();
   const complaints = [];
   const requests = [];

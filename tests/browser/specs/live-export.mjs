@@ -9,7 +9,7 @@ import { openLive, shown } from './live.mjs';
 test('the page gives out a changed setting', async () => {
   const { page } = await open();
   await openLive(page);
-  await page.locator('#live-method').selectOption('crytek-ssao');
+  await page.locator('#live-method').selectOption('my-ssao');
   await page.locator('#live-preset').selectOption('quality');
   const number = (name) => page.locator(`.live-method-parameters [aria-label^="${name}, exact"]`);
   await number('samples').fill('23');
@@ -19,6 +19,7 @@ test('the page gives out a changed setting', async () => {
   await page.locator('#live-border').selectOption('clamp');
   await page.locator('#live-blur').check();
   await page.locator('.live-controls [name=filter]').selectOption('gaussian-depth');
+  await page.locator('.live-filter-parameters [aria-label^="taps, exact"]').fill('2');
   const { output } = await shown(page);
   fs.writeFileSync(path.join(folder, 'preset.json'), await page.locator('#live-preset-text').inputValue());
   fs.writeFileSync(path.join(folder, 'command.txt'), await page.locator('#live-command-text').inputValue());

@@ -3,7 +3,7 @@
 // What it shows once it has drawn: {method, parameters, filter, border, output, errors}.
 export async function shown(page) {
   await page.waitForFunction(() => !document.querySelector('.live-failure').hidden
-    || document.querySelector('.live-results').getAttribute('aria-busy') === 'false', null, { timeout: 60000 });
+    || document.querySelector('.live-results').getAttribute('aria-busy') === 'false');
   return page.evaluate(() => {
     const failure = document.querySelector('.live-failure');
     if (!failure.hidden) throw new Error(failure.textContent);
