@@ -3,11 +3,19 @@ function drawBarsAndNames(chart, points) {
   const { ctx, bbox } = chart;
   const ratio = uPlot.pxRatio;
   const least = ({ ms, spread }) => Math.max(ms - spread, ms / 10);
-  const taken = points.map((point) => {
-    const [x0, x1] = [least(point), point.ms + point.spread].map((ms) => chart.valToPos(ms, 'x', true));
-    const y = chart.valToPos(point.error, 'y', true);
-    return { left: x0 - 5 * ratio, right: x1 + 5 * ratio, top: y - 5 * ratio, bottom: y + 5 * ratio };
+  const at = (ms, error) => [chart.valToPos(ms, 'x', true), chart.valToPos(error, 'y', true)];
+  const bars = points.map((point) => {
+    const { ms, spread, error, low = error, high = error } = point;
+    const [[x, y], [left, bottom], [right, top]] = [at(ms, error), at(least(point), low), at(ms + spread, high)];
+    return { x, y, left, right, top, bottom };
   });
+  // Names keep off points and other names, and off the bars and the steps of the front where there is room.
+  const dots = bars.map(({ x, y }) => ({ left: x - 5 * ratio, right: x + 5 * ratio, top: y - 5 * ratio, bottom: y + 5 * ratio }));
+  const stroke = (x0, y0, x1, y1) => ({ left: Math.min(x0, x1) - ratio, right: Math.max(x0, x1) + ratio,
+    top: Math.min(y0, y1) - ratio, bottom: Math.max(y0, y1) + ratio });
+  const front = bars.filter((bar, i) => points[i].front);
+  const strokes = [...bars.flatMap(({ x, y, left, right, top, bottom }) => [stroke(left, y, right, y), stroke(x, top, x, bottom)]),
+    ...front.slice(1).flatMap(({ x, y }, i) => [stroke(front[i].x, front[i].y, x, front[i].y), stroke(x, front[i].y, x, y)])];
   ctx.save();
   ctx.font = `${13 * ratio}px system-ui, sans-serif`;
   ctx.textAlign = 'left';
@@ -15,24 +23,25 @@ function drawBarsAndNames(chart, points) {
   ctx.strokeStyle = ctx.fillStyle = pageColour('ink');
   ctx.lineWidth = ratio;
   const line = (x0, y0, x1, y1) => { ctx.beginPath(); ctx.moveTo(x0, y0); ctx.lineTo(x1, y1); ctx.stroke(); };
-  for (const point of points) {
-    const [x, y] = [chart.valToPos(point.ms, 'x', true), chart.valToPos(point.error, 'y', true)];
-    line(chart.valToPos(least(point), 'x', true), y, chart.valToPos(point.ms + point.spread, 'x', true), y);
-    if (point.low !== undefined) line(x, chart.valToPos(point.low, 'y', true), x, chart.valToPos(point.high, 'y', true));
-    const width = ctx.measureText(point.label).width;
+  bars.forEach(({ x, y, left, right, top, bottom }, i) => {
+    line(left, y, right, y);
+    line(x, top, x, bottom);
+    const { label } = points[i];
+    const width = ctx.measureText(label).width;
     const gap = 9 * ratio;
-    const beyond = chart.valToPos(point.ms + point.spread, 'x', true) + gap;
-    const places = [[x - width / 2, y - 1.5 * gap], [x, y - 1.5 * gap], [x - width, y - 1.5 * gap],
-      [x - width / 2, y + 1.5 * gap], [x, y + 1.5 * gap], [x - width, y + 1.5 * gap], [beyond, y]];
-    const boxes = places.map(([left, middle]) => ({ left, right: left + width, top: middle - 7 * ratio, bottom: middle + 7 * ratio }));
-    const free = (box) => box.left >= bbox.left && box.right <= bbox.left + bbox.width && box.top >= bbox.top
-      && box.bottom <= bbox.top + bbox.height && !taken.some((other) => box.left < other.right && box.right > other.left
-        && box.top < other.bottom && box.bottom > other.top);
-    const at = boxes.find(free);
-    if (!at) continue;
-    taken.push(at);
-    ctx.fillText(point.label, at.left, (at.top + at.bottom) / 2);
-  }
+    const places = [[right + gap, y], [left - gap - width, y]];
+    for (const beside of [x - width / 2, x + gap / 2, x - gap / 2 - width]) {
+      places.push([beside, y - 1.5 * gap], [beside, y + 1.5 * gap], [beside, top - gap], [beside, bottom + gap]);
+    }
+    const boxes = places.map(([from, middle]) => ({ left: from, right: from + width, top: middle - 7 * ratio, bottom: middle + 7 * ratio }))
+      .filter((box) => box.left >= bbox.left && box.right <= bbox.left + bbox.width && box.top >= bbox.top && box.bottom <= bbox.top + bbox.height);
+    const freeOf = (taken) => (box) => !taken.some((other) => box.left < other.right && box.right > other.left
+      && box.top < other.bottom && box.bottom > other.top);
+    const box = boxes.find(freeOf([...dots, ...strokes])) ?? boxes.find(freeOf(dots));
+    if (!box) return;
+    dots.push(box);
+    ctx.fillText(label, box.left, (box.top + box.bottom) / 2);
+  });
   ctx.restore();
 }
 
