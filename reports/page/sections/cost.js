@@ -29,10 +29,11 @@ function drawBarsAndNames(chart, points) {
     const { label } = points[i];
     const width = ctx.measureText(label).width;
     const gap = 9 * ratio;
-    const places = [[right + gap, y], [left - gap - width, y]];
+    const places = [];
     for (const beside of [x - width / 2, x + gap / 2, x - gap / 2 - width]) {
       places.push([beside, y - 1.5 * gap], [beside, y + 1.5 * gap], [beside, top - gap], [beside, bottom + gap]);
     }
+    places.push([right + gap, y], [left - gap - width, y]);
     const boxes = places.map(([from, middle]) => ({ left: from, right: from + width, top: middle - 7 * ratio, bottom: middle + 7 * ratio }))
       .filter((box) => box.left >= bbox.left && box.right <= bbox.left + bbox.width && box.top >= bbox.top && box.bottom <= bbox.top + bbox.height);
     const freeOf = (taken) => (box) => !taken.some((other) => box.left < other.right && box.right > other.left
