@@ -58,6 +58,33 @@ for (const view of results.views) {
   });
 }
 
+test('every interval is the results\', per view and over views', async () => {
+  const tables = await page.locator('#ranking table.intervals').evaluateAll((all) => all.map((element) => ({
+    heads: [...element.tHead.rows[0].cells].map((cell) => cell.textContent.trim()),
+    rows: [...element.tBodies[0].rows].map((row) => [...row.cells].map((cell) => ({
+      value: cell.firstChild?.nodeType === 3 ? cell.firstChild.textContent.trim() : '', interval: cell.querySelector('.unit')?.textContent ?? '' }))),
+  })));
+  assert.equal(tables.length, results.rankings.length);
+  assert.ok(results.rankings.some(({ view_keys: keys }) => keys.length > 1), 'no ranking over views');
+  const ids = { ...metricHeads, 'Missing%': 'missing_area', 'False%': 'false_area' };
+  let intervals = 0;
+  results.rankings.forEach(({ places, view_keys: keys }, i) => places.forEach(({ measures, cell_ids: [first] }, row) => {
+    for (const [head, id] of Object.entries(ids)) {
+      const { value, interval } = tables[i].rows[row][tables[i].heads.indexOf(head)];
+      const times = id.endsWith('_area') ? 100 : 1;
+      if (!measures[id]) assert.equal(value, '–', `${head} of ${first}`);
+      else rounds(value, measures[id].value * times);
+      const bounds = measures[id]?.interval;
+      assert.equal(interval !== '', Boolean(bounds), `${head} of ${first}`);
+      if (!bounds) continue;
+      interval.split(' to ').forEach((text, end) => rounds(text, (end ? bounds.high : bounds.low) * times));
+      if (keys.length === 1) assert.deepEqual(bounds, results.cells.find((cell) => cell.id === first).analysis.intervals[id]);
+      intervals += 1;
+    }
+  }));
+  assert.equal(intervals, results.rankings.reduce((sum, { places }) => sum + places.length, 0) * 9, 'all but max. error and MS-SSIM of a small picture');
+});
+
 test('heads sort up and down, and a number that is missing stays last', async () => {
   const head = page.locator(`#ranking table[data-view] >> nth=0`).locator('thead button', { hasText: 'Fetches' });
   const column = async () => {
@@ -96,6 +123,7 @@ test('charts show every method and the front is unbeaten', async () => {
       const cell = cells.find(({ id }) => id === point.cell);
       assert.equal(point.ms, cell.ao.median_ms + (cell.blur.median_ms ?? 0));
       assert.equal(point.error, cell.ranked.rmse_debiased.value);
+      assert.deepEqual({ low: point.low, high: point.high }, cell.analysis.intervals.rmse_debiased);
       const beaten = points.some(({ ms, error }) => ms <= point.ms && error <= point.error && (ms < point.ms || error < point.error));
       assert.equal(point.front, !beaten, point.label);
     }
