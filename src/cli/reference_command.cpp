@@ -41,7 +41,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     settings.seed = global.seed;
     settings.shading_normals = options.shading_normals;
     settings.extras = options.extras;
-    const ReferenceScene reference(scene);
+    const ReferenceScene reference = ReferenceScene::built_when_needed(scene);
     const TruthRequest request{scene.digest, view.camera, options.size.width, options.size.height,
                                queries,      settings,    reference.build()};
     const CachedTruth traced = trace_truth(options.truth_cache, reference, request,

@@ -4,6 +4,7 @@
 #include "reference/replay.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -208,6 +209,7 @@ void print_growth(const Scene& scene, const ReferenceScene& reference, const Cam
     const CameraFrame frame(camera, benchmark.width / 2, benchmark.height / 2);
     Scene fine = scene;
     std::size_t triangles = 0;
+    std::vector<double> times;
     for (const Instance& i : scene.instances)
         triangles += scene.meshes[static_cast<std::size_t>(i.mesh)].triangles.size();
     for (int level = 0; level < 3; ++level, triangles *= 4) {
@@ -216,8 +218,12 @@ void print_growth(const Scene& scene, const ReferenceScene& reference, const Cam
         const double seconds =
             seconds_of([&] { finer.trace(frame, binary(radius_m), with_samples(64), "growth"); });
         fmt::print(" {} {:.2f} s", triangles, seconds);
+        std::fflush(stdout);
+        times.push_back(seconds);
     }
-    fmt::print("\n");
+    // Between four and sixteen times as many, by the power law through both.
+    const double tenfold = times[1] * std::pow(times[2] / times[1], std::log(10.0 / 4) / std::log(16.0 / 4));
+    fmt::print("; tenfold (interpolated): {:.2f} times as long\n", tenfold / times[0]);
 }
 
 }  // namespace
@@ -250,6 +256,10 @@ void reference_benchmark(const Scene& scene, const View& view, const ReferenceBe
         print_time_to_error(reference, view.camera, benchmark, benchmark.radii_m[i], single_rates[i]);
         std::fflush(stdout);
     }
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    fmt::print("Peak memory of the whole process so far: {:.0f} MiB\n",
+               static_cast<double>(usage.ru_maxrss) / 1024);
     fmt::print("Root-mean-square error at 16, 64, 256, 1024, 4096 samples:\n");
     for (const double radius_m : benchmark.radii_m) print_slopes(reference, view.camera, radius_m);
     if (benchmark.growth) print_growth(scene, reference, view.camera, benchmark, benchmark.radii_m.front());

@@ -18,6 +18,8 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <mutex>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -88,18 +90,24 @@ void check_truth_request(const std::vector<TruthQuery>& queries, const TruthSett
 }
 
 struct ReferenceScene::Impl {
-    Impl(const Scene& scene, const TraceBuild& b) : build(b), embree(scene, b) {}
+    Impl(const Scene& s, const TraceBuild& b) : build(b), scene(&s) {}
+
+    const EmbreeScene& embree() const {
+        std::call_once(once, [&] { built.emplace(*scene, build); });
+        return *built;
+    }
 
     PrimaryHits hits(const CameraFrame& frame) const {
         PrimaryHits found = empty_hits(frame.width(), frame.height());
         const std::vector<Tile> tiles = tiles_of(frame.width(), frame.height());
+        const EmbreeScene& traced = embree();
         parallel_for(tiles.size(), [&](std::size_t i) {
             throw_if_interrupted();
             const FlushDenormals flush;
             const Tile& tile = tiles[i];
             SurfaceHit hit;
             for (int y = tile.y0; y < tile.y1; ++y) {
-                for (int x = tile.x0; x < tile.x1; ++x) find_surface(embree, frame, x, y, found, hit);
+                for (int x = tile.x0; x < tile.x1; ++x) find_surface(traced, frame, x, y, found, hit);
             }
         });
         return found;
@@ -111,17 +119,25 @@ struct ReferenceScene::Impl {
     }
 
     TraceBuild build;
-    EmbreeScene embree;
+    const Scene* scene;  // only until it is built
+    mutable std::once_flag once;
+    mutable std::optional<EmbreeScene> built;
 };
 
 ReferenceScene::ReferenceScene(const Scene& scene, const TraceBuild& build)
-    : impl_(std::make_unique<Impl>(scene, build)) {}
+    : ReferenceScene(std::make_unique<Impl>(scene, build)) {
+    impl_->embree();
+}
+ReferenceScene::ReferenceScene(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+ReferenceScene ReferenceScene::built_when_needed(const Scene& scene, const TraceBuild& build) {
+    return ReferenceScene(std::make_unique<Impl>(scene, build));
+}
 ReferenceScene::~ReferenceScene() = default;
 ReferenceScene::ReferenceScene(ReferenceScene&&) noexcept = default;
 ReferenceScene& ReferenceScene::operator=(ReferenceScene&&) noexcept = default;
 
 std::size_t ReferenceScene::peak_bytes() const {
-    return impl_->embree.peak_bytes();
+    return impl_->built ? impl_->built->peak_bytes() : 0;
 }
 
 const TraceBuild& ReferenceScene::build() const {
@@ -145,7 +161,11 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
     }
     if (!kept.empty()) develop_kept(groups, kept, *store, frame, development, truth);
 
-    const TraceWork work(impl_->embree, frame, queries, settings, impl_->shown(frame, settings.extras));
+    if (wanted.empty()) {
+        count_samples(settings, truth);
+        return truth;
+    }
+    const TraceWork work(impl_->embree(), frame, queries, settings, impl_->shown(frame, settings.extras));
     Progress progress(what, wanted.size());
     std::atomic<std::uint64_t> rays{0};
     const auto start = std::chrono::steady_clock::now();
@@ -170,7 +190,7 @@ std::vector<GroupState> ReferenceScene::trace_groups(const CameraFrame& frame,
                                                      const TruthSettings& settings,
                                                      const std::vector<std::size_t>& numbers) const {
     check_truth_request(queries, settings);
-    const TraceWork work(impl_->embree, frame, queries, settings, impl_->shown(frame, settings.extras));
+    const TraceWork work(impl_->embree(), frame, queries, settings, impl_->shown(frame, settings.extras));
     const TileGroups groups(frame.width(), frame.height());
     std::vector<GroupState> states(numbers.size());
     parallel_for(numbers.size(), [&](std::size_t i) {

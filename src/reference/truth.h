@@ -163,11 +163,13 @@ struct TraceBuild {
 class ReferenceScene {
   public:
     explicit ReferenceScene(const Scene& scene, const TraceBuild& build = {});
+    /// Builds when a ray is first wanted, which is never where a cache has all; `scene` must live until then.
+    static ReferenceScene built_when_needed(const Scene& scene, const TraceBuild& build = {});
     ~ReferenceScene();
     ReferenceScene(ReferenceScene&&) noexcept;
     ReferenceScene& operator=(ReferenceScene&&) noexcept;
 
-    /// The most memory Embree has held for this scene so far, bytes.
+    /// The most memory Embree has held for this scene so far, bytes; 0 before it is built.
     std::size_t peak_bytes() const;
     /// As it was laid out.
     const TraceBuild& build() const;
@@ -187,6 +189,7 @@ class ReferenceScene {
 
   private:
     struct Impl;
+    explicit ReferenceScene(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };
 

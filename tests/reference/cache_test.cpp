@@ -79,6 +79,20 @@ void expect_same_bits(const Truth& a, const Truth& b) {
     EXPECT_EQ(a.samples, b.samples);
 }
 
+TEST(KeptTruths, NeedNoSceneBuiltForTracing) {
+    const Room room;
+    const Truth traced = room.get(room.request()).truth;
+    const ReferenceScene unbuilt = ReferenceScene::built_when_needed(room.scene);
+    const CachedTruth kept = room.cache.trace(unbuilt, room.request(), {"thicket", "v", "c"}, "test");
+    EXPECT_EQ(kept.origin, TruthOrigin::cached);
+    EXPECT_EQ(kept.truth.visibility[0].pixels, traced.visibility[0].pixels);
+    EXPECT_EQ(unbuilt.peak_bytes(), 0u);
+    // It is there as soon as it is wanted.
+    EXPECT_EQ(unbuilt.primary_hits(CameraFrame(room.request().camera, 96, 64)).depth.pixels,
+              traced.hits.depth.pixels);
+    EXPECT_GT(unbuilt.peak_bytes(), 0u);
+}
+
 TEST(CacheKey, ChangesWithEveryIngredient) {
     const std::vector<std::pair<const char*, std::function<void(TruthRequest&)>>> changes{
         {"nothing", [](TruthRequest&) {}},
