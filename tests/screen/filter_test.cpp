@@ -154,6 +154,36 @@ TEST_P(EveryResolution, GivesNearlyTheFullPicture) {
     }
 }
 
+// Two walls that meet, both seen at an angle: what is brought up follows their planes, without steps of the
+// coarse picture's pixels.
+TEST(CoarsePicture, IsBroughtUpWithoutStripesOnASlope) {
+    Scene scene = empty_scene();
+    const glm::dvec3 corner(0.3, -3, -4.5), left(-0.6, 0, 0.8), right(0.8, 0, 0.6);
+    for (const glm::dvec3& along : {left, right}) add_quad(scene, corner, 4.0 * along, {0, 6, 0});
+    ScreenRenderer renderer;
+    renderer.set_scene(scene);
+    renderer.draw_gbuffer(CameraFrame(front_camera(), 320, 180), gbuffer_inputs());
+    const auto methods = load_methods();
+    MethodRequest request;
+    request.method = &find_method(methods, "multi-resolution");
+    request.parameters = request.method->values("default", {{"radius", 5.0}});
+    const ImageF image = renderer.run(request).raw;
+    write_png((output_dir() / "walls.png").string(), image);
+    // The darkest pixels are the corner.
+    int middle = 0;
+    for (int x = 0; x < image.width; ++x) middle = image.at(x, 90) < image.at(middle, 90) ? x : middle;
+    // Beside it visibility grows to 1, and may change its step from pixel to pixel, not jump.
+    double largest = 0, range = 0;
+    for (int x = 40; x < image.width - 40; ++x) {
+        if (std::abs(x - middle) < 6) continue;
+        const auto at = [&](int i) { return static_cast<double>(image.at(i, 90)); };
+        largest = std::max(largest, std::abs(at(x + 1) - 2 * at(x) + at(x - 1)));
+        range = std::max(range, 1 - at(x));
+    }
+    EXPECT_GT(range, 0.2) << "the corner occludes";
+    EXPECT_LT(largest, 0.03);
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, EveryResolution, ::testing::ValuesIn(method_ids()),
                          [](const auto& tested) { return test_name(tested.param); });
 
