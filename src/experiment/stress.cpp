@@ -69,7 +69,8 @@ std::optional<StressSettingRecord> kept_setting(const fs::path& folder, const fs
     if (!fs::is_regular_file(file, ec)) return std::nullopt;
     try {
         StressSettingRecord record = read_stress_setting(file);
-        if (record.key == key && fs::is_regular_file(folder / record.images, ec)) return record;
+        const bool pictured = record.images.empty() || fs::is_regular_file(folder / record.images, ec);
+        if (record.key == key && pictured) return record;
     } catch (const Error& e) {
         log_warning(fmt::format("{}: run again", e.what()));
     }

@@ -232,8 +232,11 @@ StressSettingRecord StressRunner::run(const StressAxis& axis, const StressSettin
         }
         thumbnails.add(subjects_[i].id, picture, difference);
     }
-    record.images = fmt::format("settings/{}/{}.exr", axis.id, setting.id);
-    thumbnails.write(folder / record.images);
+    // Where no subject applies there is no picture.
+    if (!thumbnails.empty()) {
+        record.images = fmt::format("settings/{}/{}.exr", axis.id, setting.id);
+        thumbnails.write(folder / record.images);
+    }
     record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return record;
 }

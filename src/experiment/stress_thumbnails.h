@@ -20,7 +20,8 @@ class StressThumbnails {
   public:
     /// <id>.Y and <id>.D of the same size; empty pictures are left out.
     void add(const std::string& id, const ImageF& picture, const ImageF& difference);
-    /// An EXR of all of them; throws file_error when it cannot be written.
+    bool empty() const { return channels_.empty(); }
+    /// An EXR of all of them, of which there must be one; throws file_error when it cannot be written.
     void write(const std::filesystem::path& path) const;
 
   private:

@@ -60,6 +60,7 @@ const ImageF& channel_of(const ImageFile& file, const std::string& name, const s
 }  // namespace
 
 StressStrip make_stress_strip(const StressSettingRecord& setting, const std::filesystem::path& folder) {
+    if (setting.images.empty()) return {};
     const std::filesystem::path relative(setting.images);
     const bool inside = relative.is_relative() && std::none_of(relative.begin(), relative.end(),
                                                                [](const auto& part) { return part == ".."; });

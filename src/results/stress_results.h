@@ -44,7 +44,8 @@ struct StressSettingRecord {
     double truth_seconds = 0;
     double gbuffer_ms = 0;
     double seconds = 0;  ///< all of it
-    std::string images;  ///< EXR: <subject>.Y and, as deviation is defined, <subject>.D; thumbnails
+    std::string
+        images;  ///< EXR of thumbnails: <subject>.Y and, as deviation is defined, <subject>.D; "" without any
     std::vector<StressCell> cells;
 };
 
