@@ -139,9 +139,9 @@ void add_sweep_report(ExperimentPlan& plan, const ReportDefinition& report, doub
         one.finish();
         for (const SweepRequest& request : requests) add_sweep(plan, view, request, sweep, registry);
     }
-    plan.sweeps.push_back(std::move(sweep));
     const std::vector<std::string> claims = object.texts_or_empty("claims");
-    object.finish();
+    object.finish();  // the last use of the definition, which moves into the plan with the sweep
+    plan.sweeps.push_back(std::move(sweep));
     if (claims.empty()) return;
     std::vector<ClaimList> lists = chosen_claims(load_claims(), claims);
     scale_views(lists, scale);

@@ -1,6 +1,7 @@
 #include "experiment/rankings.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 #include <set>
@@ -54,7 +55,7 @@ std::map<std::string, MeasureRecord> measures_of(const Entry& entry, std::uint64
 PlaceRecord place_of(const Entry& entry, const std::string& metric, std::uint64_t seed) {
     PlaceRecord place;
     place.method = entry.front()->method;
-    place.method_label = entry.front()->method_label;
+    place.method_label = shown_name(*entry.front());
     place.filter = entry.front()->filter;
     for (const CellRecord* cell : entry) place.cell_ids.push_back(cell->id);
     place.value = mean_of(entry, metric);
@@ -114,7 +115,7 @@ class OrderedGroups {
 }  // namespace
 
 std::vector<RankingRecord> rank(const std::vector<CellRecord>& cells, std::uint64_t seed) {
-    using Method = std::pair<std::string, std::string>;  // and its filter
+    using Method = std::array<std::string, 3>;  // with its setting and filter
     OrderedGroups<std::pair<std::string, std::string>, std::vector<Entry>> by_view_and_preset;
     OrderedGroups<std::string, OrderedGroups<Method, Entry>> by_preset;
     std::map<std::string, std::set<std::string>> views_of_preset;
@@ -122,7 +123,7 @@ std::vector<RankingRecord> rank(const std::vector<CellRecord>& cells, std::uint6
         views_of_preset[cell.preset].insert(cell.view_key);
         if (!cell.analysis || !has(cell, "rmse")) continue;
         by_view_and_preset[{cell.view_key, cell.preset}].push_back({&cell});
-        by_preset[cell.preset][{cell.method, cell.filter}].push_back(&cell);
+        by_preset[cell.preset][{cell.method, cell.setting, cell.filter}].push_back(&cell);
     }
     std::vector<RankingRecord> rankings;
     for (const auto& [key, entries] : by_view_and_preset) {

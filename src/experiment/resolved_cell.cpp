@@ -11,16 +11,27 @@ Registry load_registry(const std::filesystem::path& methods_dir) {
     return {load_methods(methods_dir), load_filters(), load_fixed_pass()};
 }
 
-std::string cell_name(const CellPlan& plan) {
-    std::string name = plan.method + "/" + plan.preset;
-    if (plan.filter) name += "/" + *plan.filter;
+namespace {
+
+/// What the plan has otherwise than the preset, each as its name, `equals` and its value.
+std::vector<std::string> changes_of(const CellPlan& plan, std::string_view equals) {
     std::vector<std::string> changes;
     const auto add = [&](const std::string& id, const nlohmann::json& value) {
-        changes.push_back(id + "=" + (value.is_string() ? value.get<std::string>() : value.dump()));
+        changes.push_back(
+            fmt::format("{}{}{}", id, equals, value.is_string() ? value.get<std::string>() : value.dump()));
     };
     for (const auto& [id, value] : plan.overrides) add(id, value);
     for (const auto& [id, value] : plan.filter_overrides) add(std::string(kFilterPrefix) + id, value);
     for (const auto& [mode, choice] : unusual_modes(plan.modes)) add(mode, choice);
+    return changes;
+}
+
+}  // namespace
+
+std::string cell_name(const CellPlan& plan) {
+    std::string name = plan.method + "/" + plan.preset;
+    if (plan.filter) name += "/" + *plan.filter;
+    const std::vector<std::string> changes = changes_of(plan, "=");
     if (!changes.empty()) name += fmt::format("/{}", fmt::join(changes, ","));
     return name;
 }
@@ -29,6 +40,10 @@ std::string filter_of(const CellPlan& plan, const MethodDescriptor& method) {
     if (plan.filter) return *plan.filter;
     const auto own = method.preset_filters.find(plan.preset);
     return own == method.preset_filters.end() ? "none" : own->second;
+}
+
+std::string setting_text(const CellPlan& plan) {
+    return fmt::format("{}", fmt::join(changes_of(plan, " "), ", "));
 }
 
 ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64_t seed) {

@@ -28,6 +28,9 @@ struct ResolvedCell {
 /// The cell's name within its view: "hbao/quality", with its filter and whatever else its plan changes:
 /// "hbao/quality/none/directions=8,resolution=half".
 std::string cell_name(const CellPlan& plan);
+/// What the plan changes of the preset, in words: "directions 8, resolution half"; empty when nothing. The
+/// filter is not among it: it stands in a column of its own.
+std::string setting_text(const CellPlan& plan);
 
 /// The id of the filter that the cell is run with, the preset's own where the plan names none; "none".
 std::string filter_of(const CellPlan& plan, const MethodDescriptor& method);

@@ -64,6 +64,7 @@ class Runner {
         record.method = cell.plan.method;
         record.method_label = cell.request.method->label;
         record.preset = cell.plan.preset;
+        record.setting = setting_text(cell.plan);
         record.filter = cell.filter;
         record.parameters = cell.request.parameters;
         for (const auto& [mode, choice] : unusual_modes(cell.plan.modes)) record.parameters[mode] = choice;

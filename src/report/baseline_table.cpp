@@ -14,7 +14,7 @@ nlohmann::json baseline_tables(const Results& results) {
     for (const ChangeRecord& change : results.baseline->changes) {
         const CellRecord* cell = find_cell(results, change.cell_id);
         rows.push_back({{"view", cell != nullptr ? cell->view_key : ""},
-                        {"method", cell != nullptr ? cell->method_label : change.cell_id},
+                        {"method", cell != nullptr ? shown_name(*cell) : change.cell_id},
                         {"preset", cell != nullptr ? cell->preset : ""},
                         {"before", fixed_text(change.before, 4)},
                         {"now", fixed_text(change.now, 4)},

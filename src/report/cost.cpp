@@ -40,7 +40,7 @@ json chart_data(const std::vector<Point>& points, const std::string& metric) {
     json list = json::array();
     for (const Point& point : points) {
         const double spread = point.cell->ao.spread_ms.value_or(0) + point.cell->blur.spread_ms.value_or(0);
-        list.push_back({{"label", point.cell->method_label},
+        list.push_back({{"label", shown_name(*point.cell)},
                         {"preset", point.cell->preset},
                         {"cell", point.cell->id},
                         {"ms", point.ms},
@@ -72,7 +72,7 @@ nlohmann::json section::cost(const PageSource& source) {
         json front = json::array();
         for (const Point& point : points) {
             if (!point.front) continue;
-            front.push_back({{"method", point.cell->method_label},
+            front.push_back({{"method", shown_name(*point.cell)},
                              {"preset", point.cell->preset},
                              {"ms", fixed_text(point.ms, 2)},
                              {"error", fixed_text(point.error, 4)}});

@@ -24,7 +24,7 @@ Cells analysed_cells(const Results& results, const ViewRecord& view) {
 std::string series_name(const CellRecord& cell, const Cells& cells) {
     const bool one_preset =
         std::ranges::all_of(cells, [&](const CellRecord* other) { return other->preset == cell.preset; });
-    return one_preset ? cell.method_label : fmt::format("{}, {}", cell.method_label, cell.preset);
+    return one_preset ? shown_name(cell) : fmt::format("{}, {}", shown_name(cell), cell.preset);
 }
 
 /// What the chart's script draws: the positions of the bins' middles, and the shares of each method at them.

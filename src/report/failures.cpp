@@ -46,7 +46,7 @@ json row_model(const CellRecord& cell, double widest) {
         shares.push_back({{"text", known ? percent_text(area) : std::string(kNoNumber)},
                           {"sort", known ? fmt::format("{}", area) : std::string()}});
     }
-    return {{"method", cell.method_label},
+    return {{"method", shown_name(cell)},
             {"preset", cell.preset},
             {"missing", percent_text(analysis.missing.area)},
             {"missing_sort", fmt::format("{}", analysis.missing.area)},
@@ -97,7 +97,7 @@ json view_model(const ViewRecord& view, const Results& results) {
         rows.push_back(row_model(*cell, widest));
         json regions = regions_model(*cell);
         if (regions.empty()) continue;
-        methods.push_back({{"method", cell->method_label},
+        methods.push_back({{"method", shown_name(*cell)},
                            {"preset", cell->preset},
                            {"open", methods.empty()},
                            {"regions", std::move(regions)}});

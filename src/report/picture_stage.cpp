@@ -32,7 +32,7 @@ json chooser_of_cells(const Results& results, const ViewRecord& view) {
         if (cell.view_key != view.key) continue;
         const std::size_t number = cells.size() + 1;
         cells.push_back({{"id", cell.id},
-                         {"method", cell.method_label},
+                         {"method", shown_name(cell)},
                          {"preset", cell.preset},
                          {"number", std::to_string(number)},
                          {"has_key", number <= 9},

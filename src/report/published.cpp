@@ -159,7 +159,7 @@ json thumbnails(const std::vector<TableRow>& rows, const Pictures& pictures) {
         const bool shown = found != pictures.cells.end();
         const std::string raw = shown ? found->second.raw_thumbnail.uri : "";
         if (!raw.empty()) model["has_raws"] = true;
-        model["outputs"].push_back({{"method", row.cell.method_label},
+        model["outputs"].push_back({{"method", shown_name(row.cell)},
                                     {"shown", shown},
                                     {"uri", shown ? found->second.output_thumbnail.uri : ""},
                                     {"has_raw", !raw.empty()},
@@ -173,7 +173,7 @@ json notes_of(const TableRecord& table, const std::vector<TableRow>& rows) {
     for (const TableRow& row : rows) {
         for (const json& note : row.published.value("notes", json::array())) {
             list.push_back(
-                {{"about", row.cell.method_label}, {"has_about", true}, {"text", note.get<std::string>()}});
+                {{"about", shown_name(row.cell)}, {"has_about", true}, {"text", note.get<std::string>()}});
         }
     }
     for (const json& note : table.definition.value("notes", json::array())) {
@@ -213,7 +213,7 @@ json table_model(const TableRecord& table, const PageSource& source) {
                   {"rows", json::array()}};
     for (const TableRow& row : rows) {
         const TruthRecord* own = find_truth(view, row.cell.own_truth);
-        model["rows"].push_back({{"method", row.cell.method_label},
+        model["rows"].push_back({{"method", shown_name(row.cell)},
                                  {"preset", row.cell.preset},
                                  {"failed", !row.cell.error.empty()},
                                  {"error", row.cell.error},

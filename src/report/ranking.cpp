@@ -65,7 +65,7 @@ std::string metric_text(const std::string& metric) {
 }
 
 json row_model(const Columns& columns, const CellRecord& cell) {
-    json row = {{"method", cell.method_label},
+    json row = {{"method", shown_name(cell)},
                 {"id", cell.method},
                 {"filter", cell.filter},
                 {"error", cell.error},

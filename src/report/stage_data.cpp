@@ -49,7 +49,7 @@ json cell_data(const CellRecord& cell, const Pictures& pictures) {
         return percent_text(cell.analysis ? std::optional((*cell.analysis.*mask).area) : std::nullopt);
     };
     json data = {{"id", cell.id},
-                 {"name", fmt::format("{}, {}", cell.method_label, cell.preset)},
+                 {"name", fmt::format("{}, {}", shown_name(cell), cell.preset)},
                  {"filter", cell.filter},
                  {"missing", area(&ErrorAnalysis::missing)},
                  {"false", area(&ErrorAnalysis::false_occlusion)},

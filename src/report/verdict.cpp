@@ -68,9 +68,9 @@ Outcome judge(const PageSource& source, const Comparison& comparison) {
     const CellRecord& best = *ranked.front();
     const double best_error = *ranked_value(best, metric);
     if (ranked.size() == 1) {
-        return {fmt::format("On {} {} alone was scored: {} {}.", comparison.name(), best.method_label,
+        return {fmt::format("On {} {} alone was scored: {} {}.", comparison.name(), shown_name(best),
                             metric_label, fixed_text(best_error, 4)),
-                best.method_label, false};
+                shown_name(best), false};
     }
     const CellRecord& second = *ranked[1];
     const double second_error = *ranked_value(second, metric);
@@ -78,18 +78,18 @@ Outcome judge(const PageSource& source, const Comparison& comparison) {
         return {
             fmt::format("On {} {} and {} tie: {} {} and {}, a difference that resampled parts of the picture "
                         "turn round{}.",
-                        comparison.name(), best.method_label, second.method_label, metric_label,
+                        comparison.name(), shown_name(best), shown_name(second), metric_label,
                         fixed_text(best_error, 4), fixed_text(second_error, 4), cost_clause(best, second)),
             "", true};
     }
     std::string lead;
     if (const auto part = ratio(second_error - best_error, second_error)) {
-        lead = fmt::format(", {} % below {}", percent_text(part, 0), second.method_label);
+        lead = fmt::format(", {} % below {}", percent_text(part, 0), shown_name(second));
     }
     return {
-        fmt::format("On {} {} comes closest to the truth: {} {}{}{}.", comparison.name(), best.method_label,
+        fmt::format("On {} {} comes closest to the truth: {} {}{}{}.", comparison.name(), shown_name(best),
                     metric_label, fixed_text(best_error, 4), lead, cost_clause(best, second)),
-        best.method_label, false};
+        shown_name(best), false};
 }
 
 std::string lead_sentence(const std::vector<Outcome>& outcomes) {

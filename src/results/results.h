@@ -112,6 +112,7 @@ struct CellRecord {
     std::string method;  ///< id
     std::string method_label;
     std::string preset;
+    std::string setting;                               ///< what is not as the preset has it, "noise none"
     std::string filter;                                ///< "none" or a filter's id
     std::map<std::string, nlohmann::json> parameters;  ///< all of them, by id
     std::string error;                                 ///< why the cell failed; empty when it did not
@@ -128,6 +129,9 @@ struct CellRecord {
     std::optional<ErrorAnalysis> analysis;  ///< against the ranking's truth; empty for a failed cell
     std::string image_file;  ///< EXR: Y (output), raw.Y (before the filter); empty when not kept
 };
+
+/// The method as readers know it, with its setting where it has one: "Alchemy AO, noise none".
+std::string shown_name(const CellRecord& cell);
 
 /// A metric or a mask's area of one method over a ranking's views: the mean, and how sure it is.
 struct MeasureRecord {

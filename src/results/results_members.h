@@ -102,6 +102,7 @@ void visit_members(Visit& visit, Record& cell) {
     visit("method", cell.method);
     visit("method_label", cell.method_label);
     visit("preset", cell.preset);
+    visit("setting", cell.setting);
     visit("filter", cell.filter);
     visit("parameters", cell.parameters);
     visit("error", cell.error);

@@ -1,6 +1,7 @@
 #include "experiment/plan.h"
 
 #include "core/error.h"
+#include "core/files.h"
 #include "support/support.h"
 
 #include <gmock/gmock.h>
@@ -104,6 +105,16 @@ TEST_F(Plan, SizesAndRadiiMustMakeSense) {
         bad[key] = value;
         write(bad);
         EXPECT_THAT(error_of({"bad"}, ExitCode::file_error), HasSubstr(key)) << value;
+    }
+}
+
+// With the program's own definitions.
+TEST(ReportDefinitions, PlanTheClaimsThatTheyName) {
+    for (const ReportDefinition& report : list_reports()) {
+        const json definition = json::parse(read_file(report.file));
+        const ExperimentPlan plan = plan_reports({report.id}, 0.1);
+        EXPECT_EQ(plan.claim_ids, definition.value("claims", std::vector<std::string>{})) << report.id;
+        EXPECT_FALSE(plan.views.empty()) << report.id;
     }
 }
 

@@ -87,6 +87,7 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     cell.method = "c";
     cell.method_label = "C";
     cell.preset = "quality";
+    cell.setting = "directions 8";
     cell.filter = "box-4x4";
     cell.parameters = {{"radius", 0.5}, {"count", 4}, {"on", true}};
     cell.error = "none";
@@ -101,12 +102,12 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     cell.image_file = "c.exr";
     results.cells = {cell};
     const CellRecord back = results_from_json(to_json(results), "results.json").cells.at(0);
-    const auto& [id, view_key, method, method_label, preset, filter, parameters, error, ao, blur,
+    const auto& [id, view_key, method, method_label, preset, setting, filter, parameters, error, ao, blur,
                  fixed_pass_ms, frame_ms, fetches_per_pixel, nonfinite, ranked_truth, own_truth, ranked, own,
                  raw, analysis, image_file] = back;
-    EXPECT_EQ(std::tie(id, view_key, method, method_label, preset, filter, parameters, error),
-              std::tie(cell.id, cell.view_key, cell.method, cell.method_label, cell.preset, cell.filter,
-                       cell.parameters, cell.error));
+    EXPECT_EQ(std::tie(id, view_key, method, method_label, preset, setting, filter, parameters, error),
+              std::tie(cell.id, cell.view_key, cell.method, cell.method_label, cell.preset, cell.setting,
+                       cell.filter, cell.parameters, cell.error));
     EXPECT_EQ(ao.runs_ms, cell.ao.runs_ms);
     EXPECT_EQ(ao.median_ms, 2.0);
     EXPECT_EQ(ao.spread_ms, 1.5);

@@ -18,17 +18,18 @@ function chartAxis(label, more = {}) {
     labelFont: '13px system-ui, sans-serif', labelSize: 22, ...more };
 }
 
-// 1, 2 and 5 of every decade; all digits where that leaves fewer than three.
+// 1, 2 and 5 of every decade; where that leaves fewer than three, even steps.
 function logSplits(chart, axis, low, high) {
-  const digits = (list) => {
-    const splits = [];
-    for (let power = Math.floor(Math.log10(low)); 10 ** power <= high; power += 1) {
-      splits.push(...list.map((digit) => digit * 10 ** power).filter((value) => value >= low && value <= high));
-    }
-    return splits;
-  };
-  const few = digits([1, 2, 5]);
-  return few.length < 3 ? digits([1, 1.2, 1.5, 2, 3, 4, 5, 6, 7, 8, 9]) : few;
+  const splits = [];
+  for (let power = Math.floor(Math.log10(low)); 10 ** power <= high; power += 1) {
+    splits.push(...[1, 2, 5].map((digit) => digit * 10 ** power).filter((value) => value >= low && value <= high));
+  }
+  if (splits.length >= 3) return splits;
+  const decade = 10 ** Math.floor(Math.log10((high - low) / 3));
+  const step = [5, 2, 1].map((digit) => digit * decade).find((size) => size <= (high - low) / 3);
+  const even = [];
+  for (let i = Math.ceil(low / step); i * step <= high; i += 1) even.push(i * step);
+  return even;
 }
 
 function logAxis(label, more = {}) {
