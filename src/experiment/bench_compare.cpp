@@ -1,9 +1,9 @@
 #include "experiment/bench_compare.h"
 
 #include "core/files.h"
+#include "core/machine.h"
 #include "core/stopwatch.h"
 #include "core/threads.h"
-#include "experiment/machine.h"
 #include "metrics/analysis.h"
 #include "metrics/evaluate.h"
 

@@ -1,9 +1,9 @@
 #include "experiment/bench_main.h"
 
 #include "core/files.h"
+#include "core/machine.h"
 #include "core/stopwatch.h"
 #include "experiment/experiment.h"
-#include "experiment/machine.h"
 #include "scene/scene.h"
 #include "screen/screen.h"
 

@@ -1,8 +1,8 @@
 #include "experiment/truth_provenance.h"
 
 #include "core/files.h"
+#include "core/machine.h"
 #include "core/shell.h"
-#include "experiment/machine.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

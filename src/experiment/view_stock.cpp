@@ -3,9 +3,9 @@
 #include "core/error.h"
 #include "core/hash.h"
 #include "core/log.h"
+#include "core/machine.h"
 #include "core/threads.h"
 #include "experiment/experiment.h"
-#include "experiment/machine.h"
 #include "experiment/measuring_code.h"
 #include "screen/request_digest.h"
 

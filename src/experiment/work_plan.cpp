@@ -1,8 +1,8 @@
 #include "experiment/work_plan.h"
 
 #include "core/hash.h"
+#include "core/machine.h"
 #include "core/threads.h"
-#include "experiment/machine.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 #include "reference/benchmark.h"
 
+#include "core/machine.h"
 #include "core/threads.h"
 #include "reference/replay.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -123,8 +123,10 @@ void print_time_to_error(const ReferenceScene& reference, const Camera& camera,
         100.0 * static_cast<double>(truth.open_pixels) / plain.pixels());
     fmt::print(
         "            plain Monte Carlo by rtcOccluded1: {:.0f} samples, {:.0f} s, {:.1f} times as long; with "
-        "the best allocation over pixels {:.0f} samples, {:.1f} times\n",
+        "the best allocation over pixels, the floor left out, {:.0f} samples, {:.1f} times\n",
         count, plain_seconds(count), plain_seconds(count) / seconds, best, plain_seconds(best) / seconds);
+    if (best < 1)
+        fmt::print("            all pixels are open or blocked: only the stated floor is compared\n");
     const CameraFrame small(camera, benchmark.width / 4, benchmark.height / 4);
     TruthSettings adaptive = with_samples(16);
     adaptive.max_error = benchmark.target_error;
@@ -168,7 +170,10 @@ void print_slopes(const ReferenceScene& reference, const Camera& camera, double 
             if (samples == 16) first = last;
             fmt::print(" {:.5f}", last);
         }
-        fmt::print("  slope {:.2f}\n", std::log(last / first) / std::log(4096.0 / 16));
+        if (first > 0 && last > 0)
+            fmt::print("  slope {:.2f}\n", std::log(last / first) / std::log(4096.0 / 16));
+        else
+            fmt::print("  no error left to fall\n");
     }
 }
 
@@ -256,10 +261,7 @@ void reference_benchmark(const Scene& scene, const View& view, const ReferenceBe
         print_time_to_error(reference, view.camera, benchmark, benchmark.radii_m[i], single_rates[i]);
         std::fflush(stdout);
     }
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    fmt::print("Peak memory of the whole process so far: {:.0f} MiB\n",
-               static_cast<double>(usage.ru_maxrss) / 1024);
+    fmt::print("Peak memory of the whole process so far: {:.0f} MiB\n", peak_memory_mib());
     fmt::print("Root-mean-square error at 16, 64, 256, 1024, 4096 samples:\n");
     for (const double radius_m : benchmark.radii_m) print_slopes(reference, view.camera, radius_m);
     if (benchmark.growth) print_growth(scene, reference, view.camera, benchmark, benchmark.radii_m.front());

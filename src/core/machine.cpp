@@ -1,4 +1,4 @@
-#include "experiment/machine.h"
+#include "core/machine.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
