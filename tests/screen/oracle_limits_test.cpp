@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 namespace aoscore::testing {
@@ -264,6 +265,80 @@ TEST(LimitOfHbaoHussain, IsThatItLooksOnlyAsFarAsItsSteps) {
     EXPECT_NEAR(static_cast<double>(shader.at(60, 60)), formula, 0.02);
     EXPECT_GT(formula - gtao(there, point), 0.1);
     EXPECT_TRUE(find_method(methods, "hbao-hussain").limits.contains("radius"));
+}
+
+// A plane that faces a camera of 170 degrees, in double precision. Open as it is, its part in the slice
+// through the view vector and a direction of the picture is the whole arc about the projected normal (Jimenez
+// et al., Practical Real-Time Strategies for Accurate Indirect Occlusion, 2016), of which a mean that is even
+// about the view vector is 1.
+class LimitOfWideAngles : public ::testing::Test {
+  protected:
+    static constexpr int kSide = 1001;     ///< lines of a sweep pass half a pixel beside its pixels
+    static constexpr double kTan = 11.43;  ///< of half the field of view, 170 degrees
+
+    LimitOfWideAngles() {
+        Camera camera = front_camera();
+        camera.fovy_rad = 2 * std::atan(kTan);
+        renderer_.set_scene(plane_scene({0, 0, -4}, {0, 0, 1}, 300));
+        renderer_.draw_gbuffer(CameraFrame(camera, kSide, kSide), gbuffer_inputs());
+    }
+
+    static glm::dvec3 view_vector(int x) {
+        return glm::normalize(glm::dvec3(-kTan * ((x + 0.5) / kSide * 2 - 1), 0, 1));
+    }
+    struct Slice {
+        double open = 0;   ///< the plane's part in it
+        double spans = 0;  ///< the angle about the view vector for each angle of the picture
+    };
+    static Slice slice(const glm::dvec3& view, double azimuth) {
+        const glm::dvec3 direction(std::cos(azimuth), std::sin(azimuth), 0), normal(0, 0, 1);
+        const glm::dvec3 axis = glm::normalize(glm::cross(direction, view));
+        const glm::dvec3 projected = normal - axis * glm::dot(axis, normal);
+        const double length = glm::length(projected);
+        const double gamma = std::acos(std::clamp(glm::dot(projected, view) / length, -1.0, 1.0));
+        const glm::dvec3 along = direction - view * glm::dot(direction, view);
+        return {length * (std::cos(gamma) + gamma * std::sin(gamma)), view.z / glm::dot(along, along)};
+    }
+    static double mean(const glm::dvec3& view, int slices, bool spanned) {
+        double sum = 0;
+        for (int i = 0; i < slices; ++i) {
+            const Slice one = slice(view, (i + 0.5) * std::numbers::pi / slices);
+            sum += (spanned ? one.spans : 1) * one.open / slices;
+        }
+        return std::min(sum, 1.0);
+    }
+
+    // Along the middle row, out to 80 degrees from the axis.
+    void expect_formula(const std::string& method, const ParameterValues& parameters, int slices,
+                        bool spanned) {
+        const std::vector<MethodDescriptor> methods = load_methods();
+        MethodRequest request;
+        request.method = &find_method(methods, method);
+        request.parameters = request.method->values("default", parameters);
+        const ImageF shader = renderer_.run(request).raw;
+        double farthest = 0;
+        for (const int x : {500, 562, 625, 687, 733}) {
+            const glm::dvec3 view = view_vector(x);
+            const double formula = mean(view, slices, spanned);
+            std::printf("%s, %.1f degrees off: read %.4f, formula %.4f\n", method.c_str(),
+                        std::acos(view.z) * 180 / std::numbers::pi,
+                        static_cast<double>(shader.at(x, kSide / 2)), formula);
+            EXPECT_NEAR(static_cast<double>(shader.at(x, kSide / 2)), formula, 0.02) << "column " << x;
+            farthest = std::max(farthest, 1 - formula);
+        }
+        EXPECT_GT(farthest, 0.05) << "the formula has no limit here";
+        EXPECT_TRUE(request.method->limits.contains("fov")) << method;
+    }
+
+    ScreenRenderer renderer_;
+};
+
+TEST_F(LimitOfWideAngles, IsThatSlicesOfXeGtaoAreEvenInThePicture) {
+    expect_formula("xegtao", {{"slices", 64}, {"final_power", 1.0}, {"normal_lerp", 0.0}}, 4096, false);
+}
+
+TEST_F(LimitOfWideAngles, IsThatLineSweepHasSixteenDirectionsOfThePicture) {
+    expect_formula("line-sweep", {{"directions", 16}}, 8, true);
 }
 
 }  // namespace
