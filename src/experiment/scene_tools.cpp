@@ -10,7 +10,7 @@ void SceneTools::choose(const Scene& scene) {
 }
 
 const ReferenceScene& SceneTools::reference() {
-    if (!reference_) reference_ = std::make_unique<ReferenceScene>(*scene_);
+    if (!reference_) reference_.emplace(ReferenceScene::built_when_needed(*scene_));
     return *reference_;
 }
 

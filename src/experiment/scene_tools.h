@@ -5,7 +5,7 @@
 #include "screen/screen.h"
 
 #include <cstdint>
-#include <memory>
+#include <optional>
 
 namespace aoscore {
 
@@ -16,7 +16,7 @@ class SceneTools {
     /// The scene that is measured from here on; it must outlive its use.
     void choose(const Scene& scene);
 
-    /// Built for the chosen scene.
+    /// Of the chosen scene; built when a ray is first wanted.
     const ReferenceScene& reference();
     /// With the chosen scene uploaded.
     ScreenRenderer& ready_renderer();
@@ -27,7 +27,7 @@ class SceneTools {
     ScreenRenderer renderer_;
     const Scene* scene_ = nullptr;
     const Scene* uploaded_ = nullptr;
-    std::unique_ptr<ReferenceScene> reference_;
+    std::optional<ReferenceScene> reference_;
 };
 
 }  // namespace aoscore

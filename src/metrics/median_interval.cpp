@@ -5,6 +5,13 @@
 
 namespace aoscore {
 
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2 == 1) return *middle;
+    return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
 std::optional<MedianInterval> median_interval(std::vector<double> values, double confidence) {
     std::sort(values.begin(), values.end());
     const std::size_t n = values.size();

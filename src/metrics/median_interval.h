@@ -5,6 +5,9 @@
 
 namespace aoscore {
 
+/// Of at least one value: the middle one, or the mean of the two in the middle.
+double median(std::vector<double> values);
+
 /// Holds the median of what the values were drawn from.
 struct MedianInterval {
     double low = 0, high = 0;

@@ -1,3 +1,4 @@
+#include "metrics/median_interval.h"
 #include "report/number_text.h"
 #include "report/page_template.h"
 #include "report/section.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace aoscore {
 namespace {
@@ -107,8 +109,7 @@ std::optional<double> median_fixed_pass(const Rows& rows) {
         if (row->cell->fixed_pass_ms) all.push_back(*row->cell->fixed_pass_ms);
     }
     if (all.empty()) return std::nullopt;
-    std::sort(all.begin(), all.end());
-    return all[all.size() / 2];
+    return median(std::move(all));
 }
 
 json rows_model(const Rows& rows, const SweepRecord& sweep) {

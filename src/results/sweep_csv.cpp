@@ -1,3 +1,4 @@
+#include "results/export/csv_line.h"
 #include "results/sweep_rows.h"
 
 #include <fmt/format.h>
@@ -9,10 +10,7 @@ namespace aoscore {
 namespace {
 
 std::string field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
+    return text;
 }
 
 std::string field(std::optional<double> number) {
@@ -20,20 +18,20 @@ std::string field(std::optional<double> number) {
 }
 
 std::string field(const nlohmann::json& value) {
-    return field(value.is_string() ? value.get<std::string>() : value.dump());
+    return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
 class Line {
   public:
     template <class T>
     Line& add(const T& value) {
-        text_ += (text_.empty() ? "" : ",") + field(value);
+        fields_.push_back(field(value));
         return *this;
     }
-    std::string text() const { return text_ + "\r\n"; }
+    std::string text() const { return csv_line(fields_); }
 
   private:
-    std::string text_;
+    std::vector<std::string> fields_;
 };
 
 std::optional<double> metric_of(const CellRecord& cell, const std::string& id) {

@@ -29,12 +29,6 @@ std::optional<double> value_of(const MetricMap& metrics, const std::string& id) 
     return found == metrics.end() ? std::nullopt : found->second.value;
 }
 
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
-}
-
 void add_costs(SweepRow& row, const SweepRecord& sweep) {
     const CellRecord& cell = *row.cell;
     row.fetches = cell.fetches_per_pixel;

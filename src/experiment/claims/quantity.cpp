@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/sampling.h"
 #include "metrics/bootstrap.h"
+#include "metrics/median_interval.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,13 +17,6 @@ namespace {
 
 constexpr std::size_t kDraws = 2000;
 constexpr char kRmse[] = "rmse_debiased", kBias[] = "bias", kSsim[] = "ssim", kFlip[] = "flip";
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    if (values.size() % 2 == 1) return *middle;
-    return (*middle + *std::max_element(values.begin(), middle)) / 2;
-}
 
 // Medians of resampled runs (Efron and Tibshirani, An Introduction to the Bootstrap, 1993).
 Measured timed(const Timing& timing, const std::string& name, std::uint64_t seed) {

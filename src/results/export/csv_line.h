@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace aoscore {
+
+/// One line of comma-separated values with its end, fields quoted where they must be; RFC 4180.
+std::string csv_line(const std::vector<std::string>& fields);
+
+}  // namespace aoscore
