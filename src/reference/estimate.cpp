@@ -48,6 +48,39 @@ double squared(double x) {
     return x * x;
 }
 
+/// The pixels of one tile that are mostly open, or those that are mostly blocked.
+struct Side {
+    int alike = 0;     ///< no more than half of whose rays disagree
+    int agreeing = 0;  ///< of these, none of whose rays do
+    void count(double disagreeing_part) {
+        alike += disagreeing_part <= 0.5;
+        agreeing += disagreeing_part == 0;
+    }
+};
+
+struct Sides {
+    Side open, blocked;
+};
+
+Sides sides_of(std::span<const PixelSpread> pixels) {
+    Sides sides;
+    for (const PixelSpread& pixel : pixels) {
+        sides.open.count(1 - pixel.visibility);
+        sides.blocked.count(pixel.visibility);
+    }
+    return sides;
+}
+
+/// Less than this no pixel states.
+double least_error(const PixelSpread& pixel, const Sides& tile) {
+    const auto of = [&](const Side& side) {
+        return error_of_agreement(pixel.samples, side.agreeing, side.alike);
+    };
+    if (pixel.visibility == 1) return of(tile.open);
+    if (pixel.visibility == 0) return of(tile.blocked);
+    return of({1, 1});
+}
+
 /// Sums over the pixels of one or several bins.
 struct Pool {
     std::array<double, kLevels> freedom{}, differences{}, shapes{};
@@ -145,6 +178,12 @@ PixelSpread pixel_spread(std::span<const double> darkening_sums, int samples) {
     return pixel;
 }
 
+double error_of_agreement(int samples, int agreeing, int alike) {
+    const double share = static_cast<double>(agreeing) / alike;
+    const double stratified = 1 - share, independent = -std::log(share);
+    return std::sqrt(stratified * std::sqrt(stratified * independent) + 0.25 / agreeing) / samples;
+}
+
 double pooled_variance(int samples, double ratio) {
     const int size = block_size(samples);
     const int whole = samples / size;
@@ -165,6 +204,7 @@ double pooled_variance(int samples, double ratio) {
 
 std::vector<Estimate> moderated_estimates(std::span<const PixelSpread> pixels, bool chosen) {
     const std::array<Law, kBins> laws = laws_of(pixels, chosen);
+    const Sides sides = sides_of(pixels);
     std::vector<Estimate> estimates;
     estimates.reserve(pixels.size());
     for (const PixelSpread& pixel : pixels) {
@@ -183,7 +223,7 @@ std::vector<Estimate> moderated_estimates(std::span<const PixelSpread> pixels, b
             (kPriorFreedom * law.scale * variance_shape(pixel) + freedom * own / weights) /
             (kPriorFreedom + freedom);
         const double error = std::sqrt(block_variance * pooled_variance(pixel.samples, law.ratio));
-        estimates.push_back({pixel.visibility, std::clamp(error, standard_error_floor(pixel.samples), 0.5)});
+        estimates.push_back({pixel.visibility, std::min(std::max(error, least_error(pixel, sides)), 0.5)});
     }
     return estimates;
 }

@@ -92,11 +92,6 @@ constexpr int block_size(int samples) {
     return size;
 }
 
-/// The least standard error stated for `samples` rays: half of the step that one more blocked ray would make.
-constexpr double standard_error_floor(int samples) {
-    return 0.5 / samples;
-}
-
 /// The standard error of a pixel that is proven open: float32's rounding of 1.
 inline constexpr float kProvenError = 0x1p-24f;
 
@@ -115,9 +110,9 @@ struct PrimaryHits {
 /// The rays of a pixel are one scrambled sequence, as independent scrambles of fewer points each would err
 /// more. The standard error comes from how far the means of its blocks lie apart, and how that shrinks as
 /// blocks grow, moderated by what the surrounding tile shows (see moderated_estimates()). Pooled over pixels
-/// of like visibility it agrees with the true root-mean-square error to 10 %. Where all rays agree the spread
-/// says nothing, so it never goes below standard_error_floor(samples), which overstates the error of pixels
-/// that are simply open; a single sample has no spread at all and states 0.5, the largest there is.
+/// of like visibility it agrees with the true root-mean-square error to 10 %. Where all rays of a pixel agree
+/// the spread says nothing, and how many of its neighbours agree as well takes its place (see
+/// error_of_agreement()); a single sample has no spread at all and states 0.5, the largest there is.
 struct Truth {
     PrimaryHits hits;
     std::vector<TruthQuery> queries;

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <vector>
 
 namespace aoscore {
 namespace {
@@ -91,6 +93,39 @@ TEST(StandardErrors, AreCalibratedAmongThinOccluders) {
     expect_calibrated(run(scene, {Falloff::quadratic, 1.5, 0}, settings, 40), settings.samples);
 }
 
+TEST(StandardErrors, AreHonestWhereAllRaysOfAPixelAgree) {
+    // Judged by what was seen, not by what is there: pixels whose every ray was open, or every one blocked.
+    for (const Scene& scene : {testing::still_life(), testing::thicket()}) {
+        const ReferenceScene reference(scene);
+        TruthSettings settings;
+        settings.samples = 8192;
+        settings.skip_open = false;
+        const std::vector<TruthQuery> query = {{Falloff::binary, INFINITY, 0}};
+        const Truth exact = reference.trace(kFrame, query, settings, "exact");
+        for (const int samples : {32, 64, 128}) {
+            settings.samples = samples;
+            double squared = 0, stated = 0;
+            int pixels = 0;
+            for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+                settings.seed = seed;
+                const Truth truth = reference.trace(kFrame, query, settings, "agreeing");
+                for (std::size_t i = 0; i < truth.visibility[0].size(); ++i) {
+                    const float v = truth.visibility[0].pixels[i];
+                    if (truth.hits.surface.pixels[i] == 0 || (v != 0 && v != 1)) continue;
+                    squared += std::pow(v - exact.visibility[0].pixels[i], 2);
+                    stated += std::pow(truth.standard_error[0].pixels[i], 2);
+                    ++pixels;
+                }
+            }
+            settings.seed = 1;
+            ASSERT_GT(pixels, 500);
+            const double ratio = std::sqrt(squared / stated);
+            EXPECT_LT(ratio, 1.25) << samples << " samples, " << pixels << " pixels";
+            EXPECT_GT(ratio, 0.5) << samples << " samples, " << pixels << " pixels";
+        }
+    }
+}
+
 TEST(StandardErrors, OfAWholePictureAreIndependentBetweenNeighbours) {
     // The error of a mean over pixels is that of independent pixels: nothing is shared between them.
     const ReferenceScene scene(testing::thicket());
@@ -172,13 +207,32 @@ TEST(Estimates, OfALoneNoisyPixelLeanOnTheUsualLaw) {
     EXPECT_GT(error, 0.3 * std::sqrt(spread));
 }
 
-TEST(Estimates, NeverStateLessThanTheFloor) {
-    const std::array sums = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-    const PixelSpread pixel = pixel_spread(sums, 256);
-    EXPECT_EQ(moderated_estimates({&pixel, 1}, false)[0].standard_error, standard_error_floor(256));
+TEST(Estimates, NeverStateNothing) {
+    const std::array none = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    const std::array all = {32.0, 32.0, 32.0, 32.0, 32.0, 32.0, 32.0, 32.0};
+    const std::array half = {16.0, 16.0, 16.0, 16.0, 16.0, 16.0, 16.0, 16.0};
+    for (const auto& sums : {none, all, half}) {
+        const PixelSpread pixel = pixel_spread(sums, 256);
+        EXPECT_EQ(moderated_estimates({&pixel, 1}, false)[0].standard_error, 0.5 / 256);
+    }
     const std::array one = {1.0};
     const PixelSpread single = pixel_spread(one, 1);
     EXPECT_EQ(moderated_estimates({&single, 1}, false)[0].standard_error, 0.5);
+}
+
+TEST(Estimates, OfAgreeingPixelsFallAsTheirTileAgrees) {
+    const std::array none = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    const std::array one = {0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    const std::array many = {8.0, 8.0, 8.0, 8.0, 8.0, 8.0, 8.0, 8.0};
+    const auto first_error = [](const std::vector<std::span<const double>>& tile) {
+        std::vector<PixelSpread> pixels;
+        for (const auto sums : tile) pixels.push_back(pixel_spread(sums, 256));
+        return moderated_estimates(pixels, false)[0].standard_error;
+    };
+    EXPECT_DOUBLE_EQ(first_error({none, none, none, none}), 0.25 / 256);
+    EXPECT_GE(first_error({none, none, one, one}), std::sqrt(0.25 + 0.25 / 2) / 256);
+    // What lies across an edge of depth does not speak for it or against it.
+    EXPECT_GE(first_error({none, none, many, many}), std::sqrt(0.25 / 2) / 256);
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 
 #include "core/error.h"
 #include "core/threads.h"
+#include "reference/estimate.h"
 #include "reference/test_scenes.h"
+#include "reference/tile.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -298,6 +300,7 @@ TEST(Truth, ShadingNormalsTurnTheHemisphere) {
 
 TEST(Truth, AnySampleCountGivesFiniteHonestNumbers) {
     const Scene scene = testing::still_life();
+    constexpr int kPixels = kTileSide * kTileSide;
     for (const int samples : {1, 2, 3, 5, 7, 64, 101}) {
         const Truth truth = trace(scene, kStillLifeCamera, 24, 18, kUnlimited, with_samples(samples));
         EXPECT_EQ(truth.samples, samples);
@@ -305,7 +308,7 @@ TEST(Truth, AnySampleCountGivesFiniteHonestNumbers) {
             const float v = truth.visibility[0].pixels[i], se = truth.standard_error[0].pixels[i];
             ASSERT_TRUE(v >= 0 && v <= 1);
             if (truth.hits.surface.pixels[i] == 0) continue;
-            ASSERT_GE(se, static_cast<float>(standard_error_floor(samples)));
+            ASSERT_GE(se, static_cast<float>(error_of_agreement(samples, kPixels, kPixels)));
             ASSERT_LE(se, 0.5f + 1e-6f);
         }
     }
