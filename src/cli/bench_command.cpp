@@ -5,7 +5,7 @@
 #include "experiment/bench_compare.h"
 #include "experiment/bench_main.h"
 #include "experiment/bench_methods.h"
-#include "reference/benchmark.h"
+#include "reference/benchmark/benchmark.h"
 #include "report/report.h"
 
 #include <fmt/format.h>

@@ -16,6 +16,9 @@ using DeviceHandle = std::unique_ptr<RTCDeviceTy, EmbreeReleaser>;
 using SceneHandle = std::unique_ptr<RTCSceneTy, EmbreeReleaser>;
 using GeometryHandle = std::unique_ptr<RTCGeometryTy, EmbreeReleaser>;
 
+/// An empty scene in which rays are robust and that is built to be traced often. Throws internal_error.
+SceneHandle new_trace_scene(RTCDevice device);
+
 /// Throws internal_error if the device has an error pending; `doing` says at what.
 void check_embree(RTCDevice device, const char* doing);
 

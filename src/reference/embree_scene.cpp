@@ -1,14 +1,13 @@
 #include "reference/embree_scene.h"
 
-#include "core/error.h"
 #include "reference/cutout_filter.h"
 
-#include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace aoscore {
 namespace {
@@ -66,13 +65,6 @@ glm::dmat4 rounded(const glm::dmat4& m) {
 
 }  // namespace
 
-void check_embree(RTCDevice device, const char* doing) {
-    const RTCError error = rtcGetDeviceError(device);
-    if (error == RTC_ERROR_NONE) return;
-    if (error == RTC_ERROR_OUT_OF_MEMORY) throw internal_error("Embree ran out of memory", doing);
-    throw internal_error(fmt::format("Embree reports error {}", static_cast<int>(error)), doing);
-}
-
 bool EmbreeScene::count_memory(void* memory, ssize_t bytes, bool) {
     Memory& m = *static_cast<Memory*>(memory);
     const std::ptrdiff_t now = m.current += bytes;
@@ -99,14 +91,7 @@ EmbreeScene::EmbreeScene(const Scene& scene, const TraceBuild& build) : device_(
     }
     const bool bake_all = triangle_count_ <= build.baked_triangles_at_most;
 
-    const auto new_scene = [&] {
-        SceneHandle handle(rtcNewScene(device_.get()));
-        rtcSetSceneFlags(handle.get(), RTC_SCENE_FLAG_ROBUST);
-        rtcSetSceneBuildQuality(handle.get(), quality_);
-        check_embree(device_.get(), "making a scene");
-        return handle;
-    };
-    scene_ = new_scene();
+    scene_ = new_trace_scene(device_.get());
     const glm::dmat4 to_trace_space = glm::translate(glm::dmat4(1), -centre_);
 
     struct Shared {
@@ -128,7 +113,7 @@ EmbreeScene::EmbreeScene(const Scene& scene, const TraceBuild& build) : device_(
         Shared& s = shared[index];
         if (s.scene == nullptr) {
             s.centre = centre_of(mesh);
-            shared_.push_back(new_scene());
+            shared_.push_back(new_trace_scene(device_.get()));
             s.scene = shared_.back().get();
             s.geometry = &add_triangles(s.scene, mesh, glm::translate(glm::dmat4(1), -s.centre));
             rtcCommitScene(s.scene);
@@ -152,7 +137,7 @@ void EmbreeScene::copy_cutouts(const Scene& scene) {
 
 TraceGeometry& EmbreeScene::add_triangles(RTCScene target, const Mesh& mesh, const glm::dmat4& transform) {
     GeometryHandle handle(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
-    rtcSetGeometryBuildQuality(handle.get(), quality_);
+    rtcSetGeometryBuildQuality(handle.get(), RTC_BUILD_QUALITY_HIGH);
     auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(handle.get(), RTC_BUFFER_TYPE_VERTEX, 0,
                                                                      RTC_FORMAT_FLOAT3, sizeof(glm::vec3),
                                                                      mesh.positions.size()));
@@ -166,6 +151,7 @@ TraceGeometry& EmbreeScene::add_triangles(RTCScene target, const Mesh& mesh, con
     TraceGeometry& geometry = geometries_.emplace_back();
     geometry.vertices = vertices;
     geometry.triangles = triangles;
+    geometry.triangle_count = static_cast<unsigned>(mesh.triangles.size());
     if (!mesh.normals.empty()) {
         const glm::dmat3 turn = cofactors(glm::dmat3(transform));
         geometry.normals.reserve(mesh.normals.size());
@@ -214,6 +200,32 @@ TraceTriangle EmbreeScene::triangle(const Placement& placement, unsigned index) 
         return transformed(placement.trace_from_geometry, glm::dvec3(geometry.vertices[i]));
     };
     return {{vertex(corner.x), vertex(corner.y), vertex(corner.z)}};
+}
+
+std::vector<TraceTriangle> EmbreeScene::largest_triangles(std::size_t count) const {
+    std::vector<std::pair<double, TraceTriangle>> all;
+    for (const Placement& placement : placements_) {
+        if (placement.is_instance || placement.geometry->material != nullptr) continue;
+        for (unsigned i = 0; i < placement.geometry->triangle_count; ++i) {
+            const TraceTriangle one = triangle(placement, i);
+            all.emplace_back(one.area(), one);
+        }
+    }
+    count = std::min(count, all.size());
+    std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count), all.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<TraceTriangle> largest;
+    for (std::size_t i = 0; i < count; ++i) largest.push_back(all[i].second);
+    return largest;
+}
+
+const Walls* EmbreeScene::walls() const {
+    std::call_once(walls_asked_for_, [&] {
+        if (triangle_count_ < Walls::kLeastSceneTriangles) return;
+        const std::vector<TraceTriangle> largest = largest_triangles(Walls::kTriangles);
+        if (!largest.empty()) walls_.emplace(device_.get(), largest);
+    });
+    return walls_ ? &*walls_ : nullptr;
 }
 
 glm::dvec3 EmbreeScene::hit_normal(unsigned geometry_id, unsigned instance_id, const glm::dvec3& ng) const {

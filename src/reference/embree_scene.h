@@ -1,15 +1,18 @@
 #pragma once
 
 #include "reference/embree_handles.h"
+#include "reference/trace_triangle.h"
 #include "reference/truth.h"
+#include "reference/walls.h"
 #include "scene/scene.h"
 
 #include <glm/glm.hpp>
 
-#include <array>
 #include <atomic>
 #include <cstddef>
 #include <deque>
+#include <mutex>
+#include <optional>
 #include <vector>
 
 namespace aoscore {
@@ -18,15 +21,11 @@ namespace aoscore {
 struct TraceGeometry {
     const glm::vec3* vertices = nullptr;    ///< owned by Embree
     const glm::uvec3* triangles = nullptr;  ///< owned by Embree
-    std::vector<glm::vec3> normals;         ///< smooth, unit, one a vertex; empty: flat
-    std::vector<glm::vec2> texcoords;       ///< one a vertex; cut-outs only
-    const Material* material = nullptr;     ///< cut-outs only
-    const Scene* cutouts = nullptr;         ///< textures of the cut-outs
-};
-
-/// One triangle in trace space.
-struct TraceTriangle {
-    std::array<glm::dvec3, 3> corners;
+    unsigned triangle_count = 0;
+    std::vector<glm::vec3> normals;      ///< smooth, unit, one a vertex; empty: flat
+    std::vector<glm::vec2> texcoords;    ///< one a vertex; cut-outs only
+    const Material* material = nullptr;  ///< cut-outs only
+    const Scene* cutouts = nullptr;      ///< textures of the cut-outs
 };
 
 /// The point of a triangle that a pixel sees, in trace space and double precision.
@@ -57,6 +56,10 @@ class EmbreeScene {
     /// packets that enter an instance, so that scenes with instances are traced as if packets were not.
     RTCIntersectContext packet_context() const;
 
+    /// The scene's largest triangles by themselves; null where they are too large a part of it to be worth
+    /// it. Built when first asked for.
+    const Walls* walls() const;
+
     /// What the ray (scene space, unnormalised: t is view depth) meets first with t in [near, far].
     bool first_hit(const CameraFrame::Ray& ray, double near, double far, SurfaceHit& hit) const;
 
@@ -76,6 +79,8 @@ class EmbreeScene {
         bool is_instance = false;
     };
     TraceTriangle triangle(const Placement& placement, unsigned index) const;
+    /// Those that are solid, in trace space and no instance's: they can be asked for by themselves.
+    std::vector<TraceTriangle> largest_triangles(std::size_t count) const;
     struct Memory {
         std::atomic<std::ptrdiff_t> current{0};
         std::atomic<std::size_t> peak{0};
@@ -96,7 +101,8 @@ class EmbreeScene {
     glm::dvec3 centre_{0};
     double diagonal_m_ = 0;
     std::size_t triangle_count_ = 0;
-    RTCBuildQuality quality_ = RTC_BUILD_QUALITY_HIGH;
+    mutable std::once_flag walls_asked_for_;
+    mutable std::optional<Walls> walls_;
 };
 
 }  // namespace aoscore

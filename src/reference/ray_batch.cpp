@@ -72,10 +72,12 @@ void RayBatch::add(const RaySource& source, std::size_t number, int first, int l
         const int index = first / block;
         const int end = std::min(last, (index + 1) * block);
         const auto count = static_cast<std::size_t>(end - first);
+        const std::size_t owner = number * kBlocks + static_cast<std::size_t>(index);
         make_directions(set.u + first, set.v + first, count, static_cast<std::uint32_t>(shifts),
                         static_cast<std::uint32_t>(shifts >> 32), source.frame,
-                        static_cast<std::uint32_t>(number * kBlocks) + static_cast<std::uint32_t>(index),
-                        &rays_[size_], &cell_[size_]);
+                        static_cast<std::uint32_t>(owner), &rays_[size_], &cell_[size_]);
+        if (owner >= rays_of_.size()) rays_of_.resize(owner + 1);
+        rays_of_[owner] += static_cast<std::uint32_t>(count);
         size_ += count;
         first = end;
     }

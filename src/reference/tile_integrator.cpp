@@ -50,7 +50,7 @@ TileIntegrator::TileIntegrator(const EmbreeScene& scene, const CameraFrame& fram
       settings_(settings),
       plan_(settings),
       observer_(scene, judge, queries[0], settings.extras),
-      tracer_(scene, queries, points, settings.extras.any() ? &observer_ : nullptr),
+      tracer_(scene, queries, points, settings.ask_walls, settings.extras.any() ? &observer_ : nullptr),
       open_space_(scene) {
     for (const TruthQuery& query : queries) reach_m_ = std::max(reach_m_, query.radius_m);
 }

@@ -4,6 +4,7 @@
 #include "reference/vectorise.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 
 namespace aoscore {
@@ -11,6 +12,9 @@ namespace {
 
 /// Rays held at once: their directions and order stay in the second-level cache.
 constexpr std::size_t kBatchRays = 16384;
+
+/// Walls are not tried by rays that reach less far, in diagonals of the scene.
+constexpr double kLeastReachForWalls = 0.1;
 
 /// Where rays start, by owner.
 struct Origins {
@@ -36,6 +40,27 @@ void fill(RTCRay16& packet, const DirectedRay* __restrict rays, const Origins& o
     for (std::size_t lane = 0; lane < kPacket; ++lane) packet.org_z[lane] = from_z[owner[lane]];
 }
 
+/// A bit for every lane that Embree found blocked, for which it sets tfar to minus infinity.
+inline std::uint32_t blocked_lanes(const RTCRay16& packet) {
+    std::uint32_t bits = 0;
+    for (std::size_t lane = 0; lane < kPacket; ++lane)
+        bits |= (std::bit_cast<std::uint32_t>(packet.tfar[lane]) >> 31) << lane;
+    return bits;
+}
+
+/// A bit for every lane that met something.
+inline std::uint32_t hit_lanes(const RTCRayHit16& packet) {
+    std::uint32_t bits = 0;
+    for (std::size_t lane = 0; lane < kPacket; ++lane)
+        bits |= std::uint32_t{packet.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID} << lane;
+    return bits;
+}
+
+/// A bit for every lane below `count`.
+inline std::uint32_t lanes_below(std::size_t count) {
+    return (1u << count) - 1;
+}
+
 /// What stays the same from packet to packet.
 void fill_constants(RTCRay16& ray) {
     std::fill_n(ray.tnear, kPacket, 0.0f);
@@ -56,7 +81,7 @@ struct ValidLanes {
 }  // namespace
 
 TileTracer::TileTracer(const EmbreeScene& scene, const std::vector<TruthQuery>& queries,
-                       const PointSets& points, HitObserver* observer)
+                       const PointSets& points, bool ask_walls, HitObserver* observer)
     : scene_(scene),
       queries_(queries),
       observer_(observer),
@@ -67,6 +92,8 @@ TileTracer::TileTracer(const EmbreeScene& scene, const std::vector<TruthQuery>& 
     reach_m_ = static_cast<float>(reach);
     // A hit between a radius and its float32 value is judged by the radius itself.
     if (!only_occlusion_) reach_m_ = std::nextafter(reach_m_, std::numeric_limits<float>::infinity());
+    if (ask_walls && only_occlusion_ && reach > kLeastReachForWalls * scene.diagonal_m())
+        walls_ = scene.walls();
 }
 
 void TileTracer::start(std::vector<RaySource> sources) {
@@ -130,21 +157,47 @@ void TileTracer::merge_blocks(std::size_t source, int before, int after) {
 }
 
 void TileTracer::trace_occlusion() {
+    std::fill(blocked_.begin(), blocked_.end(), 0u);
+    if (walls_ != nullptr && habit_.worth_it()) {
+        trace_after_walls();
+    } else {
+        ask(scene_.handle(), batch_.sorted(), batch_.size(), Lanes::blocked,
+            [&](const DirectedRay& ray) { ++blocked_[ray.owner]; });
+    }
+    for (std::size_t i = 0; i < blocked_.size(); ++i) sums_[i] += blocked_[i];
+}
+
+void TileTracer::trace_after_walls() {
+    passed_.clear();
+    ask(walls_->handle(), batch_.sorted(), batch_.size(), Lanes::open,
+        [&](const DirectedRay& ray) { passed_.push_back(ray); });
+    const std::size_t passed = passed_.size();
+    habit_.learn(batch_.size(), batch_.size() - passed);
+    for (std::size_t owner = 0; owner < blocked_.size(); ++owner) blocked_[owner] = batch_.rays_of(owner);
+    passed_.resize(passed + kPacket, passed > 0 ? passed_.back() : DirectedRay{});
+    ask(scene_.handle(), passed_.data(), passed, Lanes::open,
+        [&](const DirectedRay& ray) { --blocked_[ray.owner]; });
+}
+
+template <class Report>
+void TileTracer::ask(RTCScene scene, const DirectedRay* rays, std::size_t count, Lanes reported,
+                     const Report& report) const {
     RTCIntersectContext context = scene_.packet_context();
     RTCRay16 ray;
     fill_constants(ray);
     const Origins origins{origin_x_.data(), origin_y_.data(), origin_z_.data()};
     alignas(64) std::uint32_t owner[kPacket];
-    std::fill(blocked_.begin(), blocked_.end(), 0u);
     ValidLanes valid(kPacket);
-    for (std::size_t first = 0; first < batch_.size(); first += kPacket) {
-        const std::size_t count = std::min(kPacket, batch_.size() - first);
-        if (count < kPacket) valid = ValidLanes(count);
-        fill(ray, batch_.sorted() + first, origins, reach_m_, owner);
-        rtcOccluded16(valid.lanes, scene_.handle(), &context, &ray);
-        for (std::size_t lane = 0; lane < count; ++lane) blocked_[owner[lane]] += ray.tfar[lane] < 0;
+    const std::uint32_t flip = reported == Lanes::open ? ~0u : 0u;
+    for (std::size_t first = 0; first < count; first += kPacket) {
+        const std::size_t lanes = std::min(kPacket, count - first);
+        if (lanes < kPacket) valid = ValidLanes(lanes);
+        fill(ray, rays + first, origins, reach_m_, owner);
+        rtcOccluded16(valid.lanes, scene, &context, &ray);
+        std::uint32_t left = (blocked_lanes(ray) ^ flip) & lanes_below(lanes);
+        for (; left != 0; left &= left - 1)
+            report(rays[first + static_cast<std::size_t>(std::countr_zero(left))]);
     }
-    for (std::size_t i = 0; i < blocked_.size(); ++i) sums_[i] += blocked_[i];
 }
 
 void TileTracer::trace_distance() {
@@ -160,9 +213,10 @@ void TileTracer::trace_distance() {
         std::fill_n(query.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
         std::fill_n(query.hit.instID[0], kPacket, RTC_INVALID_GEOMETRY_ID);
         rtcIntersect16(valid.lanes, scene_.handle(), &context, &query);
-        for (std::size_t lane = 0; lane < count; ++lane) {
-            if (observer_ != nullptr) tell_observer(query, lane, owner[lane] / kBlocks);
-            if (query.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) continue;
+        for (std::size_t lane = 0; observer_ != nullptr && lane < count; ++lane)
+            tell_observer(query, lane, owner[lane] / kBlocks);
+        for (std::uint32_t left = hit_lanes(query) & lanes_below(count); left != 0; left &= left - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(left));
             const double t = query.ray.tfar[lane];
             for (std::size_t q = 0; q < queries_.size(); ++q) {
                 sums_[q * blocked_.size() + owner[lane]] += darkening(queries_[q], t);

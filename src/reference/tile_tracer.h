@@ -4,6 +4,7 @@
 #include "reference/hit_observer.h"
 #include "reference/ray_batch.h"
 #include "reference/truth.h"
+#include "reference/walls.h"
 
 #include <algorithm>
 #include <span>
@@ -19,9 +20,9 @@ struct SampleRange {
 /// Sums of darkening over the rays of the pixels of one tile.
 class TileTracer {
   public:
-    /// `observer` may be null; else it is told of every ray.
+    /// `observer` may be null; else it is told of every ray. `ask_walls` as TruthSettings has it.
     TileTracer(const EmbreeScene& scene, const std::vector<TruthQuery>& queries, const PointSets& points,
-               HitObserver* observer = nullptr);
+               bool ask_walls, HitObserver* observer = nullptr);
 
     /// Begins with these pixels and sums of zero.
     void start(std::vector<RaySource> sources);
@@ -42,6 +43,13 @@ class TileTracer {
     /// Sums by blocks of `before` samples become sums by blocks of `after` samples, a multiple.
     void merge_blocks(std::size_t source, int before, int after);
     void trace_occlusion();
+    void trace_after_walls();
+    enum class Lanes { open, blocked };
+    /// Traces packets of `count` rays, kPacket more of which may be read, and reports those that are open, or
+    /// those that are blocked, in their order.
+    template <class Report>
+    void ask(RTCScene scene, const DirectedRay* rays, std::size_t count, Lanes reported,
+             const Report& report) const;
     void trace_distance();
     void tell_observer(const RTCRayHit16& packet, std::size_t lane, std::size_t source);
 
@@ -54,7 +62,10 @@ class TileTracer {
     std::vector<float> origin_x_, origin_y_, origin_z_;  // by owner, as packets name them
     RayBatch batch_;
     std::vector<std::uint32_t> blocked_;  // by owner
-    std::vector<double> sums_;            // by query, then owner
+    const Walls* walls_ = nullptr;        // asked first, where it may pay
+    WallHabit habit_;
+    std::vector<DirectedRay> passed_;  // the walls
+    std::vector<double> sums_;         // by query, then owner
     std::uint64_t rays_ = 0;
 };
 

@@ -79,6 +79,8 @@ struct TruthSettings {
     TruthExtras extras;
     /// Pixels with nothing above their tangent plane within reach are proven open instead of traced.
     bool skip_open = true;
+    /// Rays that reach far ask the scene's largest triangles before all others: the same bits, sooner.
+    bool ask_walls = true;
 };
 
 /// The rays of a pixel are summed in no more than this many consecutive blocks, see block_size().

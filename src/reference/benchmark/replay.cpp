@@ -1,12 +1,12 @@
-#include "reference/replay.h"
+#include "reference/benchmark/replay.h"
 
 #include "core/sampling.h"
 #include "core/threads.h"
+#include "reference/benchmark/processor_time.h"
 #include "reference/flush_denormals.h"
 #include "reference/tile_integrator.h"
 
 #include <algorithm>
-#include <ctime>
 #include <functional>
 #include <span>
 
@@ -106,33 +106,52 @@ RecordedTile record(const EmbreeScene& scene, const CameraFrame& frame, const Ti
     return recorded;
 }
 
-void replay_rays(const EmbreeScene& scene, const std::vector<RTCRay16>& packets) {
+void replay(const EmbreeScene& scene, const std::vector<RTCRay16>& packets, RayQuestion question) {
     RTCIntersectContext context = scene.packet_context();
     alignas(64) int valid[kPacket];
     std::fill_n(valid, kPacket, -1);
+    RTCRayHit16 query;
     for (const RTCRay16& packet : packets) {
-        RTCRay16 ray = packet;
-        rtcOccluded16(valid, scene.handle(), &context, &ray);
+        query.ray = packet;
+        if (question == RayQuestion::occlusion) {
+            rtcOccluded16(valid, scene.handle(), &context, &query.ray);
+            continue;
+        }
+        std::fill_n(query.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
+        std::fill_n(query.hit.instID[0], kPacket, RTC_INVALID_GEOMETRY_ID);
+        rtcIntersect16(valid, scene.handle(), &context, &query);
     }
 }
 
-void replay_rays(const EmbreeScene& scene, const std::vector<RTCRay>& rays) {
+void replay(const EmbreeScene& scene, const std::vector<RTCRay>& rays, RayQuestion question) {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
+    RTCRayHit query;
     for (const RTCRay& recorded : rays) {
-        RTCRay ray = recorded;
-        rtcOccluded1(scene.handle(), &context, &ray);
+        query.ray = recorded;
+        if (question == RayQuestion::occlusion) {
+            rtcOccluded1(scene.handle(), &context, &query.ray);
+            continue;
+        }
+        query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+        rtcIntersect1(scene.handle(), &context, &query);
     }
+}
+
+std::vector<TruthQuery> queries_for(RayQuestion question, double radius_m) {
+    if (question == RayQuestion::occlusion) return {{Falloff::binary, radius_m, 0}};
+    return {
+        {Falloff::binary, radius_m, 0}, {Falloff::quadratic, radius_m, 0}, {Falloff::xegtao, radius_m, 0}};
 }
 
 }  // namespace
 
-double ReplayRates::best() const {
-    return std::max({single, pixel, block, sorted});
+double ReplayRates::best_plain() const {
+    return std::max({single, pixel, block});
 }
 
-ReplayRates replay_rates(const EmbreeScene& scene, const CameraFrame& frame, double radius_m, int samples,
-                         int tiles) {
+ReplayRates replay_rates(const EmbreeScene& scene, const CameraFrame& frame, double radius_m,
+                         RayQuestion question, int samples, int tiles) {
     const PointSets points(PointKind::scrambled_sobol, samples);
     std::vector<Tile> all = tiles_of(frame.width(), frame.height());
     std::sort(all.begin(), all.end(), [](const Tile& a, const Tile& b) {
@@ -149,35 +168,35 @@ ReplayRates replay_rates(const EmbreeScene& scene, const CameraFrame& frame, dou
     ReplayRates rates;
     for (const RecordedTile& tile : recorded) rates.rays += tile.singles.size();
 
-    const std::vector<TruthQuery> queries = {{Falloff::binary, radius_m, 0}};
+    const std::vector<TruthQuery> queries = queries_for(question, radius_m);
     const std::size_t group = tiles_at_a_time(recorded.size());
     const auto time = [&](double& best, const std::function<void(std::span<const RecordedTile>)>& work) {
-        const std::clock_t start = std::clock();
-        parallel_for((recorded.size() + group - 1) / group, [&](std::size_t g) {
-            const FlushDenormals flush;
-            const std::size_t first = g * group;
-            work(std::span(recorded).subspan(first, std::min(group, recorded.size() - first)));
+        const double seconds = seconds_of([&] {
+            parallel_for((recorded.size() + group - 1) / group, [&](std::size_t g) {
+                const FlushDenormals flush;
+                const std::size_t first = g * group;
+                work(std::span(recorded).subspan(first, std::min(group, recorded.size() - first)));
+            });
         });
-        const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / thread_count();
         best = std::max(best, static_cast<double>(rates.rays) / seconds / 1e6);
     };
     for (int run = 0; run < kRuns; ++run) {
         time(rates.traced, [&](std::span<const RecordedTile> part) {
-            TileTracer tracer(scene, queries, points);
+            TileTracer tracer(scene, queries, points, true);
             for (const RecordedTile& tile : part) {
                 tracer.start(tile.sources);
                 tracer.trace(std::vector<SampleRange>(tile.sources.size(), {0, samples}));
             }
         });
-        const auto replay = [&](auto rays) {
-            return [&scene, rays](std::span<const RecordedTile> part) {
-                for (const RecordedTile& tile : part) replay_rays(scene, tile.*rays);
+        const auto replayed = [&](auto rays) {
+            return [&scene, question, rays](std::span<const RecordedTile> part) {
+                for (const RecordedTile& tile : part) replay(scene, tile.*rays, question);
             };
         };
-        time(rates.sorted, replay(&RecordedTile::sorted));
-        time(rates.pixel, replay(&RecordedTile::by_pixel));
-        time(rates.block, replay(&RecordedTile::by_block));
-        time(rates.single, replay(&RecordedTile::singles));
+        time(rates.sorted, replayed(&RecordedTile::sorted));
+        time(rates.pixel, replayed(&RecordedTile::by_pixel));
+        time(rates.block, replayed(&RecordedTile::by_block));
+        time(rates.single, replayed(&RecordedTile::singles));
     }
     return rates;
 }
