@@ -75,6 +75,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     if (!options.radii.empty()) view.radius_m = options.radii[0];
     view.extras = {};  // they say more of one picture than curves can show
     view.timing_goal = TimingGoal();
+    view.lit = true;
     const Registry registry = load_registry(options.methods_dir);
     const SweepRequest request = request_of(options, registry);
     SweepPlan sweep;

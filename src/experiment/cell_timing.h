@@ -13,8 +13,10 @@ namespace aoscore {
 /// The timed runs of one cell, in the order they were taken.
 struct CellTimes {
     std::vector<double> ao_ms;
-    std::vector<double> filter_ms;  ///< empty without a filter
-    std::string error;              ///< why the runs ended early; empty when they did not
+    std::vector<double> filter_ms;                           ///< empty without a filter
+    std::vector<double> lighting_ms;                         ///< empty without lighting
+    std::vector<double> frame_at_once_ms, frame_by_pass_ms;  ///< empty where no whole frames are asked for
+    std::string error;  ///< why the runs ended early; empty when they did not
 };
 
 /// Times the wanted cells on the renderer's current G-buffer: a warm-up each, then round by round over all of

@@ -152,9 +152,9 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
     for (const PreparedView& p : prepared) {
         keys.push_back(view_key(p, keys));
         frames.emplace(keys.back(), CameraFrame(p.view->camera, p.plan->width, p.plan->height));
-        runs.push_back({*p.scene, *p.view, tools, *p.plan, p.cells, registry.fixed_pass, keys.back(),
-                        plan.seed, results.mask_threshold, plan.keep_gbuffer, plan.truth_cache, plan.command,
-                        gbuffer_inputs_of(registry), folder});
+        runs.push_back({*p.scene, *p.view, tools, *p.plan, p.cells, registry.fixed_pass, registry.lighting,
+                        keys.back(), plan.seed, results.mask_threshold, plan.keep_gbuffer, plan.truth_cache,
+                        plan.command, gbuffer_inputs_of(registry), folder});
         stocks.push_back(take_stock(runs.back(), store));
     }
     log_info(plan_work(runs, stocks, store).text());

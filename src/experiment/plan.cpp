@@ -128,6 +128,7 @@ void add_sweep_report(ExperimentPlan& plan, const ReportDefinition& report, doub
     view.radius_m = object.number("radius_m", kSmallestRadius_m, kLargestRadius_m);
     view.extras = {};
     view.timing_goal = TimingGoal();
+    view.lit = true;
     const Registry registry = load_registry({});
     std::vector<SweepRequest> requests;
     for (StrictObject& one : object.objects("sweeps")) requests.push_back(read_sweep(std::move(one)));
@@ -199,6 +200,7 @@ std::size_t shared_view(ExperimentPlan& plan, ViewPlan view) {
     found->extras.one_layer_bound |= view.extras.one_layer_bound;
     found->extras.bent_normals |= view.extras.bent_normals;
     if (view.timing_goal) found->timing_goal = view.timing_goal;
+    found->lit |= view.lit;
     return static_cast<std::size_t>(found - plan.views.begin());
 }
 
@@ -211,6 +213,7 @@ std::size_t shared_cell(ViewPlan& view, CellPlan cell) {
     }
     found->own_truth |= cell.own_truth;
     found->keep_image |= cell.keep_image;
+    found->whole_frames |= cell.whole_frames;
     return static_cast<std::size_t>(found - view.cells.begin());
 }
 

@@ -31,6 +31,8 @@ struct CellPlan {
     RunModes modes;
     bool own_truth = true;   ///< also score it against the method's own radius and falloff
     bool keep_image = true;  ///< write its output
+    /// Also time whole lit frames, waited for at their end and after every pass.
+    bool whole_frames = false;
     /// Whether both are the same measurement, whatever is kept of it.
     bool same_as(const CellPlan& other) const;
 };
@@ -48,6 +50,8 @@ struct ViewPlan {
     std::vector<CellPlan> cells;
     /// Timed until the median's interval is this narrow, where it is asked for.
     std::optional<TimingGoal> timing_goal;
+    /// Draws what the lighting pass reads and times it, so that frames are known with their lighting.
+    bool lit = false;
 };
 
 /// A published table to be rebuilt: its definition, and for each row the index of its cell.

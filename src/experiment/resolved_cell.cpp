@@ -8,7 +8,7 @@
 namespace aoscore {
 
 Registry load_registry(const std::filesystem::path& methods_dir) {
-    return {load_methods(methods_dir), load_filters(), load_fixed_pass()};
+    return {load_methods(methods_dir), load_filters(), load_fixed_pass(), load_lighting()};
 }
 
 namespace {
@@ -44,6 +44,11 @@ std::string filter_of(const CellPlan& plan, const MethodDescriptor& method) {
 
 std::string setting_text(const CellPlan& plan) {
     return fmt::format("{}", fmt::join(changes_of(plan, " "), ", "));
+}
+
+void light(MethodRequest& request, const MethodDescriptor& lighting) {
+    request.lighting = &lighting;
+    request.lighting_parameters = lighting.values("default");
 }
 
 ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64_t seed) {

@@ -14,6 +14,7 @@ struct Registry {
     std::vector<MethodDescriptor> methods;
     std::vector<MethodDescriptor> filters;
     MethodDescriptor fixed_pass;
+    MethodDescriptor lighting;
 };
 Registry load_registry(const std::filesystem::path& methods_dir);
 
@@ -24,6 +25,9 @@ struct ResolvedCell {
     TruthQuery own;
     std::string filter = "none";
 };
+
+/// Gives the request the lighting pass, as its descriptor has it. `lighting` must outlive it.
+void light(MethodRequest& request, const MethodDescriptor& lighting);
 
 /// The cell's name within its view: "hbao/quality", with its filter and whatever else its plan changes:
 /// "hbao/quality/none/directions=8,resolution=half".

@@ -15,7 +15,12 @@ std::vector<double> numbers(StrictObject& object, const char* key) {
 }  // namespace
 
 nlohmann::json to_json(const StoredTimes& times) {
-    return {{"ao_ms", times.ao_ms}, {"filter_ms", times.filter_ms}, {"fixed_pass_ms", times.fixed_pass_ms}};
+    return {{"ao_ms", times.ao_ms},
+            {"filter_ms", times.filter_ms},
+            {"fixed_pass_ms", times.fixed_pass_ms},
+            {"lighting_ms", times.lighting_ms},
+            {"frame_at_once_ms", times.frame_at_once_ms},
+            {"frame_by_pass_ms", times.frame_by_pass_ms}};
 }
 
 StoredTimes stored_times_from_json(const nlohmann::json& json, const std::string& where) {
@@ -24,6 +29,9 @@ StoredTimes stored_times_from_json(const nlohmann::json& json, const std::string
     times.ao_ms = numbers(object, "ao_ms");
     times.filter_ms = numbers(object, "filter_ms");
     times.fixed_pass_ms = object.number("fixed_pass_ms", 0, 1e9);
+    times.lighting_ms = numbers(object, "lighting_ms");
+    times.frame_at_once_ms = numbers(object, "frame_at_once_ms");
+    times.frame_by_pass_ms = numbers(object, "frame_by_pass_ms");
     object.finish();
     return times;
 }

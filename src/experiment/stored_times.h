@@ -9,10 +9,13 @@
 
 namespace aoscore {
 
-/// The timed runs of a cell as they are kept, with the fixed pass that was timed in the same rounds.
+/// The timed runs of a cell as they are kept, with the fixed pass and the lighting that were timed in the
+/// same rounds. What was not asked for has no runs.
 struct StoredTimes {
     std::vector<double> ao_ms, filter_ms;
     double fixed_pass_ms = 0;
+    std::vector<double> lighting_ms;
+    std::vector<double> frame_at_once_ms, frame_by_pass_ms;
 };
 nlohmann::json to_json(const StoredTimes& times);
 /// Throws file_error for another form.

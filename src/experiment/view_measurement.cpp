@@ -34,14 +34,12 @@ std::string file_name(std::string id) {
 void ViewMeasurement::draw() {
     if (drawn_) return;
     drawn_ = true;
-    std::set<std::string> inputs;
-    for (const ResolvedCell& cell : run_.cells) inputs.merge(needed_gbuffer_inputs(cell.request));
+    std::set<std::string> inputs = run_.read_inputs();
     ScreenRenderer& renderer = run_.tools.ready_renderer();
     const double first_ms = renderer.draw_gbuffer(frame_, inputs);
     if (run_.times_gbuffer() && !view_.gbuffer.median_ms) {
         std::vector<double> runs_ms;
-        for (int i = timed_runs(first_ms); i > 0; --i)
-            runs_ms.push_back(renderer.time_gbuffer(frame_, inputs));
+        for (int i = timed_runs(first_ms); i > 0; --i) runs_ms.push_back(renderer.time_gbuffer());
         view_.gbuffer = summarize(std::move(runs_ms));
     }
     // What no cell reads is no cost of theirs: it comes after the clock.

@@ -52,6 +52,10 @@ class Runner {
   private:
     void describe_view_and_cells() {
         outcome_.view = describe_view(run_.scene, run_.view, frame_, run_.key);
+        if (run_.plan.lit) {
+            outcome_.view.lighting = run_.lighting.label;
+            outcome_.view.lighting_parameters = run_.lighting.values("default");
+        }
         outcome_.view.radius_m =
             ranking_radius(run_.plan.radius_m, run_.view, run_.scene, outcome_.view.warnings);
         for (const ResolvedCell& cell : run_.cells) outcome_.cells.push_back(describe_cell(cell));
@@ -87,6 +91,8 @@ class Runner {
         stored.view_source = described.view_source;
         stored.view_note = described.view_note;
         stored.warnings = described.warnings;
+        stored.lighting = described.lighting;
+        stored.lighting_parameters = described.lighting_parameters;
         stored.truth_origin = origin_id(TruthOrigin::cached);
         stored.truth_rays_now = 0;
         if (run_.pictured()) {
@@ -174,14 +180,6 @@ class Runner {
         store_.put(stock_.cell_keys[i], to_json(record));
     }
 
-    ResolvedCell fixed_pass_cell() const {
-        ResolvedCell cell;
-        cell.request.method = &run_.fixed_pass;
-        cell.request.parameters = run_.fixed_pass.values("default");
-        cell.request.seed = run_.seed;
-        return cell;
-    }
-
     void record_times(const std::vector<bool>& timed_before) {
         std::vector<std::size_t> wanted;
         for (std::size_t i = 0; i < run_.cells.size(); ++i) {
@@ -203,17 +201,23 @@ class Runner {
     void time_group(const std::vector<std::size_t>& group) {
         measurement_.draw();
         std::vector<ResolvedCell> cells;
-        for (const std::size_t i : group) cells.push_back(run_.cells[i]);
-        cells.push_back(fixed_pass_cell());
+        for (const std::size_t i : group) {
+            cells.push_back(run_.cells[i]);
+            if (cells.back().plan.whole_frames) light(cells.back().request, run_.lighting);
+        }
+        cells.emplace_back().request = run_.fixed_pass_request();
         const std::vector<CellTimes> times =
             time_cells(run_.tools.ready_renderer(), cells, std::vector<bool>(cells.size(), true),
                        run_.plan.timing_goal, "timing " + run_.key);
-        const double fixed_pass_ms = summarize(times.back().ao_ms).median_ms.value_or(0);
+        const CellTimes& fixed_pass = times.back();
+        const double fixed_pass_ms = summarize(fixed_pass.ao_ms).median_ms.value_or(0);
         for (std::size_t k = 0; k < group.size(); ++k) {
             CellRecord& record = outcome_.cells[group[k]];
             record.error = times[k].error;
             if (!record.error.empty()) continue;
-            const StoredTimes stored{times[k].ao_ms, times[k].filter_ms, fixed_pass_ms};
+            const StoredTimes stored{
+                times[k].ao_ms,         times[k].filter_ms,        fixed_pass_ms,
+                fixed_pass.lighting_ms, times[k].frame_at_once_ms, times[k].frame_by_pass_ms};
             record_cell_times(group[k], stored);
             store_.put(stock_.time_keys[group[k]], to_json(stored));
         }
@@ -224,9 +228,15 @@ class Runner {
         record.ao = summarize(times.ao_ms);
         record.blur = summarize(times.filter_ms);
         if (times.fixed_pass_ms > 0) record.fixed_pass_ms = times.fixed_pass_ms;
+        record.lighting = summarize(times.lighting_ms);
+        record.frame_at_once = summarize(times.frame_at_once_ms);
+        record.frame_by_pass = summarize(times.frame_by_pass_ms);
         const std::optional<double> gbuffer_ms = outcome_.view.gbuffer.median_ms;
-        if (record.ao.median_ms && gbuffer_ms)
-            record.frame_ms = *gbuffer_ms + *record.ao.median_ms + record.blur.median_ms.value_or(0);
+        if (!record.ao.median_ms || !gbuffer_ms) return;
+        const FrameRecord frame = frame_of(*gbuffer_ms, record.lighting.median_ms.value_or(0),
+                                           *record.ao.median_ms, record.blur.median_ms.value_or(0));
+        record.frame_ms = frame.frame_ms;
+        if (record.lighting.median_ms) record.frame = frame;
     }
 
     static std::string image_file(const CellRecord& record) {
@@ -250,6 +260,22 @@ bool ViewRun::pictured() const {
 
 bool ViewRun::times_gbuffer() const {
     return pictured() || plan.timing_goal.has_value();
+}
+
+std::set<std::string> ViewRun::read_inputs() const {
+    std::set<std::string> inputs;
+    for (const ResolvedCell& cell : cells) inputs.merge(needed_gbuffer_inputs(cell.request));
+    inputs.merge(needed_gbuffer_inputs(fixed_pass_request()));
+    return inputs;
+}
+
+MethodRequest ViewRun::fixed_pass_request() const {
+    MethodRequest request;
+    request.method = &fixed_pass;
+    request.parameters = fixed_pass.values("default");
+    request.seed = seed;
+    if (plan.lit) light(request, lighting);
+    return request;
 }
 
 ViewOutcome run_view(const ViewRun& run, const MeasurementStore& store, const ViewStock& stock) {

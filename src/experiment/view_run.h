@@ -24,6 +24,7 @@ struct ViewRun {
     const ViewPlan& plan;
     std::vector<ResolvedCell> cells;
     const MethodDescriptor& fixed_pass;  ///< timed among the cells
+    const MethodDescriptor& lighting;    ///< timed after it where the plan is lit
     std::string key;                     ///< "atrium/wide"
     std::uint64_t seed = 1;
     double mask_threshold = 0.1;
@@ -37,6 +38,10 @@ struct ViewRun {
     bool pictured() const;
     /// Whether what a frame costs without AO is asked for: by pictures, and by timings to a goal.
     bool times_gbuffer() const;
+    /// The G-buffer inputs that the cells read, and the lighting where the plan is lit.
+    std::set<std::string> read_inputs() const;
+    /// The fixed pass, lit where the plan is.
+    MethodRequest fixed_pass_request() const;
 };
 
 struct ViewOutcome {

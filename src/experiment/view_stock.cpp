@@ -70,28 +70,30 @@ class ViewKey {
     }
 
     /// Of files that hold all queries, and what else they keep.
-    std::string file(const char* what, const ViewRun& run) const {
+    std::string file(const char* what, const ViewRun& run, const std::string& albedo) const {
         Digest digest;
         digest.text(what).text(base_);
         for (const TruthQuery& query : queries_) add_query(digest, query);
-        for (const ResolvedCell& cell : run.cells) {
-            for (const std::string& input : needed_gbuffer_inputs(cell.request)) inputs_.insert(input);
-        }
-        for (const std::string& input : inputs_) digest.text(input);
+        std::set<std::string> inputs = run.read_inputs();
+        for (const std::string& input : inputs) digest.text(input);
         for (const std::string& input : run.kept_inputs) digest.text(input);
+        inputs.insert(run.kept_inputs.begin(), run.kept_inputs.end());
+        if (inputs.contains("albedo")) digest.text(albedo);
         return digest.hex();
     }
 
   private:
     std::string base_;
     std::vector<TruthQuery> queries_;
-    mutable std::set<std::string> inputs_;
 };
 
-std::string with_machine(const std::string& key, const ViewRun& run) {
+// Of times: what runs them, and all that is timed with the cell.
+std::string times_key(const std::string& cell_key, const ResolvedCell& cell, const ViewRun& run,
+                      bool orthographic) {
     Digest digest;
-    digest.text("times").text(key).text(cpu_name()).value(thread_count());
-    digest.value(run.plan.timing_goal.has_value());
+    digest.text("times").text(cell_key).text(cpu_name()).value(thread_count());
+    digest.value(run.plan.timing_goal.has_value()).value(cell.plan.whole_frames);
+    digest.text(request_digest(run.fixed_pass_request(), orthographic));
     return digest.hex();
 }
 
@@ -142,14 +144,14 @@ ViewStock take_stock(const ViewRun& run, const MeasurementStore& store) {
     const bool orthographic = run.view.camera.projection == Camera::Projection::orthographic;
     const std::string albedo = albedo_digest(run.scene);
     ViewStock stock;
-    stock.view_key = key.file("view", run);
-    stock.truth_file_key = key.file("truth file", run);
-    stock.gbuffer_file_key = key.file("G-buffer file", run);
+    stock.view_key = key.file("view", run, albedo);
+    stock.truth_file_key = key.file("truth file", run, albedo);
+    stock.gbuffer_file_key = key.file("G-buffer file", run, albedo);
     stock.view = read_entry(store, stock.view_key, view_record_from_json);
     for (const ResolvedCell& cell : run.cells) {
         const std::string of_cell = key.cell(cell, orthographic, albedo);
         stock.cell_keys.push_back(of_cell);
-        stock.time_keys.push_back(with_machine(of_cell, run));
+        stock.time_keys.push_back(times_key(of_cell, cell, run, orthographic));
         stock.image_keys.push_back(Digest().text("image").text(of_cell).hex());
         stock.cells.push_back(read_entry(store, of_cell, cell_record_from_json));
         stock.times.push_back(read_entry(store, stock.time_keys.back(), stored_times_from_json));

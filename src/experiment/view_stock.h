@@ -14,7 +14,7 @@ namespace aoscore {
 ///
 /// A cell's key is a digest of all that decides its numbers: the code that measures, OpenGL's version, the
 /// scene, the camera and its size, the truth it is held against, the request's assembled shaders, parameters,
-/// modes and seed. Times have the machine in theirs besides.
+/// modes and seed. Times have the machine in theirs besides, and what is timed in the same rounds.
 struct ViewStock {
     std::string view_key, truth_file_key, gbuffer_file_key;
     std::vector<std::string> cell_keys, time_keys, image_keys;

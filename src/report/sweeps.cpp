@@ -63,7 +63,6 @@ json row_model(const SweepRow& row, int decimals) {
             {"cost", cost_text(row, decimals)},
             {"cost_sort", row.cost_ms ? fmt::format("{:.6g}", *row.cost_ms) : ""},
             {"relative", fixed_text(row.relative_cost, 2)},
-            {"frame", fixed_text(row.frame_ms, decimals)},
             {"fetches", fixed_text(row.fetches, 1)},
             {"error", fixed_text(row.error, 4)},
             {"raw", fixed_text(row.raw_error, 4)},
@@ -71,6 +70,44 @@ json row_model(const SweepRow& row, int decimals) {
             {"bias", fixed_text(row.bias, 4)},
             {"front", row.on_front},
             {"within", row.within_budget.value_or(false)}};
+}
+
+std::string with_spread(const Timing& timing, int decimals) {
+    return fmt::format("{} ± {}", fixed_text(timing.median_ms, decimals),
+                       fixed_text(timing.spread_ms, decimals));
+}
+
+/// What frames are made of and how many a second there are, one row for each setting whose lighting was
+/// timed.
+json frame_rows(const Rows& rows) {
+    std::vector<std::optional<double>> parts;
+    for (const SweepRow* row : rows) {
+        if (row->frame) parts.insert(parts.end(), {row->frame->lighting_ms, row->frame->frame_ms});
+    }
+    const int decimals = column_decimals(parts);
+    json list = json::array();
+    for (const SweepRow* row : rows) {
+        if (!row->frame) continue;
+        const FrameRecord& frame = *row->frame;
+        const bool filtered = frame.filter_ms > 0;
+        list.push_back({{"method", row->cell->method_label},
+                        {"at", point_text(*row->point)},
+                        {"geometry", fixed_text(frame.geometry_ms, decimals)},
+                        {"lighting", row->view != nullptr ? with_spread(row->cell->lighting, decimals)
+                                                          : fixed_text(frame.lighting_ms, decimals)},
+                        {"lighting_sort", fmt::format("{:.6g}", frame.lighting_ms)},
+                        {"both", fixed_text(frame.geometry_lighting_ms, decimals)},
+                        {"ao", fixed_text(frame.ao_ms, decimals)},
+                        {"filter", filtered ? fixed_text(frame.filter_ms, decimals) : kNoNumber},
+                        {"frame", fixed_text(frame.frame_ms, decimals)},
+                        {"both_share", percent_text(frame.geometry_lighting_share, 1)},
+                        {"ao_share", percent_text(frame.ao_share, 1)},
+                        {"filter_share", filtered ? percent_text(frame.filter_share, 1) : kNoNumber},
+                        {"without_ao", fixed_text(frame.per_second_without_ao, 2)},
+                        {"with_ao", fixed_text(frame.per_second_unfiltered, 2)},
+                        {"with_filter", filtered ? fixed_text(frame.per_second, 2) : kNoNumber}});
+    }
+    return list;
 }
 
 std::string setting(const SweepRow& row) {
@@ -119,9 +156,21 @@ json rows_model(const Rows& rows, const SweepRecord& sweep) {
     json model = {{"answer", answer(rows, sweep.budget_ms)},
                   {"budget", sweep.budget_ms.has_value()},
                   {"data", script_json(chart_data(rows, sweep.budget_ms))},
-                  {"rows", json::array()}};
+                  {"rows", json::array()},
+                  {"frames", frame_rows(rows)}};
     for (const SweepRow* row : rows) model["rows"].push_back(row_model(*row, decimals));
+    model["has_frames"] = !model["frames"].empty();
     return model;
+}
+
+/// What lights the frames, and how steady the G-buffer's time is, which all settings share.
+std::string light_text(const ViewRecord& view) {
+    std::vector<std::string> parameters;
+    for (const auto& [id, value] : view.lighting_parameters)
+        parameters.push_back(fmt::format("{} {}", id, value.dump()));
+    return fmt::format("lit by {} ({}); G-buffer {} ms; ± is half the quartiles' distance", view.lighting,
+                       fmt::join(parameters, ", "),
+                       with_spread(view.gbuffer, column_decimals({view.gbuffer.median_ms})));
 }
 
 json view_model(const ViewRecord& view, const Rows& rows, const SweepRecord& sweep) {
@@ -130,8 +179,8 @@ json view_model(const ViewRecord& view, const Rows& rows, const SweepRecord& swe
     model["about"] =
         fmt::format("{}×{}, ranked at R {} m", view.width, view.height, short_text(view.radius_m));
     model["unit"] =
-        fmt::format("the fixed pass of 16 fetches takes {} ms, a frame without AO {} ms (its G-buffer alone)",
-                    fixed_text(median_fixed_pass(rows), 2), fixed_text(view.gbuffer.median_ms, 2));
+        fmt::format("the fixed pass of 16 fetches takes {} ms", fixed_text(median_fixed_pass(rows), 2));
+    model["light"] = light_text(view);
     return model;
 }
 
@@ -141,6 +190,7 @@ json all_views_model(const std::vector<SweepRow>& combined, std::size_t views, c
     json model = rows_model(rows, sweep);
     model["key"] = fmt::format("All {} views", views);
     model["about"] = "settings that were measured in every one of them";
+    model["light"] = "of the means of the passes over views";
     model["unit"] = "errors are roots of the mean square over views, costs are means";
     return model;
 }

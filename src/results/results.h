@@ -102,8 +102,26 @@ struct ViewRecord {
     std::size_t background_pixels = 0;  ///< without surface
     TruthSavings savings;
     Timing gbuffer;
+    std::string lighting;  ///< the lighting pass's label; empty where none was timed
+    std::map<std::string, nlohmann::json> lighting_parameters;  ///< all of them, by id
     std::vector<std::string> warnings;
 };
+
+/// A frame with its lighting, made of the medians of its passes, and what follows from them.
+struct FrameRecord {
+    double geometry_ms = 0;                                              ///< the G-buffer
+    double lighting_ms = 0;                                              ///< the lighting pass
+    double geometry_lighting_ms = 0;                                     ///< both: a frame without AO
+    double ao_ms = 0;                                                    ///< the AO pass
+    double filter_ms = 0;                                                ///< 0 without a filter
+    double frame_ms = 0;                                                 ///< all of them
+    double geometry_lighting_share = 0, ao_share = 0, filter_share = 0;  ///< of frame_ms; they add up to 1
+    double per_second = 0;                                               ///< frames
+    double per_second_without_ao = 0;  ///< frames of geometry and lighting alone
+    double per_second_unfiltered = 0;  ///< frames without the filter
+};
+/// All of it from its passes, milliseconds. `geometry_ms` must be above 0.
+FrameRecord frame_of(double geometry_ms, double lighting_ms, double ao_ms, double filter_ms);
 
 /// One scene x view x method x preset.
 struct CellRecord {
@@ -117,8 +135,12 @@ struct CellRecord {
     std::map<std::string, nlohmann::json> parameters;  ///< all of them, by id
     std::string error;                                 ///< why the cell failed; empty when it did not
     Timing ao, blur;
-    std::optional<double> fixed_pass_ms;      ///< sixteen fetches a pixel, timed in the same rounds
-    std::optional<double> frame_ms;           ///< G-buffer + AO + filter, medians added
+    std::optional<double> fixed_pass_ms;  ///< sixteen fetches a pixel, timed in the same rounds
+    Timing lighting;  ///< the lighting pass, timed in the same rounds; no runs where not asked for
+    std::optional<double> frame_ms;  ///< G-buffer + AO + filter + lighting where it was timed, medians added
+    std::optional<FrameRecord> frame;     ///< where lighting was timed
+    Timing frame_at_once, frame_by_pass;  ///< whole frames, waited for at the end or after every pass; no
+                                          ///< runs where not asked for
     std::optional<double> fetches_per_pixel;  ///< of the AO pass, mean over valid pixels
     std::size_t nonfinite = 0;
     std::string ranked_truth = "ranked";
@@ -247,7 +269,7 @@ struct WorkRecord {
 };
 
 struct Results {
-    static constexpr int kSchemaVersion = 3;
+    static constexpr int kSchemaVersion = 4;
     std::string program_version;
     std::string created_utc;  ///< 2026-11-22T02:11:47Z
     std::string command;      ///< that makes it again

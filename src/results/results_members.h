@@ -92,7 +92,25 @@ void visit_members(Visit& visit, Record& view) {
     visit("background_pixels", view.background_pixels);
     visit("savings", view.savings);
     visit("gbuffer", view.gbuffer);
+    visit("lighting", view.lighting);
+    visit("lighting_parameters", view.lighting_parameters);
     visit("warnings", view.warnings);
+}
+
+template <class Visit, RecordOf<FrameRecord> Record>
+void visit_members(Visit& visit, Record& frame) {
+    visit("geometry_ms", frame.geometry_ms);
+    visit("lighting_ms", frame.lighting_ms);
+    visit("geometry_lighting_ms", frame.geometry_lighting_ms);
+    visit("ao_ms", frame.ao_ms);
+    visit("filter_ms", frame.filter_ms);
+    visit("frame_ms", frame.frame_ms);
+    visit("geometry_lighting_share", frame.geometry_lighting_share);
+    visit("ao_share", frame.ao_share);
+    visit("filter_share", frame.filter_share);
+    visit("per_second", frame.per_second);
+    visit("per_second_without_ao", frame.per_second_without_ao);
+    visit("per_second_unfiltered", frame.per_second_unfiltered);
 }
 
 template <class Visit, RecordOf<CellRecord> Record>
@@ -109,7 +127,11 @@ void visit_members(Visit& visit, Record& cell) {
     visit("ao", cell.ao);
     visit("blur", cell.blur);
     visit("fixed_pass_ms", cell.fixed_pass_ms);
+    visit("lighting", cell.lighting);
     visit("frame_ms", cell.frame_ms);
+    visit("frame", cell.frame);
+    visit("frame_at_once", cell.frame_at_once);
+    visit("frame_by_pass", cell.frame_by_pass);
     visit("fetches_per_pixel", cell.fetches_per_pixel);
     visit("nonfinite", cell.nonfinite);
     visit("ranked_truth", cell.ranked_truth);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace aoscore {
@@ -39,6 +40,24 @@ std::optional<double> metric_of(const CellRecord& cell, const std::string& id) {
     return found == cell.ranked.end() ? std::nullopt : found->second.value;
 }
 
+// In the order of kFrameColumns.
+void add_frame(Line& line, const std::optional<FrameRecord>& frame) {
+    for (const double FrameRecord::*number :
+         {&FrameRecord::lighting_ms, &FrameRecord::geometry_lighting_ms, &FrameRecord::frame_ms,
+          &FrameRecord::geometry_lighting_share, &FrameRecord::ao_share, &FrameRecord::filter_share,
+          &FrameRecord::per_second, &FrameRecord::per_second_without_ao, &FrameRecord::per_second_unfiltered})
+        line.add(frame ? std::optional((*frame).*number) : std::nullopt);
+}
+constexpr std::array kFrameColumns{"lighting_ms",
+                                   "gbuffer_lighting_ms",
+                                   "frame_ms",
+                                   "gbuffer_lighting_share",
+                                   "ao_share",
+                                   "filter_share",
+                                   "frames_per_second",
+                                   "frames_per_second_without_ao",
+                                   "frames_per_second_unfiltered"};
+
 // What belongs to one view alone is left empty over several.
 std::string line_of(const SweepRecord& sweep, const SweepRow& row, const std::set<std::string>& axes) {
     const CellRecord& cell = *row.cell;
@@ -59,7 +78,8 @@ std::string line_of(const SweepRecord& sweep, const SweepRow& row, const std::se
     }
     line.add(of_view(view != nullptr ? view->gbuffer.median_ms : std::nullopt));
     line.add(of_view(cell.ao.median_ms)).add(of_view(cell.blur.median_ms));
-    line.add(row.cost_ms).add(row.cost_low_ms).add(row.cost_high_ms).add(row.frame_ms);
+    line.add(row.cost_ms).add(row.cost_low_ms).add(row.cost_high_ms);
+    add_frame(line, row.frame);
     line.add(of_view(static_cast<double>(cell.ao.runs_ms.size())));
     line.add(row.relative_cost).add(row.fetches);
     line.add(row.error).add(row.raw_error).add(row.fitted_error).add(row.unfiltered_error).add(row.bias);
@@ -77,9 +97,11 @@ std::string sweeps_as_csv(const Results& results) {
     for (const char* name : {"sweep", "view", "width", "height", "method", "preset_run", "filter_run"})
         head.add(std::string(name));
     for (const std::string& axis : axes) head.add("at." + axis);
+    for (const char* name : {"gbuffer_ms", "ao_ms", "filter_ms", "cost_ms", "cost_low_ms", "cost_high_ms"})
+        head.add(std::string(name));
+    for (const char* name : kFrameColumns) head.add(std::string(name));
     for (const char* name :
-         {"gbuffer_ms", "ao_ms", "filter_ms", "cost_ms", "cost_low_ms", "cost_high_ms", "frame_ms", "runs",
-          "relative_cost", "fetches", "rmse_debiased", "rmse", "rmse_debiased_fitted",
+         {"runs", "relative_cost", "fetches", "rmse_debiased", "rmse", "rmse_debiased_fitted",
           "rmse_debiased_unfiltered", "bias", "ssim", "flip", "pareto", "failed"})
         head.add(std::string(name));
     std::string csv = head.text();

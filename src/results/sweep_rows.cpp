@@ -32,7 +32,7 @@ std::optional<double> value_of(const MetricMap& metrics, const std::string& id) 
 void add_costs(SweepRow& row, const SweepRecord& sweep) {
     const CellRecord& cell = *row.cell;
     row.fetches = cell.fetches_per_pixel;
-    row.frame_ms = cell.frame_ms;
+    row.frame = cell.frame;
     if (cell.ao.runs_ms.empty()) return;
     std::vector<double> runs = cell.ao.runs_ms;
     for (std::size_t i = 0; i < runs.size() && i < cell.blur.runs_ms.size(); ++i)
@@ -66,14 +66,29 @@ std::optional<double> mean_power(const std::vector<const SweepRow*>& rows, Numbe
     return std::pow(sum / static_cast<double>(rows.size()), 1 / power);
 }
 
+/// Of the means of the passes; empty where one of the rows has none.
+std::optional<FrameRecord> mean_frame(const std::vector<const SweepRow*>& rows) {
+    FrameRecord sum;
+    for (const SweepRow* row : rows) {
+        if (!row->frame) return std::nullopt;
+        sum.geometry_ms += row->frame->geometry_ms;
+        sum.lighting_ms += row->frame->lighting_ms;
+        sum.ao_ms += row->frame->ao_ms;
+        sum.filter_ms += row->frame->filter_ms;
+    }
+    const auto count = static_cast<double>(rows.size());
+    return frame_of(sum.geometry_ms / count, sum.lighting_ms / count, sum.ao_ms / count,
+                    sum.filter_ms / count);
+}
+
 SweepRow over_views(const std::vector<const SweepRow*>& rows) {
     SweepRow all;
     all.point = rows.front()->point;
     all.cell = rows.front()->cell;
-    for (const Number cost :
-         {&SweepRow::cost_ms, &SweepRow::cost_low_ms, &SweepRow::cost_high_ms, &SweepRow::relative_cost,
-          &SweepRow::frame_ms, &SweepRow::fetches, &SweepRow::bias})
+    for (const Number cost : {&SweepRow::cost_ms, &SweepRow::cost_low_ms, &SweepRow::cost_high_ms,
+                              &SweepRow::relative_cost, &SweepRow::fetches, &SweepRow::bias})
         all.*cost = mean_power(rows, cost, 1);
+    all.frame = mean_frame(rows);
     for (const Number error :
          {&SweepRow::error, &SweepRow::raw_error, &SweepRow::fitted_error, &SweepRow::unfiltered_error})
         all.*error = mean_power(rows, error, 2);

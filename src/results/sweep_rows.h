@@ -16,7 +16,7 @@ struct SweepRow {
     std::optional<double> cost_ms;                    ///< median of the AO pass with its filter
     std::optional<double> cost_low_ms, cost_high_ms;  ///< the interval of its median; empty with too few runs
     std::optional<double> relative_cost;              ///< to the view's fixed pass of sixteen fetches
-    std::optional<double> frame_ms;                   ///< G-buffer, AO and filter
+    std::optional<FrameRecord> frame;                 ///< with its lighting, where that was timed
     std::optional<double> fetches;                    ///< a pixel, of the AO pass
     std::optional<double> error;                      ///< debiased RMSE
     std::optional<double> raw_error;                  ///< RMSE, the truth's noise included

@@ -187,7 +187,6 @@ void GBuffer::draw(const SceneGeometry& geometry, const CameraFrame& frame,
     gl::BindVertexArray(0);
     gl::Disable(GL_DEPTH_TEST);
     gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
-    gl::Finish();
     gl::check("drawing the G-buffer");
 }
 

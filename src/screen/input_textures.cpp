@@ -26,7 +26,7 @@ std::string replaced_normal(const std::string& input, Normals normals) {
 
 std::set<std::string> needed_gbuffer_inputs(const MethodRequest& request) {
     std::set<std::string> needed = {"linear_depth"};
-    for (const MethodDescriptor* descriptor : {request.method, request.filter}) {
+    for (const MethodDescriptor* descriptor : {request.method, request.filter, request.lighting}) {
         if (descriptor == nullptr) continue;
         for (const Pass& pass : descriptor->passes) {
             for (const std::string& listed : pass.inputs) {

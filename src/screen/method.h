@@ -105,9 +105,12 @@ struct MethodDescriptor {
 std::vector<MethodDescriptor> load_methods(const std::filesystem::path& extra_dir = {});
 /// All filters of shaders/filters/. "none" is not among them.
 std::vector<MethodDescriptor> load_filters();
-/// The pass that costs are related to: sixteen neighbouring depth fetches a pixel, over the whole picture. Not
-/// among the methods.
+/// The pass that costs are related to: sixteen neighbouring depth fetches a pixel, over the whole picture.
+/// Not among the methods.
 MethodDescriptor load_fixed_pass();
+/// The pass that lights a frame: ambient light times the filtered visibility, and some lights. Not among the
+/// methods.
+MethodDescriptor load_lighting();
 /// The one of that id. Throws usage_error listing the known ones.
 const MethodDescriptor& find_method(const std::vector<MethodDescriptor>& methods, std::string_view id);
 

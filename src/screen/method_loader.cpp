@@ -344,4 +344,8 @@ MethodDescriptor load_fixed_pass() {
     return load_descriptor(home_dir() / "shaders" / "fixed_pass" / "sixteen-taps", method_inputs(), false);
 }
 
+MethodDescriptor load_lighting() {
+    return load_descriptor(home_dir() / "shaders" / "lighting" / "phong", filter_inputs(), true);
+}
+
 }  // namespace aoscore

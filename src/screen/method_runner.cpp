@@ -72,12 +72,13 @@ std::vector<MethodRunner::Step> MethodRunner::method_steps(const MethodRequest& 
     return steps;
 }
 
-std::vector<MethodRunner::Step> MethodRunner::filter_steps(const MethodRequest& request) const {
+std::vector<MethodRunner::Step> MethodRunner::following_steps(const MethodRequest& request,
+                                                              const MethodDescriptor* descriptor,
+                                                              const ParameterValues& parameters) const {
     std::vector<Step> steps;
-    if (request.filter == nullptr) return steps;
-    for (const Pass& pass : request.filter->passes) {
-        steps.push_back({&pass, base_build(request, *request.filter, request.filter_parameters)});
-    }
+    if (descriptor == nullptr) return steps;
+    for (const Pass& pass : descriptor->passes)
+        steps.push_back({&pass, base_build(request, *descriptor, parameters)});
     return steps;
 }
 
@@ -119,6 +120,7 @@ void MethodRunner::allocate() {
     for (gl::Texture* target : {&raw_, &first_, &second_, &fetches_})
         *target = make_texture(kR32F, width_, height_);
     scaled_.clear();
+    lit_ = gl::Texture();
 }
 
 gl::Texture& MethodRunner::scaled_target(std::size_t step, int scale) {
@@ -216,8 +218,11 @@ void MethodRunner::upsample(GLuint coarse, int scale) {
 }
 
 MethodRunner::Frame MethodRunner::prepare(const MethodRequest& request) {
-    Frame frame{method_steps(request), filter_steps(request), {request.normals, request.precision}};
-    for (std::vector<Step>* steps : {&frame.method, &frame.filter}) {
+    Frame frame{method_steps(request),
+                following_steps(request, request.filter, request.filter_parameters),
+                following_steps(request, request.lighting, request.lighting_parameters),
+                {request.normals, request.precision}};
+    for (std::vector<Step>* steps : {&frame.method, &frame.filter, &frame.lighting}) {
         for (Step& step : *steps) step.program = program(step);
     }
     return frame;
@@ -244,6 +249,13 @@ void MethodRunner::draw_filter(const Frame& frame) {
         const gl::Texture* target = filtered_ == &first_ ? &second_ : &first_;
         draw(step, {target->name()}, frame.settings, filtered_->name());
         filtered_ = target;
+    }
+}
+
+void MethodRunner::draw_lighting(const Frame& frame) {
+    for (const Step& step : frame.lighting) {
+        if (!lit_) lit_ = make_texture(kRgba32F, width_, height_);
+        draw(step, {lit_.name()}, frame.settings, filtered_->name());
     }
 }
 
@@ -285,6 +297,12 @@ ImageF MethodRunner::count_fetches(const MethodRequest& request) {
         if (depth.pixels[i] >= gbuffer_->far_depth()) total.pixels[i] = 0;
     }
     return total;
+}
+
+Image<glm::vec3> MethodRunner::lit() const {
+    Image<glm::vec3> image(width_, height_);
+    read_texture(lit_.name(), GL_RGB, image.pixels.data());
+    return image;
 }
 
 ImageF MethodRunner::read(const gl::Texture& texture) const {

@@ -14,7 +14,8 @@
 
 namespace aoscore {
 
-/// Draws the passes of methods and filters over one G-buffer; keeps their programs and target textures.
+/// Draws the passes of methods, filters and lighting over one G-buffer; keeps their programs and target
+/// textures.
 class MethodRunner {
   public:
     explicit MethodRunner(const GBuffer& gbuffer);
@@ -26,7 +27,7 @@ class MethodRunner {
     };
     /// A request made ready: everything is compiled. The request must outlive it.
     struct Frame {
-        std::vector<Step> method, filter;
+        std::vector<Step> method, filter, lighting;
         InputSettings settings;
     };
     /// Compiles what is new. Throws usage_error where the method has no such resolution.
@@ -36,11 +37,15 @@ class MethodRunner {
     void draw_method(const Frame& frame);
     /// The filter's passes over raw(); the result is filtered(), which is raw() without a filter.
     void draw_filter(const Frame& frame);
+    /// The lighting's pass over filtered(); the result is lit(). Nothing without one.
+    void draw_lighting(const Frame& frame);
     /// Taps a pixel of the AO passes, at the picture's resolution.
     ImageF count_fetches(const MethodRequest& request);
 
     ImageF raw() const { return read(raw_); }
     ImageF filtered() const { return read(*filtered_); }
+    /// Linear RGB. draw_lighting() must have drawn it since the G-buffer was.
+    Image<glm::vec3> lit() const;
 
     std::uint64_t passes_drawn() const { return passes_; }
     std::uint64_t programs_compiled() const { return compilations_; }
@@ -54,7 +59,9 @@ class MethodRunner {
     PassBuild base_build(const MethodRequest& request, const MethodDescriptor& descriptor,
                          const ParameterValues& parameters) const;
     std::vector<Step> method_steps(const MethodRequest& request) const;
-    std::vector<Step> filter_steps(const MethodRequest& request) const;
+    /// Of a filter or the lighting; none where `descriptor` is null.
+    std::vector<Step> following_steps(const MethodRequest& request, const MethodDescriptor* descriptor,
+                                      const ParameterValues& parameters) const;
 
     const PassProgram* program(const Step& step);
     void check_listed_inputs(const PassBuild& build, const Pass& pass, const PassProgram& made);
@@ -76,6 +83,7 @@ class MethodRunner {
     int width_ = 0, height_ = 0;
     std::uint64_t passes_ = 0, compilations_ = 0;
     gl::Texture raw_, first_, second_, fetches_;
+    gl::Texture lit_;  // made when a frame is first lit
     const gl::Texture* filtered_ = &raw_;
     std::map<std::pair<std::size_t, int>, gl::Texture> scaled_;
 };

@@ -53,6 +53,9 @@ std::string request_digest(const MethodRequest& request, bool orthographic) {
     digest.value(request.filter != nullptr);
     if (request.filter != nullptr)
         add_descriptor(digest, request, *request.filter, request.filter_parameters, orthographic);
+    digest.value(request.lighting != nullptr);
+    if (request.lighting != nullptr)
+        add_descriptor(digest, request, *request.lighting, request.lighting_parameters, orthographic);
     add_input_shaders(digest);
     return digest.hex();
 }

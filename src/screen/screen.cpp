@@ -35,6 +35,8 @@ struct ScreenRenderer::Impl {
     GBuffer gbuffer;
     std::optional<MethodRunner> runner;
     std::uint64_t gbuffers_drawn = 0;
+    std::optional<CameraFrame> frame;  // of the G-buffer that was drawn last
+    std::set<std::string> inputs;
 
     Impl() {
         gl::load_functions();
@@ -46,6 +48,8 @@ struct ScreenRenderer::Impl {
         if (!gbuffer.drawn()) throw internal_error("no G-buffer was drawn", "ScreenRenderer");
         return *runner;
     }
+
+    void draw_gbuffer_again() { gbuffer.draw(*geometry, *frame, inputs); }
 };
 
 ScreenRenderer::ScreenRenderer() : impl_(std::make_unique<Impl>()) {}
@@ -75,14 +79,19 @@ double ScreenRenderer::draw_gbuffer(const CameraFrame& frame, const std::set<std
     if (!impl_->geometry) throw internal_error("no scene was set", "ScreenRenderer");
     impl_->runner->forget_derived();
     ++impl_->gbuffers_drawn;
-    return time_gbuffer(frame, inputs);
-}
-
-double ScreenRenderer::time_gbuffer(const CameraFrame& frame, const std::set<std::string>& inputs) {
-    impl_->context.make_current();
-    if (!impl_->geometry) throw internal_error("no scene was set", "ScreenRenderer");
     const Clock clock;
     impl_->gbuffer.draw(*impl_->geometry, frame, inputs);
+    gl::Finish();
+    impl_->frame = frame;
+    impl_->inputs = inputs;
+    return clock.milliseconds();
+}
+
+double ScreenRenderer::time_gbuffer() {
+    impl_->ready_runner();
+    const Clock clock;
+    impl_->draw_gbuffer_again();
+    gl::Finish();
     return clock.milliseconds();
 }
 
@@ -108,6 +117,10 @@ MethodOutput ScreenRenderer::run(const MethodRequest& request) {
         runner.draw_filter(frame);
         output.visibility = runner.filtered();
     }
+    if (request.lighting != nullptr) {
+        runner.draw_lighting(frame);
+        output.lit = runner.lit();
+    }
     return output;
 }
 
@@ -127,7 +140,33 @@ ScreenRenderer::PassTimes ScreenRenderer::time(const MethodRequest& request) {
         gl::Finish();
         times.filter_ms = filter.milliseconds();
     }
+    if (request.lighting != nullptr) {
+        const Clock lighting;
+        runner.draw_lighting(frame);
+        gl::Finish();
+        times.lighting_ms = lighting.milliseconds();
+    }
     return times;
+}
+
+double ScreenRenderer::time_frame(const MethodRequest& request, Waits waits) {
+    MethodRunner& runner = impl_->ready_runner();
+    const MethodRunner::Frame frame = runner.prepare(request);
+    runner.forget_derived();
+    gl::Finish();
+    const auto pass_drawn = [waits] {
+        if (waits == Waits::after_every_pass) gl::Finish();
+    };
+    const Clock clock;
+    impl_->draw_gbuffer_again();
+    pass_drawn();
+    runner.draw_method(frame);
+    pass_drawn();
+    runner.draw_filter(frame);
+    pass_drawn();
+    runner.draw_lighting(frame);
+    gl::Finish();
+    return clock.milliseconds();
 }
 
 ScreenRenderer::Work ScreenRenderer::work() const {

@@ -53,6 +53,8 @@ struct MethodRequest {
     ParameterValues parameters;                ///< complete: MethodDescriptor::values()
     const MethodDescriptor* filter = nullptr;  ///< null: none
     ParameterValues filter_parameters;
+    const MethodDescriptor* lighting = nullptr;  ///< load_lighting(); null: none
+    ParameterValues lighting_parameters;
     std::uint64_t seed = 1;  ///< of kernels and noise
     Border border = Border::far;
     Normals normals = Normals::as_described;
@@ -64,8 +66,9 @@ struct MethodRequest {
 };
 
 struct MethodOutput {
-    ImageF raw;         ///< the AO pass, visibility; 1 on background
-    ImageF visibility;  ///< after the filter (equals raw without one)
+    ImageF raw;            ///< the AO pass, visibility; 1 on background
+    ImageF visibility;     ///< after the filter (equals raw without one)
+    Image<glm::vec3> lit;  ///< the lighting pass, linear RGB, black on background; empty without one
 };
 
 /// The inputs a pass may ask for: "linear_depth", "hardware_depth", "normal_geometric", "normal_smooth",
@@ -95,8 +98,8 @@ class ScreenRenderer {
     /// Draws the G-buffer: linear and hardware depth always, of the rest only what `inputs` names
     /// (gbuffer_inputs()). All requests after it use it. Returns milliseconds to glFinish.
     double draw_gbuffer(const CameraFrame& frame, const std::set<std::string>& inputs);
-    /// The G-buffer that was drawn last, drawn again for the clock: same arguments, same textures.
-    double time_gbuffer(const CameraFrame& frame, const std::set<std::string>& inputs);
+    /// The G-buffer that was drawn last, drawn again for the clock. Milliseconds to glFinish.
+    double time_gbuffer();
     /// What was drawn; images that were not asked for are empty.
     GBufferImages read_gbuffer();
     /// Digest of all G-buffer textures' bytes: equal before and after a method ran.
@@ -109,7 +112,7 @@ class ScreenRenderer {
     /// What was done since the renderer was made.
     struct Work {
         std::uint64_t gbuffers = 0;      ///< drawn, those for the clock alone left out
-        std::uint64_t passes = 0;        ///< drawn or computed, of methods and filters
+        std::uint64_t passes = 0;        ///< drawn or computed, of methods, filters and lighting
         std::uint64_t compilations = 0;  ///< of their programs
     };
     Work work() const;
@@ -117,9 +120,16 @@ class ScreenRenderer {
     struct PassTimes {
         double ao_ms = 0;
         std::optional<double> filter_ms;
+        std::optional<double> lighting_ms;
     };
     /// Runs once for the clock (nothing is read back; glFinish before it stops).
     PassTimes time(const MethodRequest& request);
+
+    /// Where a frame is waited for: after each of its passes, as pass times are taken, or at its end alone.
+    enum class Waits { after_every_pass, at_the_end };
+    /// A whole frame for the clock: the G-buffer that was drawn last, then the request's passes.
+    /// Milliseconds.
+    double time_frame(const MethodRequest& request, Waits waits);
 
     /// Texture fetches a pixel of the AO passes, counted by an instrumented build of the same shader; 0 on
     /// background. Row 0 at the top.

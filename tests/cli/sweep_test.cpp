@@ -43,10 +43,19 @@ TEST(Sweep, MeasuresEverySettingAgainstOneTruthAndWritesACsv) {
         EXPECT_GE(row.cell->ao.runs_ms.size(), 6u);
         EXPECT_TRUE(row.cell->image_file.empty()) << "nobody asked for pictures";
         EXPECT_TRUE(row.within_budget);
+        ASSERT_TRUE(row.frame) << "a sweep's frames are lit";
+        EXPECT_GT(row.frame->lighting_ms, 0);
+        EXPECT_DOUBLE_EQ(row.frame->geometry_lighting_ms + row.frame->ao_ms + row.frame->filter_ms,
+                         row.frame->frame_ms);
+        EXPECT_GE(row.cell->lighting.runs_ms.size(), 6u) << "in turns with the cells";
+        EXPECT_TRUE(row.cell->frame_at_once.runs_ms.empty()) << "nobody asked for whole frames";
     }
+    EXPECT_FALSE(results.views[0].lighting.empty());
     EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [](const SweepRow& row) { return row.on_front; }));
     const std::string csv = read_file(folder / "out/sweep.csv");
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 6);
+    EXPECT_THAT(csv, HasSubstr(",lighting_ms,gbuffer_lighting_ms,frame_ms,"));
+    EXPECT_THAT(read_file(folder / "out/index.html"), HasSubstr("frames a second"));
     EXPECT_THAT(read_file(folder / "out/index.html"), HasSubstr("sweep-chart"));
 }
 
@@ -81,7 +90,7 @@ TEST(Sweep, HasOneFrontOverTheViewsOfSeveralScenes) {
             if (row.point->at != combined.point->at) continue;
             squares += *row.error * *row.error;
             costs += *row.cost_ms;
-            EXPECT_GT(*row.frame_ms, *row.cost_ms) << "the G-buffer is part of a frame";
+            EXPECT_GT(row.frame->frame_ms, *row.cost_ms) << "the G-buffer is part of a frame";
         }
         const auto views = static_cast<double>(results.views.size());
         EXPECT_NEAR(*combined.error, std::sqrt(squares / views), 1e-12);

@@ -100,11 +100,14 @@ TEST(MeasurementStore, ManyWritersOfOneKeyLeaveOneWholeEntry) {
 }
 
 TEST(StoredTimes, SurviveTheStore) {
-    const StoredTimes times{{1.5, 2.5}, {0.25}, 3.0};
+    const StoredTimes times{{1.5, 2.5}, {0.25}, 3.0, {4.5}, {5.5}, {6.5, 7.5}};
     const StoredTimes back = stored_times_from_json(to_json(times), "test");
     EXPECT_EQ(back.ao_ms, times.ao_ms);
     EXPECT_EQ(back.filter_ms, times.filter_ms);
     EXPECT_EQ(back.fixed_pass_ms, times.fixed_pass_ms);
+    EXPECT_EQ(back.lighting_ms, times.lighting_ms);
+    EXPECT_EQ(back.frame_at_once_ms, times.frame_at_once_ms);
+    EXPECT_EQ(back.frame_by_pass_ms, times.frame_by_pass_ms);
 }
 
 }  // namespace

@@ -64,6 +64,8 @@ ViewRecord view_record(const std::string& view) {
     record.truth_command = "aoscore reference atrium --view " + view + " --seed 1 --out truth.exr";
     record.truth_rays = record.truth_rays_now = 1234567;
     record.gbuffer = {{10, 11, 12}, 11, 0.5};
+    record.lighting = "Four lights";
+    record.lighting_parameters = {{"lights", 4}};
     record.truths.push_back({"ranked", "binary", 0.5, {}, "V0.Y", "SE0.Y", 0.02, 0.031});
     record.truths.push_back({"quadratic-0.549", "quadratic", 0.549, {}, "V0.Y", "SE0.Y", 0.01, 0.02});
     record.truths.push_back({"alchemy-u0.128", "alchemy", {}, 0.128, "V0.Y", "SE0.Y", 0.01, 0.02});
@@ -118,7 +120,9 @@ CellRecord cell_record(const std::string& view, const MethodFacts& facts, const 
     cell.fixed_pass_ms = 50;
     cell.ao = {{facts.ao_ms - 1, facts.ao_ms, facts.ao_ms + 2}, facts.ao_ms, 1.0};
     if (cell.filter != "none") cell.blur = {{5, 5.5, 6}, 5.5, 0.5};
-    cell.frame_ms = 11 + facts.ao_ms + cell.blur.median_ms.value_or(0);
+    cell.lighting = {{8, 9, 10}, 9, 0.5};
+    cell.frame = frame_of(11, 9, facts.ao_ms, cell.blur.median_ms.value_or(0));
+    cell.frame_ms = cell.frame->frame_ms;
     const ImageF truth = truth_image(), error(kWidth, kHeight, 0.02F);
     cell.analysis = analyse({truth, shifted(truth, facts.shift), Mask(kWidth, kHeight, 1), &error}, {},
                             kMaskThreshold, 1);

@@ -95,6 +95,10 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     cell.blur = {{}, std::nullopt, std::nullopt};
     cell.frame_ms = 3.25;
     cell.fixed_pass_ms = 12.5;
+    cell.lighting = {{8}, 8.0, 0.0};
+    cell.frame = frame_of(10, 8, 2, 0);
+    cell.frame_at_once = {{19}, 19.0, 0.0};
+    cell.frame_by_pass = {{21}, 21.0, 0.0};
     cell.nonfinite = 7;
     cell.analysis.emplace().missing.area = 0.125;
     cell.own_truth = "quadratic-1";
@@ -103,8 +107,8 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     results.cells = {cell};
     const CellRecord back = results_from_json(to_json(results), "results.json").cells.at(0);
     const auto& [id, view_key, method, method_label, preset, setting, filter, parameters, error, ao, blur,
-                 fixed_pass_ms, frame_ms, fetches_per_pixel, nonfinite, ranked_truth, own_truth, ranked, own,
-                 raw, analysis, image_file] = back;
+                 fixed_pass_ms, lighting, frame_ms, frame, frame_at_once, frame_by_pass, fetches_per_pixel,
+                 nonfinite, ranked_truth, own_truth, ranked, own, raw, analysis, image_file] = back;
     EXPECT_EQ(std::tie(id, view_key, method, method_label, preset, setting, filter, parameters, error),
               std::tie(cell.id, cell.view_key, cell.method, cell.method_label, cell.preset, cell.setting,
                        cell.filter, cell.parameters, cell.error));
@@ -116,6 +120,11 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     EXPECT_EQ(frame_ms, 3.25);
     EXPECT_EQ(fetches_per_pixel, std::nullopt);
     EXPECT_EQ(fixed_pass_ms, 12.5);
+    EXPECT_EQ(lighting.median_ms, 8.0);
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->frame_ms, 20.0);
+    EXPECT_EQ(frame_at_once.median_ms, 19.0);
+    EXPECT_EQ(frame_by_pass.median_ms, 21.0);
     EXPECT_EQ(nonfinite, 7U);
     ASSERT_TRUE(analysis);
     EXPECT_EQ(analysis->missing.area, 0.125);
@@ -206,7 +215,7 @@ TEST(Results, AnotherSchemaVersionIsRefused) {
     EXPECT_EQ(object.at("schema_version"), Results::kSchemaVersion);
     object["schema_version"] = Results::kSchemaVersion + 1;
     object["from_the_future"] = 1;
-    EXPECT_THAT(refusal(object), HasSubstr("results.json.schema_version: is 4"));
+    EXPECT_THAT(refusal(object), HasSubstr("results.json.schema_version: is 5"));
     object.erase("schema_version");
     EXPECT_THAT(refusal(object), HasSubstr("schema_version: is missing"));
 }

@@ -67,20 +67,42 @@ Camera corner_camera() {
     return camera;
 }
 
-void write_png(const std::string& path, const ImageF& image) {
-    std::vector<std::uint8_t> bytes;
-    for (const float v : image.pixels) {
-        bytes.push_back(
-            std::isfinite(v) ? static_cast<std::uint8_t>(std::clamp(v, 0.0F, 1.0F) * 255.0F + 0.5F) : 0);
-    }
+namespace {
+
+std::uint8_t byte_of(float v) {
+    return std::isfinite(v) ? static_cast<std::uint8_t>(std::clamp(v, 0.0F, 1.0F) * 255.0F + 0.5F) : 0;
+}
+
+float srgb_of(float linear) {
+    return linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1 / 2.4F) - 0.055F;
+}
+
+void write_bytes(const std::string& path, int width, int height, png_uint_32 format,
+                 const std::vector<std::uint8_t>& bytes) {
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
-    png.width = static_cast<png_uint_32>(image.width);
-    png.height = static_cast<png_uint_32>(image.height);
-    png.format = PNG_FORMAT_GRAY;
+    png.width = static_cast<png_uint_32>(width);
+    png.height = static_cast<png_uint_32>(height);
+    png.format = format;
     if (png_image_write_to_file(&png, path.c_str(), 0, bytes.data(), 0, nullptr) == 0) {
         throw std::runtime_error("cannot write " + path);
     }
+}
+
+}  // namespace
+
+void write_png(const std::string& path, const ImageF& image) {
+    std::vector<std::uint8_t> bytes;
+    for (const float v : image.pixels) bytes.push_back(byte_of(v));
+    write_bytes(path, image.width, image.height, PNG_FORMAT_GRAY, bytes);
+}
+
+void write_png(const std::string& path, const Image<glm::vec3>& image) {
+    std::vector<std::uint8_t> bytes;
+    for (const glm::vec3& colour : image.pixels) {
+        for (int channel = 0; channel < 3; ++channel) bytes.push_back(byte_of(srgb_of(colour[channel])));
+    }
+    write_bytes(path, image.width, image.height, PNG_FORMAT_RGB, bytes);
 }
 
 std::vector<std::string> method_ids() {

@@ -30,6 +30,8 @@ Camera corner_camera();
 
 /// Writes a picture to look at; values from 0 to 1.
 void write_png(const std::string& path, const ImageF& image);
+/// The same of linear colours, in sRGB.
+void write_png(const std::string& path, const Image<glm::vec3>& image);
 
 /// The ids of the registry's methods, and a name for gtest made of such an id.
 std::vector<std::string> method_ids();

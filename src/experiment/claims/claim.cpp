@@ -262,9 +262,13 @@ void plan_claims(ExperimentPlan& plan, const std::vector<ClaimList>& lists) {
     for (const ClaimList& list : lists) {
         for (const Claim& claim : list.claims) {
             for (const ClaimCheck& check : claim.checks) {
+                const Timed needs = find_quantity(check.quantity, "claims").needs;
                 for (const ClaimCell& cell : check.cells) {
-                    const std::size_t view = shared_view(plan, list.views.at(cell.view));
-                    shared_cell(plan.views[view], cell.plan);
+                    ViewPlan view = list.views.at(cell.view);
+                    view.lit = needs != Timed::passes;
+                    CellPlan asked = cell.plan;
+                    asked.whole_frames = needs == Timed::whole_frames;
+                    shared_cell(plan.views[shared_view(plan, std::move(view))], std::move(asked));
                 }
             }
         }

@@ -70,6 +70,35 @@ Measured relative(const CellRecord& cell, const ViewRecord& view, std::uint64_t 
     return combined({ao_ms(cell, view, seed), exact(cell.fixed_pass_ms)},
                     [](const auto& v) { return v[0] / v[1]; });
 }
+Measured lighting_ms(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return timed(cell.lighting, cell.id + " lighting", seed);
+}
+// A frame without AO.
+Measured geometry_lighting_ms(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed) {
+    return combined({timed(view.gbuffer, view.key + " G-buffer", seed), lighting_ms(cell, view, seed)},
+                    [](const auto& v) { return v[0] + v[1]; });
+}
+Measured frame_ms(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed) {
+    return combined({cost_ms(cell, view, seed), geometry_lighting_ms(cell, view, seed)},
+                    [](const auto& v) { return v[0] + v[1]; });
+}
+Measured cost_share(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed) {
+    return combined({cost_ms(cell, view, seed), geometry_lighting_ms(cell, view, seed)},
+                    [](const auto& v) { return v[0] / (v[0] + v[1]); });
+}
+Measured cost_over_rest(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed) {
+    return combined({cost_ms(cell, view, seed), geometry_lighting_ms(cell, view, seed)},
+                    [](const auto& v) { return v[0] / v[1]; });
+}
+Measured filter_over_lighting(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed) {
+    return combined({filter_ms(cell, view, seed), lighting_ms(cell, view, seed)},
+                    [](const auto& v) { return v[0] / v[1]; });
+}
+Measured waiting(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return combined({timed(cell.frame_by_pass, cell.id + " by pass", seed),
+                     timed(cell.frame_at_once, cell.id + " at once", seed)},
+                    [](const auto& v) { return v[0] / v[1]; });
+}
 Measured variation(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
     const std::vector<double>& runs = cell.ao.runs_ms;
     if (runs.size() < 2 || !cell.ao.spread_ms || !cell.ao.median_ms) return {};
@@ -187,6 +216,14 @@ const std::vector<Quantity>& quantities() {
         {"ms_per_fetch", "AO pass for each fetch a pixel", "ms", 3, per_fetch},
         {"relative_cost", "AO pass in fixed passes", "", 2, relative},
         {"variation", "half the quartiles' distance over the median of the runs", "", 3, variation},
+        {"lighting_ms", "lighting pass", "ms", 2, lighting_ms, Timed::lighting},
+        {"frame_ms", "lit frame", "ms", 2, frame_ms, Timed::lighting},
+        {"cost_share", "share of AO and filter in a lit frame", "", 3, cost_share, Timed::lighting},
+        {"cost_over_rest", "AO and filter over geometry and lighting", "", 3, cost_over_rest,
+         Timed::lighting},
+        {"filter_over_lighting", "filter over lighting pass", "", 3, filter_over_lighting, Timed::lighting},
+        {"waiting", "frame waited for after every pass over one waited for at its end", "", 3, waiting,
+         Timed::whole_frames},
         {"fetches", "fetches a pixel", "", 1, fetches},
         {"rmse", "RMSE", "", 4, rmse},
         {"unfiltered_rmse", "RMSE before the filter", "", 4, unfiltered<kRmse>},

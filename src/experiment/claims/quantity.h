@@ -29,6 +29,13 @@ struct Measured {
 Measured combined(const std::vector<Measured>& of,
                   const std::function<double(const std::vector<double>&)>& f);
 
+/// What has to be timed of a cell beside its passes.
+enum class Timed {
+    passes,        ///< nothing more
+    lighting,      ///< the lighting pass of its view
+    whole_frames,  ///< and whole frames of the cell
+};
+
 /// Something that is measured of a cell.
 struct Quantity {
     std::string_view id;     ///< "ao_ms"
@@ -36,6 +43,7 @@ struct Quantity {
     std::string_view unit;
     int decimals = 2;
     Measured (*measure)(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed);
+    Timed needs = Timed::passes;
 };
 /// The one table of quantities.
 const std::vector<Quantity>& quantities();
