@@ -1,8 +1,8 @@
 // Brute force over one depth layer: V = mean over cosine-distributed rays of [no step lies behind the depth surface].
-// "Behind" is measured along the normal, above the tangent plane: on a line of sight that runs toward the plane that is
-// the same as comparing depths, and a plane cannot hide itself where a tap is read at its texel's centre. A line of sight
-// that runs away from the plane, to a point higher above it than the eye, never meets it: there depths are compared. The
-// line is the tap's, through its texel's centre.
+// A tap hides a point that it is nearer to the eye than and higher above the tangent plane than: a plane cannot hide itself
+// where a tap is read at its texel's centre, and where a plane is seen almost edge-on, what a texel's height tells of a far
+// surface cannot hide a near point. A line of sight that runs away from the plane, to a point higher above it than the
+// eye, never meets it: there depth alone decides. The line is the tap's, through its texel's centre.
 #include "contract/ao_pass.glsl"
 #include "lib/constants.glsl"
 #include "lib/frame.glsl"
@@ -11,7 +11,7 @@
 bool hit(vec3 point, vec3 position, vec3 normal, float step_length) {
     vec3 tap = tap_position(image_of(point));
     bool toward_plane = dot(view_ray(image_of(tap)), normal) < 0.0;
-    bool behind = toward_plane ? dot(tap - position, normal) > dot(point - position, normal) : tap.z > point.z;
+    bool behind = tap.z > point.z && (!toward_plane || dot(tap - point, normal) > 0.0);
     return behind && -point.z >= u_near &&
            (p_occluders == occluders_solid || tap.z - point.z < p_thickness + step_length);
 }
