@@ -38,6 +38,13 @@ bool TimingGoal::reached(const std::vector<double>& runs_ms) const {
     return interval->high - median <= half_width * median && median - interval->low <= half_width * median;
 }
 
+std::size_t next_group(std::size_t size, double seconds) {
+    constexpr std::size_t kLargest = 16;
+    constexpr double kQuick_s = 15, kSlow_s = 30;
+    if (seconds < kQuick_s) return std::min(2 * size, kLargest);
+    return seconds > kSlow_s ? std::max(size / 2, kFirstGroup) : size;
+}
+
 int timed_runs(double warm_up_ms) {
     return warm_up_ms > 1000 ? 3 : 10;
 }

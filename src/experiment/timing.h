@@ -2,6 +2,7 @@
 
 #include "results/results.h"
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -25,5 +26,12 @@ struct TimingGoal {
 /// How many runs a thing deserves, judged by how long its warm-up run took: at least 10, or 3 when one takes
 /// over a second.
 int timed_runs(double warm_up_ms);
+
+/// Cells that are timed in turns where many are: a stopped run keeps the groups that are done, so that it
+/// loses no more than one of them. The first group of a view has kFirstGroup.
+inline constexpr std::size_t kFirstGroup = 4;
+/// How many cells come after a group of `size` that took `seconds`: twice as many after a quick one, up to
+/// 16, half as many after a slow one, down to 4.
+std::size_t next_group(std::size_t size, double seconds);
 
 }  // namespace aoscore

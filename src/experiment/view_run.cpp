@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "core/progress.h"
+#include "core/stopwatch.h"
 #include "experiment/cell_timing.h"
 #include "experiment/experiment.h"
 #include "experiment/own_truth.h"
@@ -16,14 +17,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
+#include <span>
 
 namespace aoscore {
 namespace {
-
-// Cells that are timed in turns. A sweep is timed in groups, so that a stopped one keeps the groups that are
-// done; the fixed pass is in each of them.
-constexpr std::size_t kTimedTogether = 16;
 
 class Runner {
   public:
@@ -189,16 +186,19 @@ class Runner {
             else
                 wanted.push_back(i);
         }
-        const std::size_t together =
-            run_.plan.timing_goal ? kTimedTogether : std::max<std::size_t>(wanted.size(), 1);
-        for (std::size_t begin = 0; begin < wanted.size(); begin += together) {
-            const std::size_t end = std::min(begin + together, wanted.size());
-            time_group({wanted.begin() + static_cast<std::ptrdiff_t>(begin),
-                        wanted.begin() + static_cast<std::ptrdiff_t>(end)});
+        // A sweep has many cells; those of a table are all timed in turns.
+        std::size_t together = run_.plan.timing_goal ? kFirstGroup : wanted.size();
+        for (std::span<const std::size_t> rest = wanted; !rest.empty();) {
+            const auto group = rest.first(std::min(together, rest.size()));
+            const Stopwatch watch;
+            time_group(group);
+            together = next_group(together, watch.seconds());
+            rest = rest.subspan(group.size());
         }
     }
 
-    void time_group(const std::vector<std::size_t>& group) {
+    // The fixed pass is timed among them.
+    void time_group(std::span<const std::size_t> group) {
         measurement_.draw();
         std::vector<ResolvedCell> cells;
         for (const std::size_t i : group) {

@@ -24,5 +24,13 @@ TEST(Timing, SlowPassesGetThreeRunsOthersTen) {
     EXPECT_EQ(timed_runs(1001), 3);
 }
 
+TEST(Timing, GroupsGrowWhileTheyAreQuickAndShrinkWhereTheyAreSlow) {
+    EXPECT_EQ(next_group(kFirstGroup, 1), 8u);
+    EXPECT_EQ(next_group(16, 1), 16u) << "no larger";
+    EXPECT_EQ(next_group(8, 20), 8u);
+    EXPECT_EQ(next_group(8, 60), 4u);
+    EXPECT_EQ(next_group(kFirstGroup, 600), kFirstGroup) << "a group of few is no group";
+}
+
 }  // namespace
 }  // namespace aoscore
