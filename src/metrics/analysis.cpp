@@ -1,6 +1,7 @@
 #include "metrics/analysis.h"
 
 #include "metrics/mean_error.h"
+#include "metrics/tile_pattern.h"
 
 #include <array>
 #include <cmath>
@@ -19,6 +20,7 @@ std::optional<ErrorAnalysis> analyse(const MetricInput& input, const PixelFacts&
     analysis.regions = worst_regions(masks, input, facts.causes);
     analysis.splits = error_splits(input, facts);
     analysis.distribution = error_distribution(input);
+    analysis.tile_pattern = tile_pattern(input);
     analysis.blocks = block_errors(input, masks);
     const std::array<const BlockErrors*, 1> images{&analysis.blocks};
     analysis.intervals = confidence_intervals(images, seed);

@@ -26,6 +26,7 @@ struct ErrorAnalysis {
     std::vector<ErrorRegion> regions;           ///< worst connected pieces of both masks
     std::vector<Split> splits;                  ///< error by property of the pixel
     ErrorDistribution distribution;
+    std::optional<double> tile_pattern;  ///< see tile_pattern()
     BlockErrors blocks;  ///< what the intervals are made of; pairs with those of other tests of the truth
 };
 

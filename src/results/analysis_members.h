@@ -111,6 +111,7 @@ void visit_members(Visit& visit, Record& record) {
     visit("regions", record.regions);
     visit("splits", record.splits);
     visit("distribution", record.distribution);
+    visit("tile_pattern", record.tile_pattern);
     visit("blocks", record.blocks);
 }
 

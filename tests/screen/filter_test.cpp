@@ -75,6 +75,29 @@ INSTANTIATE_TEST_SUITE_P(Registry, EveryFilter, ::testing::ValuesIn(filter_ids()
     return name;
 });
 
+TEST(BoxFilter, IsTheMeanOfItsSquareWhateverTheSide) {
+    const auto methods = load_methods();
+    const auto filters = load_filters();
+    ScreenRenderer renderer;
+    renderer.set_scene(corner_scene());
+    renderer.draw_gbuffer(CameraFrame(corner_camera(), 96, 54), gbuffer_inputs());
+    MethodRequest request = request_for(find_method(methods, "ssao"), filters, "default");
+    request.filter = &find_method(filters, "box-4x4");
+    for (const int side : {1, 2, 3, 4, 7, 8}) {
+        request.filter_parameters = request.filter->values("default", {{"size", side}});
+        const MethodOutput output = renderer.run(request);
+        // Beside the box's edge, so that the squares lie on surfaces.
+        for (const glm::ivec2 centre : {glm::ivec2(30, 20), glm::ivec2(41, 30)}) {
+            double mean = 0;
+            for (int y = -(side / 2); y < side - side / 2; ++y) {
+                for (int x = -(side / 2); x < side - side / 2; ++x)
+                    mean += static_cast<double>(output.raw.at(centre.x + x, centre.y + y)) / (side * side);
+            }
+            EXPECT_NEAR(static_cast<double>(output.visibility.at(centre.x, centre.y)), mean, 1e-5) << side;
+        }
+    }
+}
+
 // Two planes, one behind the other: a filter that knows depth must not carry occlusion over the edge.
 TEST(GaussianDepth, KeepsOcclusionOnItsSideOfAnEdge) {
     const auto methods = load_methods();

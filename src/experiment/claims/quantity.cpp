@@ -131,6 +131,10 @@ Measured false_area(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
     return exact(cell.analysis ? std::optional(cell.analysis->false_occlusion.area) : std::nullopt);
 }
 
+Measured tile_pattern(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
+    return exact(cell.analysis ? cell.analysis->tile_pattern : std::nullopt);
+}
+
 const SplitBin* first_bin(const CellRecord& cell, std::string_view split_id) {
     if (!cell.analysis) return nullptr;
     for (const Split& split : cell.analysis->splits) {
@@ -233,6 +237,7 @@ const std::vector<Quantity>& quantities() {
         {"flip", "FLIP", "", 4, ranked<kFlip>},
         {"missing_area", "area of missing occlusion", "", 4, missing_area},
         {"fitted_rmse", "RMSE after the best fit", "", 4, fitted_rmse},
+        {"tile_pattern", "error that repeats every 4 pixels", "", 4, tile_pattern},
         {"edge_bias", "bias beside depth edges", "", 4, edge_bias},
         {"edge_rmse", "RMSE beside depth edges", "", 4, edge_rmse},
         {"steep_rmse", "RMSE on the steepest surfaces", "", 4, steep_rmse},
