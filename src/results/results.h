@@ -262,7 +262,7 @@ struct ClaimRecord {
 struct WorkRecord {
     std::uint64_t rays = 0;          ///< traced for truths
     std::uint64_t gbuffers = 0;      ///< drawn
-    std::uint64_t passes = 0;        ///< of methods and filters, drawn
+    std::uint64_t passes = 0;        ///< of methods, filters and lighting, drawn
     std::uint64_t compilations = 0;  ///< of their programs
     std::size_t cells_measured = 0;
     std::size_t cells_reused = 0;  ///< measured by an earlier run

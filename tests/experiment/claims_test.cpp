@@ -141,6 +141,20 @@ TEST_F(Claims, AListMustBeUnderstoodWhole) {
         << "no range";
 }
 
+TEST_F(Claims, NothingIsLitOrDrawnAsAWholeThatNoQuantityNeeds) {
+    const auto planned = [&](const char* quantity) {
+        json check = order();
+        check["quantity"] = quantity;
+        ExperimentPlan plan;
+        plan_claims(plan, {list_of(check)});
+        return plan.views.at(0);
+    };
+    EXPECT_FALSE(planned("cost_ms").lit);
+    EXPECT_TRUE(planned("frame_ms").lit);
+    EXPECT_FALSE(planned("frame_ms").cells.at(0).whole_frames);
+    EXPECT_TRUE(planned("waiting").lit && planned("waiting").cells.at(0).whole_frames);
+}
+
 TEST_F(Claims, EveryCellThatTheClaimsAskForCanBeResolved) {
     ExperimentPlan plan;
     plan_claims(plan, load_claims());

@@ -39,6 +39,23 @@ TEST_F(SweepsAndClaims, TheBudgetNamesWhatFitsIntoIt) {
     for (const auto& row : view.at("rows")) EXPECT_FALSE(row.at("within").get<bool>());
 }
 
+TEST_F(SweepsAndClaims, FramesAreGivenByTheirPassesAndByTheSecond) {
+    const auto view = section::sweeps(source()).at("sweeps").at(0).at("views").at(0);
+    ASSERT_TRUE(view.at("has_frames").get<bool>());
+    const auto& frame = view.at("frames").at(0);
+    EXPECT_EQ(frame.at("both"), "20.0") << "geometry 11 ms and lighting 9 ms";
+    EXPECT_EQ(frame.at("lighting"), "9.0 ± 0.5");
+    EXPECT_EQ(frame.at("ao"), "100.0");
+    EXPECT_EQ(frame.at("frame"), "125.5") << "with 5.5 ms of filter";
+    EXPECT_EQ(frame.at("both_share"), "15.9");
+    EXPECT_EQ(frame.at("without_ao"), "50.00");
+    EXPECT_EQ(frame.at("with_ao"), "8.33");
+    EXPECT_EQ(frame.at("with_filter"), "7.97");
+    EXPECT_THAT(view.at("light").get<std::string>(), HasSubstr("Four lights (lights 4)"));
+    for (CellRecord& cell : results.cells) cell.frame.reset();
+    EXPECT_FALSE(section::sweeps(source()).at("sweeps").at(0).at("views").at(0).at("has_frames").get<bool>());
+}
+
 TEST_F(SweepsAndClaims, VerdictsAreCountedBySourceAndOverall) {
     results.claims.back().source = "Another, Title, 2021";
     const auto model = section::claims(source());
