@@ -138,9 +138,9 @@ struct CellRecord {
     std::optional<double> fixed_pass_ms;  ///< sixteen fetches a pixel, timed in the same rounds
     Timing lighting;  ///< the lighting pass, timed in the same rounds; no runs where not asked for
     std::optional<double> frame_ms;  ///< G-buffer + AO + filter + lighting where it was timed, medians added
-    std::optional<FrameRecord> frame;     ///< where lighting was timed
-    Timing frame_at_once, frame_by_pass;  ///< whole frames, waited for at the end or after every pass; no
-                                          ///< runs where not asked for
+    std::optional<FrameRecord> frame;         ///< where lighting was timed
+    Timing frame_at_once, frame_by_pass;      ///< whole frames, waited for at the end or after every pass; no
+                                              ///< runs where not asked for
     std::optional<double> fetches_per_pixel;  ///< of the AO pass, mean over valid pixels
     std::size_t nonfinite = 0;
     std::string ranked_truth = "ranked";
