@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace aoscore {
@@ -37,12 +38,26 @@ inline std::uint16_t direction_cell(float x, float y, float z) {
                                       (spread_bits(static_cast<std::uint32_t>(j)) << 1));
 }
 
+/// Consecutive points of a set, those of one pixel.
+struct PointRange {
+    const std::uint32_t* u;
+    const std::uint32_t* v;
+    std::uint32_t first;  ///< its index in the set
+    std::size_t count;
+    std::uint32_t shift_u, shift_v;  ///< of this pixel
+    std::uint32_t owner;             ///< of the pixel's first block
+    unsigned block_bits;             ///< log2 of the samples in a block
+};
+
 AOSCORE_VECTORISE
-void make_directions(const std::uint32_t* __restrict u, const std::uint32_t* __restrict v, std::size_t count,
-                     std::uint32_t shift_u, std::uint32_t shift_v, const glm::mat3& frame,
-                     std::uint32_t owner, DirectedRay* __restrict rays, std::uint16_t* __restrict cell) {
+void make_directions(const PointRange& points, const glm::mat3& frame, DirectedRay* __restrict rays,
+                     std::uint16_t* __restrict cell) {
     const glm::vec3 s = frame[0], t = frame[1], n = frame[2];
-    for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t* __restrict u = points.u, * __restrict v = points.v;
+    const std::uint32_t shift_u = points.shift_u, shift_v = points.shift_v;
+    const std::uint32_t owner = points.owner, first = points.first;
+    const unsigned block_bits = points.block_bits;
+    for (std::size_t i = 0; i < points.count; ++i) {
         const glm::vec3 d = cosine_hemisphere(unit_interval(u[i] ^ shift_u), unit_interval(v[i] ^ shift_v));
         const float x = s.x * d.x + t.x * d.y + n.x * d.z;
         const float y = s.y * d.x + t.y * d.y + n.y * d.z;
@@ -50,7 +65,7 @@ void make_directions(const std::uint32_t* __restrict u, const std::uint32_t* __r
         rays[i].x = x;
         rays[i].y = y;
         rays[i].z = z;
-        rays[i].owner = owner;
+        rays[i].owner = owner + ((first + static_cast<std::uint32_t>(i)) >> block_bits);
         cell[i] = direction_cell(x, y, z);
     }
 }
@@ -68,18 +83,22 @@ void RayBatch::add(const RaySource& source, std::size_t number, int first, int l
     const std::uint64_t shifts = mix_bits(source.seed);
     const PointSets::Coordinates set = points_.set(mix_bits(shifts));
     reserve(size_ + static_cast<std::size_t>(last - first));
-    while (first < last) {
-        const int index = first / block;
-        const int end = std::min(last, (index + 1) * block);
-        const auto count = static_cast<std::size_t>(end - first);
-        const std::size_t owner = number * kBlocks + static_cast<std::size_t>(index);
-        make_directions(set.u + first, set.v + first, count, static_cast<std::uint32_t>(shifts),
-                        static_cast<std::uint32_t>(shifts >> 32), source.frame,
-                        static_cast<std::uint32_t>(owner), &rays_[size_], &cell_[size_]);
-        if (owner >= rays_of_.size()) rays_of_.resize(owner + 1);
-        rays_of_[owner] += static_cast<std::uint32_t>(count);
-        size_ += count;
-        first = end;
+    const auto owner = static_cast<std::uint32_t>(number * kBlocks);
+    const PointRange points{set.u + first,
+                            set.v + first,
+                            static_cast<std::uint32_t>(first),
+                            static_cast<std::size_t>(last - first),
+                            static_cast<std::uint32_t>(shifts),
+                            static_cast<std::uint32_t>(shifts >> 32),
+                            owner,
+                            static_cast<unsigned>(std::countr_zero(static_cast<unsigned>(block)))};
+    make_directions(points, source.frame, &rays_[size_], &cell_[size_]);
+    size_ += points.count;
+    if (rays_of_.size() < owner + kBlocks) rays_of_.resize(owner + kBlocks);
+    for (int from = first; from < last;) {
+        const int to = std::min(last, (from / block + 1) * block);
+        rays_of_[owner + static_cast<std::size_t>(from / block)] += static_cast<std::uint32_t>(to - from);
+        from = to;
     }
 }
 

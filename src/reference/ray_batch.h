@@ -36,7 +36,7 @@ class RayBatch {
         size_ = 0;
         rays_of_.clear();
     }
-    /// Samples [first, last) of source number `number`, in blocks of `block` samples.
+    /// Samples [first, last) of source number `number`, in blocks of `block` samples, a power of two.
     void add(const RaySource& source, std::size_t number, int first, int last, int block);
     void sort();
 
