@@ -57,8 +57,9 @@ void print(const CacheEntry& entry) {
     std::vector<std::string> queries;
     for (const TruthQuery& query : entry.request.queries) queries.push_back(query_text(query));
     const TruthSettings& settings = entry.request.settings;
-    const std::string effort = settings.max_error > 0 ? fmt::format("error {:g}", settings.max_error)
-                                                      : fmt::format("{} samples", settings.samples);
+    std::string effort = fmt::format("{} samples", settings.samples);
+    if (settings.max_error > 0) effort = fmt::format("error {:g}", settings.max_error);
+    if (settings.mean_error > 0) effort = fmt::format("mean error {:g}", settings.mean_error);
     std::string extras;
     if (settings.extras.causes) extras += ", causes";
     if (settings.extras.one_layer_bound) extras += ", one-layer bound";

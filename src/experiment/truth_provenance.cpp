@@ -43,6 +43,7 @@ std::map<std::string, std::string> truth_provenance(const Scene& scene, const Ca
             {"aoscore:seed", fmt::format("{}", made_for.settings.seed)},
             {"aoscore:least_samples", fmt::format("{}", made_for.settings.samples)},
             {"aoscore:max_error", fmt::format("{}", made_for.settings.max_error)},
+            {"aoscore:mean_error", fmt::format("{}", made_for.settings.mean_error)},
             {"aoscore:shading_normals", made_for.settings.shading_normals ? "yes" : "no"},
             {"aoscore:integrator", fmt::format("{}", kIntegratorVersion)},
             {"aoscore:version", std::string(version())},
@@ -63,6 +64,7 @@ std::string reference_command(const Scene& scene, const std::string& view_id, co
                                       shell_quoted(scene_name(scene)), shell_quoted(view_id), traced.width,
                                       traced.height, fmt::join(radii, ","), settings.samples);
     if (settings.max_error > 0) command += fmt::format(" --error {}", settings.max_error);
+    if (settings.mean_error > 0) command += fmt::format(" --mean-error {}", settings.mean_error);
     if (settings.shading_normals) command += " --shading-normals";
     if (settings.extras.causes) command += " --causes";
     if (settings.extras.one_layer_bound) command += " --one-layer-bound";

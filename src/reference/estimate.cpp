@@ -40,9 +40,26 @@ std::size_t bin_of(const PixelSpread& pixel) {
 
 /// The shape of the variance over visibility and sample count, up to a factor, for one block.
 double variance_shape(const PixelSpread& pixel) {
-    const double v = pixel.visibility;
-    return std::sqrt(v * (1 - v) + 0.25 / pixel.samples) * std::pow(block_size(pixel.samples), -1.5);
+    const double v = pixel.visibility, size = block_size(pixel.samples);
+    return std::sqrt(v * (1 - v) + 0.25 / pixel.samples) / (size * std::sqrt(size));
 }
+
+/// pooled_variance() of the last count that was asked for: pixels of one tile mostly have the same.
+class PooledVariance {
+  public:
+    double of(int samples, double ratio) {
+        if (samples != samples_ || ratio != ratio_) {
+            samples_ = samples;
+            ratio_ = ratio;
+            value_ = pooled_variance(samples, ratio);
+        }
+        return value_;
+    }
+
+  private:
+    int samples_ = 0;
+    double ratio_ = 0, value_ = 0;
+};
 
 double squared(double x) {
     return x * x;
@@ -205,6 +222,7 @@ double pooled_variance(int samples, double ratio) {
 std::vector<Estimate> moderated_estimates(std::span<const PixelSpread> pixels, bool chosen) {
     const std::array<Law, kBins> laws = laws_of(pixels, chosen);
     const Sides sides = sides_of(pixels);
+    std::array<PooledVariance, kBins> pooled;
     std::vector<Estimate> estimates;
     estimates.reserve(pixels.size());
     for (const PixelSpread& pixel : pixels) {
@@ -222,7 +240,7 @@ std::vector<Estimate> moderated_estimates(std::span<const PixelSpread> pixels, b
         const double block_variance =
             (kPriorFreedom * law.scale * variance_shape(pixel) + freedom * own / weights) /
             (kPriorFreedom + freedom);
-        const double error = std::sqrt(block_variance * pooled_variance(pixel.samples, law.ratio));
+        const double error = std::sqrt(block_variance * pooled[bin_of(pixel)].of(pixel.samples, law.ratio));
         estimates.push_back({pixel.visibility, std::min(std::max(error, least_error(pixel, sides)), 0.5)});
     }
     return estimates;

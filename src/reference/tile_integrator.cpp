@@ -14,11 +14,6 @@ glm::dvec3 ray_origin(const SurfaceHit& hit) {
     return hit.position + hit.offset_m * hit.normal;
 }
 
-bool look(const EmbreeScene& scene, const CameraFrame& frame, int x, int y, SurfaceHit& hit) {
-    const Camera& camera = frame.camera();
-    return scene.first_hit(frame.ray(x + 0.5, y + 0.5), camera.near, camera.far, hit);
-}
-
 /// The geometric normal in view space.
 glm::vec3 view_normal(const CameraFrame& frame, const SurfaceHit& hit) {
     return glm::vec3(glm::dmat3(frame.view_from_world()) * hit.normal);
@@ -26,9 +21,14 @@ glm::vec3 view_normal(const CameraFrame& frame, const SurfaceHit& hit) {
 
 }  // namespace
 
+bool see(const EmbreeScene& scene, const CameraFrame& frame, int x, int y, SurfaceHit& hit) {
+    const Camera& camera = frame.camera();
+    return scene.first_hit(frame.ray(x + 0.5, y + 0.5), camera.near, camera.far, hit);
+}
+
 bool find_surface(const EmbreeScene& scene, const CameraFrame& frame, int x, int y, PrimaryHits& hits,
                   SurfaceHit& hit) {
-    if (!look(scene, frame, x, y, hit)) return false;
+    if (!see(scene, frame, x, y, hit)) return false;
     hits.surface.at(x, y) = 1;
     hits.depth.at(x, y) = static_cast<float>(hit.depth);
     hits.normal.at(x, y) = view_normal(frame, hit);
@@ -43,20 +43,23 @@ RaySource ray_source(const SurfaceHit& hit, const TruthSettings& settings, std::
 
 TileIntegrator::TileIntegrator(const EmbreeScene& scene, const CameraFrame& frame,
                                const std::vector<TruthQuery>& queries, const TruthSettings& settings,
-                               const PointSets& points, const CauseJudge& judge)
+                               const PointSets& points, const CauseJudge& judge, double price,
+                               bool rung_by_rung)
     : scene_(scene),
       frame_(frame),
       queries_(queries),
       settings_(settings),
-      plan_(settings),
+      plan_(settings, price),
       observer_(scene, judge, queries[0], settings.extras),
       tracer_(scene, queries, points, settings.ask_walls, settings.extras.any() ? &observer_ : nullptr),
-      open_space_(scene) {
+      open_space_(scene),
+      rung_by_rung_(rung_by_rung) {
     for (const TruthQuery& query : queries) reach_m_ = std::max(reach_m_, query.radius_m);
 }
 
 TileState TileIntegrator::trace(const Tile& tile, const TileState* begun) {
     TileState state;
+    rungs_.clear();
     find_surfaces(tile, state);
     list_traced();
     state.samples.assign(state.surfaces(), 0);
@@ -82,7 +85,7 @@ void TileIntegrator::find_surfaces(const Tile& tile, TileState& state) {
     SurfaceHit hit;
     for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1; ++x) {
-            if (!look(scene_, frame_, x, y, hit)) continue;
+            if (!see(scene_, frame_, x, y, hit)) continue;
             surfaces_.push_back(hit);
             pixels_.push_back(static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width()) +
                               static_cast<std::size_t>(x));
@@ -130,6 +133,7 @@ void TileIntegrator::restore(const TileState& begun) {
 }
 
 void TileIntegrator::trace_all() {
+    if (plan_.by_tile()) return trace_by_tile();
     std::vector<SampleRange> ranges;
     ranges.reserve(traced_.size());
     for (const int samples : samples_) ranges.push_back({samples, plan_.first()});
@@ -150,6 +154,31 @@ void TileIntegrator::trace_all() {
                 more = more || ranges[i].last > ranges[i].first;
             }
         }
+    }
+}
+
+void TileIntegrator::trace_by_tile() {
+    const auto pixels = static_cast<double>(traced_.size());
+    int samples = 0;
+    for (int next = plan_.first(); next > samples;) {
+        std::vector<SampleRange> ranges;
+        ranges.reserve(traced_.size());
+        for (const int before : samples_) ranges.push_back({before, next});
+        tracer_.trace(ranges);
+        samples_.assign(traced_.size(), next);
+        samples = next;
+        double error_sum = 0;  // of the query that errs most
+        for (std::size_t q = 0; q < queries_.size(); ++q) {
+            double sum = 0;
+            for (const Estimate& e :
+                 stated_estimates(samples_, settings_, [&](std::size_t i) { return tracer_.sums(i, q); }))
+                sum += e.standard_error;
+            error_sum = std::max(error_sum, sum);
+        }
+        rungs_.push_back({samples, error_sum});
+        const double mean_error = error_sum / pixels;
+        next = rung_by_rung_ ? plan_.double_for_tile(samples, mean_error)
+                             : plan_.next_of_tile(samples, mean_error);
     }
 }
 

@@ -3,6 +3,7 @@
 #include "reference/embree_scene.h"
 #include "reference/hit_observer.h"
 #include "reference/open_space.h"
+#include "reference/pilot.h"
 #include "reference/sample_plan.h"
 #include "reference/tile.h"
 #include "reference/tile_state.h"
@@ -12,6 +13,9 @@
 #include <vector>
 
 namespace aoscore {
+
+/// What is seen through the centre of pixel (x, y); false for background.
+bool see(const EmbreeScene& scene, const CameraFrame& frame, int x, int y, SurfaceHit& hit);
 
 /// Looks through the centre of pixel (x, y) and notes in `hits` what is there; false for background.
 bool find_surface(const EmbreeScene& scene, const CameraFrame& frame, int x, int y, PrimaryHits& hits,
@@ -25,11 +29,15 @@ RaySource ray_source(const SurfaceHit& hit, const TruthSettings& settings, std::
 class TileIntegrator {
   public:
     TileIntegrator(const EmbreeScene& scene, const CameraFrame& frame, const std::vector<TruthQuery>& queries,
-                   const TruthSettings& settings, const PointSets& points, const CauseJudge& judge);
+                   const TruthSettings& settings, const PointSets& points, const CauseJudge& judge,
+                   double price = 0, bool rung_by_rung = false);
 
     /// All that the settings ask for, going on from `begun`, what is there of this very tile, queries and
     /// extras, where that gives the same state as tracing all of it; null: nothing is there.
     TileState trace(const Tile& tile, const TileState* begun = nullptr);
+    /// How the errors of the last tile fell, without a gap if so asked for; empty unless SamplePlan goes by
+    /// tiles.
+    const std::vector<Rung>& rungs() const { return rungs_; }
     /// Of all tiles so far.
     std::uint64_t rays() const { return tracer_.rays(); }
 
@@ -42,6 +50,8 @@ class TileIntegrator {
     void restore(const TileState& begun);
     /// Traces what the plan asks for, until it asks for no more.
     void trace_all();
+    /// The same where all pixels of a tile get the same.
+    void trace_by_tile();
     void store(TileState& state) const;
 
     const EmbreeScene& scene_;
@@ -57,6 +67,8 @@ class TileIntegrator {
     std::vector<std::size_t> pixels_;  // of surfaces, into images
     std::vector<std::size_t> traced_;  // surfaces that get rays
     std::vector<int> samples_;         // of those, traced so far
+    bool rung_by_rung_;
+    std::vector<Rung> rungs_;
 };
 
 }  // namespace aoscore

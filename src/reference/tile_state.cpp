@@ -49,7 +49,8 @@ std::vector<Estimate> stated_estimates(std::span<const int> samples, const Truth
     std::vector<PixelSpread> spreads;
     spreads.reserve(samples.size());
     for (std::size_t i = 0; i < samples.size(); ++i) spreads.push_back(pixel_spread(sums(i), samples[i]));
-    std::vector<Estimate> all = moderated_estimates(spreads, plan.first() < plan.most());
+    std::vector<Estimate> all =
+        moderated_estimates(spreads, settings.max_error > 0 && plan.first() < plan.most());
     if (settings.max_error > 0) {
         for (Estimate& e : all) e.standard_error = std::min(kStoppingAllowance * e.standard_error, 0.5);
     }

@@ -6,6 +6,7 @@
 #include "core/threads.h"
 #include "reference/embree_scene.h"
 #include "reference/flush_denormals.h"
+#include "reference/pilot.h"
 #include "reference/tile.h"
 #include "reference/tile_integrator.h"
 #include "reference/tile_state.h"
@@ -40,13 +41,28 @@ struct TraceWork {
           settings(s),
           hits(std::move(shown)),
           judge(scene, frame, hits),
-          points(s.points, SamplePlan(s).most()) {}
+          points(s.points, SamplePlan(s).most()) {
+        if (settings.mean_error > 0) {
+            price = price_for_mean_error(settings.mean_error, tiles_of(frame.width(), frame.height()),
+                                         [&](const Tile& tile, double at) { return climb(tile, at); });
+        }
+    }
+
+    Ladder climb(const Tile& tile, double at) const {
+        const FlushDenormals flush;
+        TruthSettings rays_alone = settings;
+        rays_alone.extras = {};
+        TileIntegrator integrator(embree, frame, queries, rays_alone, points, judge, at, true);
+        const TileState state = integrator.trace(tile);
+        const auto open = static_cast<std::size_t>(std::ranges::count(state.samples, 0u));
+        return {integrator.rungs(), state.surfaces(), state.surfaces() - open};
+    }
 
     /// A group of tiles, from what is there of them.
     GroupState trace(std::span<const Tile> tiles, const GroupState& begun, std::uint64_t& rays) const {
         const FlushDenormals flush;
         const auto start = std::chrono::steady_clock::now();
-        TileIntegrator integrator(embree, frame, queries, settings, points, judge);
+        TileIntegrator integrator(embree, frame, queries, settings, points, judge, price);
         GroupState state;
         for (std::size_t i = 0; i < tiles.size(); ++i) {
             throw_if_interrupted();
@@ -65,6 +81,7 @@ struct TraceWork {
     const PrimaryHits hits;  // what is hidden shows only once the whole picture is there
     const CauseJudge judge;
     const PointSets points;
+    double price = 0;  // of rays, see SamplePlan
 };
 
 }  // namespace
@@ -76,6 +93,13 @@ void check_truth_request(const std::vector<TruthQuery>& queries, const TruthSett
     }
     if (!(settings.max_error >= 0 && settings.max_error < 1)) {
         throw usage_error(fmt::format("error of {}", settings.max_error), "error", "0 (off) or less than 1");
+    }
+    if (!(settings.mean_error >= 0 && settings.mean_error < 1)) {
+        throw usage_error(fmt::format("mean error of {}", settings.mean_error), "mean error",
+                          "0 (off) or less than 1");
+    }
+    if (settings.max_error > 0 && settings.mean_error > 0) {
+        throw usage_error("an error for every pixel and one for the mean", "error", "one of them");
     }
     if (queries.empty()) throw usage_error("no radius to trace", "radius", "at least one");
     for (const TruthQuery& query : queries) {

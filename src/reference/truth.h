@@ -73,6 +73,10 @@ struct TruthSettings {
     /// query is at most this, beginning with no fewer than 2 / max_error rays, so that an occluder that
     /// matters at this error is not missed by a lucky start, and ending with kMostSamples.
     double max_error = 0;
+    /// 0: off. Else every tile of 8x8 pixels gets a power of two of rays a pixel, `samples` or more, such
+    /// that the mean standard error over the picture comes to about this for the fewest rays: few where all
+    /// rays agree, many at the edges of shadows. Not together with max_error.
+    double mean_error = 0;
     std::uint64_t seed = 1;
     bool shading_normals = false;  ///< hemisphere about the smooth normal instead of the geometric one
     PointKind points = PointKind::scrambled_sobol;

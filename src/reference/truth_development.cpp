@@ -48,7 +48,7 @@ void count_samples(const TruthSettings& settings, Truth& truth) {
         truth.open_pixels += truth.sample_counts.pixels[i] == 0;
     }
     truth.samples = settings.samples;
-    if (settings.max_error > 0)
+    if (settings.max_error > 0 || settings.mean_error > 0)
         truth.samples = surfaces == 0 ? 0 : static_cast<int>((truth.rays + surfaces / 2) / surfaces);
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace aoscore {
@@ -104,6 +105,80 @@ TEST(AdaptiveTracing, IsNotFooledByALuckyStart) {
     }
     EXPECT_EQ(fooled, 0);
     EXPECT_LT(std::sqrt(squared), kMaxError);
+}
+
+double mean_of_stated_errors(const Truth& truth) {
+    double sum = 0, pixels = 0;
+    for (std::size_t i = 0; i < truth.hits.surface.size(); ++i) {
+        sum += truth.standard_error[0].pixels[i];
+        pixels += truth.hits.surface.pixels[i];
+    }
+    return sum / pixels;
+}
+
+TEST(TracingToAMeanError, ReachesItWithFewerRaysThanTheSameForAll) {
+    const ReferenceScene reference(testing::still_life());
+    const CameraFrame frame(testing::looking({2, 2, 3}, {0, 0.6, 0}), 200, 150);
+    const Truth exact = accurate(reference, frame);
+    for (const double mean_error : {0.01, 0.005}) {
+        TruthSettings settings;
+        settings.samples = 16;
+        settings.mean_error = mean_error;
+        const Truth truth = reference.trace(frame, kOneMetre, settings, "mean");
+        EXPECT_NEAR(mean_of_stated_errors(truth), mean_error, 0.05 * mean_error);
+        double squared = 0, stated = 0, bias = 0, pixels = 0;
+        for (std::size_t i = 0; i < truth.hits.surface.size(); ++i) {
+            if (truth.hits.surface.pixels[i] == 0) continue;
+            const double error = truth.visibility[0].pixels[i] - exact.visibility[0].pixels[i];
+            bias += error;
+            squared += error * error;
+            stated += std::pow(truth.standard_error[0].pixels[i], 2);
+            ++pixels;
+        }
+        EXPECT_LT(std::sqrt(squared / stated), 1.1) << "stated errors are too small";
+        EXPECT_LT(std::abs(bias / pixels), mean_error / 10);
+        settings.mean_error = 0;
+        settings.samples = truth.samples;
+        EXPECT_GT(mean_of_stated_errors(reference.trace(frame, kOneMetre, settings, "even")),
+                  1.05 * mean_error);
+    }
+}
+
+TEST(TracingToAMeanError, GivesAllPixelsOfATileTheSame) {
+    const ReferenceScene reference(testing::thicket());
+    const CameraFrame frame(testing::looking({2, 2, 3}, {0, 0.5, 0}), 64, 48);
+    TruthSettings settings;
+    settings.samples = 24;
+    settings.mean_error = 0.01;
+    const Truth truth = reference.trace(frame, kOneMetre, settings, "mean");
+    std::uint32_t fewest = kMostSamples, most = 0;
+    for (int y = 0; y < 48; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            const std::uint32_t count = truth.sample_counts.at(x, y);
+            if (count == 0) continue;
+            EXPECT_TRUE(std::has_single_bit(count));
+            fewest = std::min(fewest, count);
+            most = std::max(most, count);
+            for (int from = x & ~7; from < x; ++from) {
+                const std::uint32_t other = truth.sample_counts.at(from, y);
+                EXPECT_TRUE(other == 0 || other == count) << x << ", " << y;
+            }
+        }
+    }
+    EXPECT_GE(fewest, 32u);
+    EXPECT_GE(most, 4 * fewest);
+}
+
+TEST(TracingToAMeanError, LeapsWhereDoublingWouldComeAnyway) {
+    TruthSettings settings;
+    settings.samples = 64;
+    settings.mean_error = 0.004;
+    const SamplePlan plan(settings, 1e-5);
+    EXPECT_EQ(plan.next_of_tile(64, 64e-5), 64) << "pays no more than the price";
+    EXPECT_EQ(plan.next_of_tile(64, 65e-5), 128);
+    EXPECT_EQ(plan.next_of_tile(64, 64 * 12e-5), 256) << "128 would pay more than 3 times the price";
+    EXPECT_EQ(plan.double_for_tile(64, 64 * 12e-5), 128);
+    EXPECT_EQ(plan.next_of_tile(plan.most(), 1), plan.most());
 }
 
 TEST(AdaptiveTracing, PlansGrowTowardsTheErrorAndEnd) {

@@ -182,6 +182,15 @@ TEST(Cache, ATruthOfMoreServesARequestForLess) {
     EXPECT_FALSE(serves(sure, surer));
     EXPECT_TRUE(serves(surer, room.request(64))) << "begins with 96 rays everywhere";
     EXPECT_FALSE(serves(surer, room.request(512)));
+    TruthRequest in_the_mean = room.request(16);
+    in_the_mean.settings.mean_error = 0.05;
+    EXPECT_TRUE(serves(surer, in_the_mean)) << "every pixel has that error, so has the mean";
+    EXPECT_FALSE(serves(in_the_mean, surer));
+    EXPECT_FALSE(serves(large, in_the_mean));
+    TruthRequest surer_in_the_mean = in_the_mean;
+    surer_in_the_mean.settings.mean_error = 0.02;
+    EXPECT_TRUE(serves(surer_in_the_mean, in_the_mean));
+    EXPECT_FALSE(serves(in_the_mean, surer_in_the_mean));
     TruthRequest another = room.request(16);
     another.queries.push_back({Falloff::binary, 3, 0});
     EXPECT_FALSE(serves(large, another));
@@ -208,6 +217,21 @@ TEST(Cache, RefiningGivesTheBitsOfTracingAllAtOnce) {
         }
         EXPECT_EQ(room.cache.list().size(), 1U) << "what is served by the better one is removed";
     }
+}
+
+TEST(Cache, RefiningToAMeanErrorGivesTheBitsOfTracingAllAtOnce) {
+    const Room room;
+    TruthRequest request = room.request(16);
+    request.settings.extras = {true, true, true};
+    room.get(request);
+    request.settings.samples = 32;
+    request.settings.mean_error = 0.02;
+    const CachedTruth got = room.get(request);
+    EXPECT_EQ(got.origin, TruthOrigin::refined);
+    const Truth anew = room.anew(request);
+    expect_same_bits(got.truth, anew);
+    EXPECT_LT(got.truth.rays_now, anew.rays);
+    EXPECT_EQ(room.get(request).origin, TruthOrigin::cached);
 }
 
 TEST(Cache, ATornPartIsThrownAwayAndTheRestTakenOver) {

@@ -39,34 +39,13 @@ std::vector<TruthQuery> binary(double radius_m) {
     return {{Falloff::binary, radius_m, 0}};
 }
 
-/// The next count of the form m 2^k with m from 4 to 7.
-int next_count(int samples) {
-    int step = 1;
-    while (samples >= 8 * step) step *= 2;
-    return samples + step;
-}
-
-/// The least count of which the random tiles reach the mean standard error.
-int samples_to_error(const RandomTiles& tiles, const std::vector<TruthQuery>& query, double target) {
-    const auto error = [&](int samples) {
-        return mean_standard_error(tiles.trace(query, with_samples(samples)));
-    };
-    // A first guess by the law of the error, a little low.
-    constexpr int kFirst = 64;
-    const double guess = 0.6 * kFirst * std::pow(error(kFirst) / target, 4.0 / 3);
-    int samples = 4;
-    while (samples < guess) samples = next_count(samples);
-    while (error(samples) > target) samples = next_count(samples);
-    return samples;
-}
-
 /// Stated errors against a truth of many more rays.
-void print_check(const RandomTiles& tiles, const std::vector<TruthQuery>& query, int samples) {
-    TruthSettings settings = with_samples(samples);
+void print_check(const RandomTiles& tiles, const std::vector<TruthQuery>& query,
+                 const TruthSettings& settings) {
     const Truth truth = tiles.trace(query, settings);
-    settings.samples = kCheckSamples;
-    settings.seed = 2;
-    const Truth exact = tiles.trace(query, settings);
+    TruthSettings many = with_samples(kCheckSamples);
+    many.seed = settings.seed + 1;
+    const Truth exact = tiles.trace(query, many);
     double squared = 0, stated = 0, pixels = 0;
     for (std::size_t i = 0; i < truth.hits.surface.size(); ++i) {
         squared += std::pow(truth.visibility[0].pixels[i] - exact.visibility[0].pixels[i], 2);
@@ -80,45 +59,65 @@ void print_check(const RandomTiles& tiles, const std::vector<TruthQuery>& query,
         kCheckSamples, 100 * tiles.part(), std::sqrt(squared / pixels), std::sqrt(stated / pixels));
 }
 
-void print_time_to_error(const ReferenceScene& reference, const Camera& camera,
-                         const ReferenceBenchmark& benchmark, double radius_m, double single_rate) {
-    const CameraFrame frame(camera, benchmark.width, benchmark.height);
+/// A truth and how long it takes.
+struct TimedTruth {
+    Truth truth;
+    double seconds = 0;
+    bool whole = true;  ///< else of the random tiles, and the time is scaled up
+};
+
+TimedTruth timed_truth(const ReferenceScene& reference, const CameraFrame& frame, const RandomTiles& tiles,
+                       const std::vector<TruthQuery>& query, const TruthSettings& settings,
+                       double longest_s) {
+    TimedTruth timed;
+    timed.seconds = seconds_of([&] { timed.truth = tiles.trace(query, settings); }) / tiles.part();
+    timed.whole = timed.seconds <= longest_s;
+    if (timed.whole)
+        timed.seconds = seconds_of([&] { timed.truth = reference.trace(frame, query, settings, "truth"); });
+    return timed;
+}
+
+void print_time_to_error(const ReferenceScene& reference, const EmbreeScene& embree, const CameraFrame& frame,
+                         const ReferenceBenchmark& benchmark, double radius_m) {
     const RandomTiles tiles(reference, frame, kPilotGroups);
     const std::vector<TruthQuery> query = binary(radius_m);
-    const int samples = samples_to_error(tiles, query, benchmark.target_error);
-    Truth truth;
-    double seconds = seconds_of([&] { truth = tiles.trace(query, with_samples(samples)); }) / tiles.part();
-    const bool whole = seconds <= benchmark.longest_s;
-    if (whole)
-        seconds = seconds_of([&] { truth = reference.trace(frame, query, with_samples(samples), "truth"); });
+    TruthSettings settings;
+    settings.mean_error = benchmark.target_error;
+    const std::vector<Tile> some = random_tiles(frame, benchmark.tiles);
+    const double rate = plain_rate(embree, frame, radius_m, benchmark.samples, some);
+    const auto [truth, seconds, whole] =
+        timed_truth(reference, frame, tiles, query, settings, benchmark.longest_s);
     const PlainMonteCarlo plain(truth);
     const double pixels = static_cast<double>(surfaces(truth)) / (whole ? 1 : tiles.part());
-    const auto plain_seconds = [&](double count) { return count * pixels / (single_rate * 1e6); };
+    const auto plain_seconds = [&, s = seconds](double count) {
+        const double all = count * pixels / (rate * 1e6);
+        return fmt::format("{:.0f} samples, {:.0f} s, {:.1f} times as long", count, all, all / s);
+    };
     // To the error that was reached, be it a little above or below the target.
     const double error = mean_standard_error(truth);
-    const double count = plain.samples_for(error), best = plain.best_samples_for(error);
     fmt::print(
-        "R {:>6} m: {} samples, {:.1f} s{} to a mean standard error of {:.5f} ({:.1f} % of pixels proven "
-        "open)\n",
-        radius_m, samples, seconds, whole ? "" : " (scaled up from random tiles)", error,
+        "R {:>6} m: {:.1f} s{} to a mean standard error of {:.5f}, {} samples in the mean ({:.1f} % of "
+        "pixels "
+        "proven open)\n",
+        radius_m, seconds, whole ? "" : " (scaled up from random tiles)", error, truth.samples,
         100.0 * static_cast<double>(truth.open_pixels) / static_cast<double>(surfaces(truth)));
-    fmt::print(
-        "            plain Monte Carlo by rtcOccluded1: {:.0f} samples, {:.0f} s, {:.1f} times as long; with "
-        "the "
-        "best allocation over pixels {:.0f} samples, {:.1f} times\n",
-        count, plain_seconds(count), plain_seconds(count) / seconds, best, plain_seconds(best) / seconds);
+    fmt::print("            plain Monte Carlo by rtcOccluded1, {:.1f} M rays/s: {}\n", rate,
+               plain_seconds(plain.samples_for(error)));
+    const double best = plain.best_samples_for(error);
+    fmt::print("            plain Monte Carlo with the best allocation over pixels: {}\n",
+               plain_seconds(best));
     if (best < 1)
-        fmt::print("            all pixels are open or blocked: only the stated floor is compared\n");
-    print_check(tiles, query, samples);
+        fmt::print("            all pixels are open or blocked: only the least stated error is compared\n");
+    print_check(tiles, query, settings);
     TruthSettings adaptive = with_samples(16);
     adaptive.max_error = benchmark.target_error;
-    const double adaptive_seconds = seconds_of([&] { truth = tiles.trace(query, adaptive); });
+    const TimedTruth every = timed_truth(reference, frame, tiles, query, adaptive, 0);
     fmt::print(
-        "            every pixel to {}, {:.1f} % of the picture: {} samples in the mean, {:.1f} s, mean "
-        "standard "
-        "error {:.5f}\n",
-        benchmark.target_error, 100 * tiles.part(), truth.samples, adaptive_seconds,
-        mean_standard_error(truth));
+        "            every pixel to {}: {:.0f} s (scaled up from {:.1f} % of the picture), {} samples in the "
+        "mean, "
+        "mean standard error {:.5f}\n",
+        benchmark.target_error, every.seconds, 100 * tiles.part(), every.truth.samples,
+        mean_standard_error(every.truth));
 }
 
 double mean_square_error(const ReferenceScene& reference, const CameraFrame& frame, double radius_m,
@@ -160,19 +159,13 @@ void print_slopes(const ReferenceScene& reference, const Camera& camera, double 
     }
 }
 
-/// Returns what rtcOccluded1 replays, by radius.
-std::vector<double> print_rates(const Scene& scene, const Camera& camera,
-                                const ReferenceBenchmark& benchmark) {
-    const EmbreeScene embree(scene, {});
-    const CameraFrame frame(camera, benchmark.width, benchmark.height);
+void print_rates(const EmbreeScene& embree, const CameraFrame& frame, const ReferenceBenchmark& benchmark) {
     fmt::print("Million rays a second, {} rays a pixel, {} random tiles:\n", benchmark.samples,
                benchmark.tiles);
-    std::vector<double> single_rates;
     for (const RayQuestion question : {RayQuestion::occlusion, RayQuestion::distance}) {
         for (const double radius_m : benchmark.radii_m) {
             const ReplayRates rates =
                 replay_rates(embree, frame, radius_m, question, benchmark.samples, benchmark.tiles);
-            if (question == RayQuestion::occlusion) single_rates.push_back(rates.single);
             fmt::print(
                 "R {:>6} m, {}: traced {:.1f} | replays: one by one {:.1f}, 16 of a pixel {:.1f}, 16 of a "
                 "block "
@@ -184,7 +177,6 @@ std::vector<double> print_rates(const Scene& scene, const Camera& camera,
             std::fflush(stdout);
         }
     }
-    return single_rates;
 }
 
 }  // namespace
@@ -198,10 +190,12 @@ void reference_benchmark(const Scene& scene, const View& view, const ReferenceBe
                reference.peak_bytes() / 1'000'000);
     fmt::print("Root-mean-square error at 16, 64, 256, 1024, 4096 samples:\n");
     for (const double radius_m : benchmark.radii_m) print_slopes(reference, view.camera, radius_m);
-    const std::vector<double> single_rates = print_rates(scene, view.camera, benchmark);
+    const EmbreeScene embree(scene, {});
+    const CameraFrame frame(view.camera, benchmark.width, benchmark.height);
+    print_rates(embree, frame, benchmark);
     fmt::print("Time to the error:\n");
-    for (std::size_t i = 0; i < benchmark.radii_m.size(); ++i) {
-        print_time_to_error(reference, view.camera, benchmark, benchmark.radii_m[i], single_rates[i]);
+    for (const double radius_m : benchmark.radii_m) {
+        print_time_to_error(reference, embree, frame, benchmark, radius_m);
         std::fflush(stdout);
     }
     fmt::print("Peak memory of the whole process so far: {:.0f} MiB\n", peak_memory_mib());

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "reference/embree_scene.h"
+#include "reference/tile.h"
 #include "reference/truth.h"
 
+#include <span>
 #include <vector>
 
 namespace aoscore {
@@ -22,5 +25,11 @@ class PlainMonteCarlo {
   private:
     std::vector<double> deviations_;
 };
+
+/// Million rays a second, by processor time of all threads, of plain Monte Carlo as one would write it down:
+/// pixel by pixel and ray by ray, random numbers, a direction, rtcOccluded1, a sum. The best of several runs
+/// over these tiles.
+double plain_rate(const EmbreeScene& scene, const CameraFrame& frame, double radius_m, int samples,
+                  std::span<const Tile> tiles);
 
 }  // namespace aoscore

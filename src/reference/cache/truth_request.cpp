@@ -75,7 +75,8 @@ json TruthRequest::wanted() const {
             {"one_layer_bound", settings.extras.one_layer_bound},
             {"bent_normals", settings.extras.bent_normals},
             {"samples", settings.samples},
-            {"max_error", settings.max_error}};
+            {"max_error", settings.max_error},
+            {"mean_error", settings.mean_error}};
 }
 
 std::string TruthRequest::picture_key() const {
@@ -94,6 +95,7 @@ TruthRequest request_from_json(const json& wanted, const TruthRequest& of_same_p
                                wanted.at("bent_normals").get<bool>()};
     request.settings.samples = wanted.at("samples").get<int>();
     request.settings.max_error = wanted.at("max_error").get<double>();
+    request.settings.mean_error = wanted.at("mean_error").get<double>();
     return request;
 }
 
@@ -108,10 +110,11 @@ bool serves(const TruthRequest& have, const TruthRequest& want) {
         (asked.bent_normals && !there.bent_normals)) {
         return false;
     }
-    if (want.settings.max_error > 0 &&
-        !(have.settings.max_error > 0 && have.settings.max_error <= want.settings.max_error)) {
+    const auto within = [](double error, double limit) { return error > 0 && error <= limit; };
+    const double every = want.settings.max_error, mean = want.settings.mean_error;
+    if (every > 0 && !within(have.settings.max_error, every)) return false;
+    if (mean > 0 && !within(have.settings.max_error, mean) && !within(have.settings.mean_error, mean))
         return false;
-    }
     return SamplePlan(have.settings).first() >= SamplePlan(want.settings).first();
 }
 
