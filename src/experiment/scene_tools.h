@@ -16,7 +16,7 @@ class SceneTools {
     /// The scene that is measured from here on; it must outlive its use.
     void choose(const Scene& scene);
 
-    /// Of the chosen scene; built when a ray is first wanted.
+    /// Of the chosen scene; built when rays are wanted, as far as they reach.
     const ReferenceScene& reference();
     /// With the chosen scene uploaded.
     ScreenRenderer& ready_renderer();

@@ -42,6 +42,7 @@ bool is_untraced(const Truth& truth, const Tile& tile) {
 
 TruthSavings truth_savings(const Truth& truth) {
     TruthSavings savings;
+    savings.left_out_triangles = truth.left_out_triangles;
     const std::vector<std::uint32_t>& counts = truth.sample_counts.pixels;
     savings.most_samples = counts.empty() ? 0 : *std::max_element(counts.begin(), counts.end());
     for (std::size_t i = 0; i < counts.size(); ++i) {

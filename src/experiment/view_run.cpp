@@ -92,6 +92,7 @@ class Runner {
         stored.lighting_parameters = described.lighting_parameters;
         stored.truth_origin = origin_id(TruthOrigin::cached);
         stored.truth_rays_now = 0;
+        stored.savings.left_out_triangles = 0;
         if (run_.pictured()) {
             stored.truth_file = view_file("truth");
             if (!store_.fetch_file(stock_.truth_file_key, run_.folder / stored.truth_file)) return false;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -17,6 +18,9 @@ namespace {
 /// of any orientation needed in experiments.
 constexpr double kOffsetUnits = 32;
 constexpr double kInstanceOffsetFactor = 4;
+/// How much farther than asked for triangles are searched, of the scene's diagonal: boxes in trees are
+/// float32, and where triangles are split between them rounded.
+constexpr double kSearchMarginPart = 1e-6;
 
 double largest(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
@@ -75,7 +79,8 @@ bool EmbreeScene::count_memory(void* memory, ssize_t bytes, bool) {
     return true;
 }
 
-EmbreeScene::EmbreeScene(const Scene& scene, const TraceBuild& build) : device_(rtcNewDevice(nullptr)) {
+EmbreeScene::EmbreeScene(const Scene& scene, const TraceBuild& build, const std::vector<char>& wanted)
+    : device_(rtcNewDevice(nullptr)) {
     check_embree(device_.get(), "starting Embree");
     rtcSetDeviceMemoryMonitorFunction(device_.get(), count_memory, &memory_);
     copy_cutouts(scene);
@@ -100,14 +105,18 @@ EmbreeScene::EmbreeScene(const Scene& scene, const TraceBuild& build) : device_(
         glm::dvec3 centre{0};
     };
     std::vector<Shared> shared(scene.meshes.size());
-    for (const Instance& instance : scene.instances) {
+    for (std::size_t number = 0; number < scene.instances.size(); ++number) {
+        const Instance& instance = scene.instances[number];
         const auto index = static_cast<std::size_t>(instance.mesh);
         const Mesh& mesh = scene.meshes[index];
         if (mesh.triangles.empty()) continue;
+        const bool baked = bake_all || uses[index] == 1;
+        has_instances_ = has_instances_ || !baked;
+        if (!wanted.empty() && wanted[number] == 0) continue;
         const glm::dmat4 transform = to_trace_space * instance.scene_from_mesh;
-        if (bake_all || uses[index] == 1) {
+        if (baked) {
             const TraceGeometry& geometry = add_triangles(scene_.get(), mesh, transform);
-            placements_.push_back({&geometry, glm::dmat4(1), false});
+            placements_.push_back({&geometry, glm::dmat4(1), false, number});
             continue;
         }
         Shared& s = shared[index];
@@ -119,7 +128,7 @@ EmbreeScene::EmbreeScene(const Scene& scene, const TraceBuild& build) : device_(
             rtcCommitScene(s.scene);
             check_embree(device_.get(), "building a shared mesh");
         }
-        add_instance(*s.geometry, s.scene, transform * glm::translate(glm::dmat4(1), s.centre));
+        add_instance(*s.geometry, s.scene, transform * glm::translate(glm::dmat4(1), s.centre), number);
     }
     rtcCommitScene(scene_.get());
     check_embree(device_.get(), "building the scene");
@@ -175,7 +184,8 @@ TraceGeometry& EmbreeScene::add_triangles(RTCScene target, const Mesh& mesh, con
     return geometry;
 }
 
-void EmbreeScene::add_instance(const TraceGeometry& geometry, RTCScene shared, const glm::dmat4& transform) {
+void EmbreeScene::add_instance(const TraceGeometry& geometry, RTCScene shared, const glm::dmat4& transform,
+                               std::size_t number) {
     GeometryHandle handle(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE));
     rtcSetGeometryInstancedScene(handle.get(), shared);
     const glm::mat4 matrix(transform);
@@ -183,13 +193,13 @@ void EmbreeScene::add_instance(const TraceGeometry& geometry, RTCScene shared, c
     rtcCommitGeometry(handle.get());
     rtcAttachGeometry(scene_.get(), handle.get());
     check_embree(device_.get(), "adding an instance");
-    placements_.push_back({&geometry, rounded(transform), true});
+    placements_.push_back({&geometry, rounded(transform), true, number});
 }
 
 RTCIntersectContext EmbreeScene::packet_context() const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    if (shared_.empty()) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    if (!has_instances_) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     return context;
 }
 
@@ -236,18 +246,23 @@ glm::dvec3 EmbreeScene::hit_normal(unsigned geometry_id, unsigned instance_id, c
 }
 
 bool EmbreeScene::triangles_near(const glm::dvec3& centre, double radius_m, std::size_t limit,
+                                 const std::vector<char>& counted,
                                  std::vector<TraceTriangle>& triangles) const {
     struct Search {
-        const EmbreeScene* scene;
+        const EmbreeScene& scene;
+        const glm::dvec3& centre;
+        double radius_m;
         std::size_t limit;
-        std::vector<TraceTriangle>* found;
+        const std::vector<char>& counted;
+        std::vector<TraceTriangle>& found;
+        std::vector<std::uint64_t> names = {};  // of those found: trees may hold parts of one triangle
         bool complete = true;
     };
     triangles.clear();
-    Search search{this, limit, &triangles};
+    Search search{*this, centre, radius_m, limit, counted, triangles};
     const glm::vec3 c(centre);
-    // Rounded outwards, so that nothing within the radius is missed.
-    const double rounding_m = glm::distance(centre, glm::dvec3(c));
+    // Rounded outwards, so that nothing within the radius is missed: what lies beyond is told apart exactly.
+    const double rounding_m = glm::distance(centre, glm::dvec3(c)) + kSearchMarginPart * diagonal_m_;
     RTCPointQuery query{};
     query.x = c.x;
     query.y = c.y;
@@ -257,13 +272,20 @@ bool EmbreeScene::triangles_near(const glm::dvec3& centre, double radius_m, std:
     rtcInitPointQueryContext(&context);
     const auto visit = [](RTCPointQueryFunctionArguments* args) {
         auto& s = *static_cast<Search*>(args->userPtr);
-        if (s.found->size() == s.limit) {
+        const unsigned id = args->context->instStackSize > 0 ? args->context->instID[0] : args->geomID;
+        const Placement& placement = s.scene.placements_[id];
+        if (s.counted[placement.number] == 0) return false;
+        const TraceTriangle triangle = s.scene.triangle(placement, args->primID);
+        if (triangle.distance(s.centre) > s.radius_m) return false;
+        const std::uint64_t name = std::uint64_t{id} << 32 | args->primID;
+        if (std::ranges::find(s.names, name) != s.names.end()) return false;
+        if (s.found.size() == s.limit) {
             s.complete = false;
             args->query->radius = 0;  // ends the search
             return true;
         }
-        const unsigned id = args->context->instStackSize > 0 ? args->context->instID[0] : args->geomID;
-        s.found->push_back(s.scene->triangle(s.scene->placements_[id], args->primID));
+        s.names.push_back(name);
+        s.found.push_back(triangle);
         return false;
     };
     rtcPointQuery(scene_.get(), &query, &context, visit, &search);

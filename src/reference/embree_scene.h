@@ -43,14 +43,16 @@ struct SurfaceHit {
 /// space until `baked_triangles_at_most` is spent; shared meshes beyond it stay instances.
 class EmbreeScene {
   public:
-    EmbreeScene(const Scene& scene, const TraceBuild& build);
+    /// `wanted`: one flag an instance of the scene; those of 0 are left out, all else is as with the whole
+    /// scene. Empty: all of them.
+    EmbreeScene(const Scene& scene, const TraceBuild& build, const std::vector<char>& wanted = {});
     EmbreeScene(const EmbreeScene&) = delete;
     EmbreeScene& operator=(const EmbreeScene&) = delete;
 
     RTCScene handle() const { return scene_.get(); }
     const glm::dvec3& centre() const { return centre_; }
     double diagonal_m() const { return diagonal_m_; }
-    std::size_t triangle_count() const { return triangle_count_; }  ///< over instances
+    std::size_t triangle_count() const { return triangle_count_; }  ///< of all instances, wanted or not
     std::size_t peak_bytes() const { return memory_.peak; }
     /// A context for packets of rays of similar direction. Embree 3.13.5 may never return from coherent
     /// packets that enter an instance, so that scenes with instances are traced as if packets were not.
@@ -67,16 +69,18 @@ class EmbreeScene {
     /// degenerate one.
     glm::dvec3 hit_normal(unsigned geometry_id, unsigned instance_id, const glm::dvec3& ng) const;
 
-    /// All triangles whose boxes come within `radius_m` (infinity allowed) of a point of trace space, and
-    /// maybe some more; false when there are more than `limit` of them.
+    /// All triangles within `radius_m` (infinity allowed) of a point of trace space, of the instances that
+    /// are `counted` (one flag an instance of the scene); false when there are more than `limit` of them,
+    /// which then may not all be there. Which they are does not depend on how the scene is laid out in trees.
     bool triangles_near(const glm::dvec3& centre, double radius_m, std::size_t limit,
-                        std::vector<TraceTriangle>& triangles) const;
+                        const std::vector<char>& counted, std::vector<TraceTriangle>& triangles) const;
 
   private:
     struct Placement {
         const TraceGeometry* geometry = nullptr;
         glm::dmat4 trace_from_geometry{1.0};
         bool is_instance = false;
+        std::size_t number = 0;  ///< of its instance in the Scene
     };
     TraceTriangle triangle(const Placement& placement, unsigned index) const;
     /// Those that are solid, in trace space and no instance's: they can be asked for by themselves.
@@ -88,7 +92,8 @@ class EmbreeScene {
 
     void copy_cutouts(const Scene& scene);
     TraceGeometry& add_triangles(RTCScene target, const Mesh& mesh, const glm::dmat4& transform);
-    void add_instance(const TraceGeometry& geometry, RTCScene shared, const glm::dmat4& transform);
+    void add_instance(const TraceGeometry& geometry, RTCScene shared, const glm::dmat4& transform,
+                      std::size_t number);
     static bool count_memory(void* memory, ssize_t bytes, bool post);
 
     Memory memory_;
@@ -101,6 +106,7 @@ class EmbreeScene {
     glm::dvec3 centre_{0};
     double diagonal_m_ = 0;
     std::size_t triangle_count_ = 0;
+    bool has_instances_ = false;  // beside what is baked, wanted or not
     mutable std::once_flag walls_asked_for_;
     mutable std::optional<Walls> walls_;
 };

@@ -36,7 +36,8 @@ std::vector<char> OpenSpace::prove(const std::vector<UpwardPoint>& points, doubl
         margin_m = std::max(margin_m, p.margin_m);
     }
     const double radius_m = reach_m + 2 * margin_m + glm::distance(low, high) / 2;
-    if (!scene_.triangles_near((low + high) / 2.0, radius_m, kMostTriangles, nearby_)) return open;
+    if (!scene_.triangles_near((low + high) / 2.0, radius_m, kMostTriangles, within_reach_, nearby_))
+        return open;
     std::size_t last_blocker = 0;
     for (std::size_t p = 0; p < points.size(); ++p) {
         // What blocks one point mostly blocks the next.

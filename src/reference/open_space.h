@@ -20,7 +20,9 @@ struct UpwardPoint {
 /// given up.
 class OpenSpace {
   public:
-    explicit OpenSpace(const EmbreeScene& scene) : scene_(scene) {}
+    /// `within_reach`: one flag an instance of the scene, see Reach: what cannot be met is not looked at.
+    OpenSpace(const EmbreeScene& scene, const std::vector<char>& within_reach)
+        : scene_(scene), within_reach_(within_reach) {}
 
     /// One flag a point: 1 where no ray of at most `reach_m` (infinity allowed) can hit anything. The points
     /// should lie close together: they share one look at their surroundings.
@@ -30,6 +32,7 @@ class OpenSpace {
     bool blocks(std::size_t triangle, const UpwardPoint& point, double reach_m) const;
 
     const EmbreeScene& scene_;
+    const std::vector<char>& within_reach_;
     std::vector<TraceTriangle> nearby_;
 };
 

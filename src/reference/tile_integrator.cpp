@@ -41,18 +41,19 @@ RaySource ray_source(const SurfaceHit& hit, const TruthSettings& settings, std::
             mix_bits(mix_bits(settings.seed) ^ pixel)};
 }
 
-TileIntegrator::TileIntegrator(const EmbreeScene& scene, const CameraFrame& frame,
+TileIntegrator::TileIntegrator(const ReachableScene& scene, const CameraFrame& frame,
                                const std::vector<TruthQuery>& queries, const TruthSettings& settings,
                                const PointSets& points, const CauseJudge& judge, double price,
                                bool rung_by_rung)
-    : scene_(scene),
+    : scene_(scene.embree),
       frame_(frame),
       queries_(queries),
       settings_(settings),
       plan_(settings, price),
-      observer_(scene, judge, queries[0], settings.extras),
-      tracer_(scene, queries, points, settings.ask_walls, settings.extras.any() ? &observer_ : nullptr),
-      open_space_(scene),
+      observer_(scene.embree, judge, queries[0], settings.extras),
+      tracer_(scene.embree, queries, points, settings.ask_walls,
+              settings.extras.any() ? &observer_ : nullptr),
+      open_space_(scene.embree, scene.within_reach),
       rung_by_rung_(rung_by_rung) {
     for (const TruthQuery& query : queries) reach_m_ = std::max(reach_m_, query.radius_m);
 }

@@ -5,6 +5,7 @@
 #include "reference/open_space.h"
 #include "reference/pilot.h"
 #include "reference/sample_plan.h"
+#include "reference/scene_builds.h"
 #include "reference/tile.h"
 #include "reference/tile_state.h"
 #include "reference/tile_tracer.h"
@@ -28,9 +29,10 @@ RaySource ray_source(const SurfaceHit& hit, const TruthSettings& settings, std::
 /// them.
 class TileIntegrator {
   public:
-    TileIntegrator(const EmbreeScene& scene, const CameraFrame& frame, const std::vector<TruthQuery>& queries,
-                   const TruthSettings& settings, const PointSets& points, const CauseJudge& judge,
-                   double price = 0, bool rung_by_rung = false);
+    TileIntegrator(const ReachableScene& scene, const CameraFrame& frame,
+                   const std::vector<TruthQuery>& queries, const TruthSettings& settings,
+                   const PointSets& points, const CauseJudge& judge, double price = 0,
+                   bool rung_by_rung = false);
 
     /// All that the settings ask for, going on from `begun`, what is there of this very tile, queries and
     /// extras, where that gives the same state as tracing all of it; null: nothing is there.

@@ -12,6 +12,8 @@ struct TraceTriangle {
     double area() const {
         return glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0])) / 2;
     }
+    /// From a point to the nearest point of the triangle, which may be degenerate.
+    double distance(const glm::dvec3& point) const;
 };
 
 }  // namespace aoscore

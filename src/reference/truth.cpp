@@ -4,9 +4,9 @@
 #include "core/interrupt.h"
 #include "core/progress.h"
 #include "core/threads.h"
-#include "reference/embree_scene.h"
 #include "reference/flush_denormals.h"
 #include "reference/pilot.h"
+#include "reference/scene_builds.h"
 #include "reference/tile.h"
 #include "reference/tile_integrator.h"
 #include "reference/tile_state.h"
@@ -19,8 +19,6 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <mutex>
-#include <optional>
 #include <span>
 #include <utility>
 
@@ -31,16 +29,38 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+PrimaryHits hits_in(const EmbreeScene& scene, const CameraFrame& frame) {
+    PrimaryHits found = empty_hits(frame.width(), frame.height());
+    const std::vector<Tile> tiles = tiles_of(frame.width(), frame.height());
+    parallel_for(tiles.size(), [&](std::size_t i) {
+        throw_if_interrupted();
+        const FlushDenormals flush;
+        const Tile& tile = tiles[i];
+        SurfaceHit hit;
+        for (int y = tile.y0; y < tile.y1; ++y) {
+            for (int x = tile.x0; x < tile.x1; ++x) find_surface(scene, frame, x, y, found, hit);
+        }
+    });
+    return found;
+}
+
+/// How far rays reach that serve all of them, metres.
+double longest_radius(const std::vector<TruthQuery>& queries) {
+    double radius_m = 0;
+    for (const TruthQuery& query : queries) radius_m = std::max(radius_m, query.radius_m);
+    return radius_m;
+}
+
 /// What all threads share while they trace one truth.
 struct TraceWork {
-    TraceWork(const EmbreeScene& scene, const CameraFrame& f, const std::vector<TruthQuery>& q,
-              const TruthSettings& s, PrimaryHits shown)
-        : embree(scene),
+    TraceWork(const ReachableScene& within_reach, const CameraFrame& f, const std::vector<TruthQuery>& q,
+              const TruthSettings& s)
+        : scene(within_reach),
           frame(f),
           queries(q),
           settings(s),
-          hits(std::move(shown)),
-          judge(scene, frame, hits),
+          hits(s.extras.causes || s.extras.one_layer_bound ? hits_in(scene.embree, frame) : PrimaryHits{}),
+          judge(scene.embree, frame, hits),
           points(s.points, SamplePlan(s).most()) {
         if (settings.mean_error > 0) {
             price = price_for_mean_error(settings.mean_error, tiles_of(frame.width(), frame.height()),
@@ -52,7 +72,7 @@ struct TraceWork {
         const FlushDenormals flush;
         TruthSettings rays_alone = settings;
         rays_alone.extras = {};
-        TileIntegrator integrator(embree, frame, queries, rays_alone, points, judge, at, true);
+        TileIntegrator integrator(scene, frame, queries, rays_alone, points, judge, at, true);
         const TileState state = integrator.trace(tile);
         const auto open = static_cast<std::size_t>(std::ranges::count(state.samples, 0u));
         return {integrator.rungs(), state.surfaces(), state.surfaces() - open};
@@ -62,7 +82,7 @@ struct TraceWork {
     GroupState trace(std::span<const Tile> tiles, const GroupState& begun, std::uint64_t& rays) const {
         const FlushDenormals flush;
         const auto start = std::chrono::steady_clock::now();
-        TileIntegrator integrator(embree, frame, queries, settings, points, judge, price);
+        TileIntegrator integrator(scene, frame, queries, settings, points, judge, price);
         GroupState state;
         for (std::size_t i = 0; i < tiles.size(); ++i) {
             throw_if_interrupted();
@@ -74,7 +94,7 @@ struct TraceWork {
         return state;
     }
 
-    const EmbreeScene& embree;
+    const ReachableScene& scene;
     const CameraFrame& frame;
     const std::vector<TruthQuery>& queries;
     const TruthSettings& settings;
@@ -114,43 +134,13 @@ void check_truth_request(const std::vector<TruthQuery>& queries, const TruthSett
 }
 
 struct ReferenceScene::Impl {
-    Impl(const Scene& s, const TraceBuild& b) : build(b), scene(&s) {}
-
-    const EmbreeScene& embree() const {
-        std::call_once(once, [&] { built.emplace(*scene, build); });
-        return *built;
-    }
-
-    PrimaryHits hits(const CameraFrame& frame) const {
-        PrimaryHits found = empty_hits(frame.width(), frame.height());
-        const std::vector<Tile> tiles = tiles_of(frame.width(), frame.height());
-        const EmbreeScene& traced = embree();
-        parallel_for(tiles.size(), [&](std::size_t i) {
-            throw_if_interrupted();
-            const FlushDenormals flush;
-            const Tile& tile = tiles[i];
-            SurfaceHit hit;
-            for (int y = tile.y0; y < tile.y1; ++y) {
-                for (int x = tile.x0; x < tile.x1; ++x) find_surface(traced, frame, x, y, found, hit);
-            }
-        });
-        return found;
-    }
-
-    /// The whole picture where extras judge by it, else nothing.
-    PrimaryHits shown(const CameraFrame& frame, const TruthExtras& extras) const {
-        return extras.causes || extras.one_layer_bound ? hits(frame) : PrimaryHits{};
-    }
-
-    TraceBuild build;
-    const Scene* scene;  // only until it is built
-    mutable std::once_flag once;
-    mutable std::optional<EmbreeScene> built;
+    Impl(const Scene& scene, const TraceBuild& build) : builds(scene, build) {}
+    mutable SceneBuilds builds;
 };
 
 ReferenceScene::ReferenceScene(const Scene& scene, const TraceBuild& build)
     : ReferenceScene(std::make_unique<Impl>(scene, build)) {
-    impl_->embree();
+    impl_->builds.build_whole();
 }
 ReferenceScene::ReferenceScene(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 ReferenceScene ReferenceScene::built_when_needed(const Scene& scene, const TraceBuild& build) {
@@ -161,15 +151,15 @@ ReferenceScene::ReferenceScene(ReferenceScene&&) noexcept = default;
 ReferenceScene& ReferenceScene::operator=(ReferenceScene&&) noexcept = default;
 
 std::size_t ReferenceScene::peak_bytes() const {
-    return impl_->built ? impl_->built->peak_bytes() : 0;
+    return impl_->builds.peak_bytes();
 }
 
 const TraceBuild& ReferenceScene::build() const {
-    return impl_->build;
+    return impl_->builds.build();
 }
 
 PrimaryHits ReferenceScene::primary_hits(const CameraFrame& frame) const {
-    return impl_->hits(frame);
+    return hits_in(impl_->builds.reachable(frame, 0).embree, frame);
 }
 
 Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQuery>& queries,
@@ -189,7 +179,9 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
         count_samples(settings, truth);
         return truth;
     }
-    const TraceWork work(impl_->embree(), frame, queries, settings, impl_->shown(frame, settings.extras));
+    const ReachableScene scene = impl_->builds.reachable(frame, longest_radius(queries));
+    truth.left_out_triangles = scene.left_out_triangles;
+    const TraceWork work(scene, frame, queries, settings);
     Progress progress(what, wanted.size());
     std::atomic<std::uint64_t> rays{0};
     const auto start = std::chrono::steady_clock::now();
@@ -214,7 +206,8 @@ std::vector<GroupState> ReferenceScene::trace_groups(const CameraFrame& frame,
                                                      const TruthSettings& settings,
                                                      const std::vector<std::size_t>& numbers) const {
     check_truth_request(queries, settings);
-    const TraceWork work(impl_->embree(), frame, queries, settings, impl_->shown(frame, settings.extras));
+    const ReachableScene scene = impl_->builds.reachable(frame, longest_radius(queries));
+    const TraceWork work(scene, frame, queries, settings);
     const TileGroups groups(frame.width(), frame.height());
     std::vector<GroupState> states(numbers.size());
     parallel_for(numbers.size(), [&](std::size_t i) {

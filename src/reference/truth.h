@@ -138,7 +138,10 @@ struct Truth {
     std::uint64_t rays = 0;              ///< that all pixels got together
     std::uint64_t rays_now = 0;          ///< of these, traced in this very call: the others were kept
     std::uint64_t open_pixels = 0;       ///< proven open without a ray
-    double seconds = 0;                  ///< tracing only, that of kept tiles included
+    /// Over instances: out of reach of all that the camera sees, so that they were not built for tracing; 0
+    /// where nothing was built for it.
+    std::uint64_t left_out_triangles = 0;
+    double seconds = 0;  ///< tracing only, that of kept tiles included
 };
 
 class TileStore;
@@ -158,19 +161,24 @@ struct TraceBuild {
     /// Meshes used more than once are copied into scene space (faster to trace) while the scene has no more
     /// triangles than this; beyond it they stay instances (smaller).
     std::size_t baked_triangles_at_most = 2'000'000;
+    /// Where a scene is built when needed, instances that no ray of a picture can meet are left out: the same
+    /// bits, sooner.
+    bool leave_out_of_reach = true;
 };
 
-/// A scene built for Embree; builds once, serves any number of views. Keeps what it needs of `scene`.
+/// A scene built for Embree; serves any number of views, in any number of threads.
 class ReferenceScene {
   public:
+    /// Builds all of `scene` at once, and keeps what it needs of it.
     explicit ReferenceScene(const Scene& scene, const TraceBuild& build = {});
-    /// Builds when a ray is first wanted, which is never where a cache has all; `scene` must live until then.
+    /// Builds when rays are wanted, which is never where a cache has all, and for each picture no more than
+    /// its rays can meet; `scene` must live as long as this is used.
     static ReferenceScene built_when_needed(const Scene& scene, const TraceBuild& build = {});
     ~ReferenceScene();
     ReferenceScene(ReferenceScene&&) noexcept;
     ReferenceScene& operator=(ReferenceScene&&) noexcept;
 
-    /// The most memory Embree has held for this scene so far, bytes; 0 before it is built.
+    /// The most memory Embree has held for what is built of this scene, bytes; 0 before anything is.
     std::size_t peak_bytes() const;
     /// As it was laid out.
     const TraceBuild& build() const;

@@ -58,7 +58,7 @@ std::string truth_cost_text(const ViewRecord& view) {
     return text;
 }
 
-/// What was not traced, of all rays that the picture would have taken.
+/// What was not traced, of all rays that the picture would have taken, and what was not built for them.
 std::string savings_text(const ViewRecord& view) {
     const TruthSavings& saved = view.savings;
     const auto all = static_cast<double>(view.truth_rays) + static_cast<double>(saved.background_rays) +
@@ -66,13 +66,18 @@ std::string savings_text(const ViewRecord& view) {
     const auto share = [&](std::uint64_t rays) {
         return percent_text(ratio(static_cast<double>(rays), all), 1);
     };
-    return fmt::format(
+    std::string text = fmt::format(
         "{} % of the rays that {} for every pixel would be: {} % on pixels without surface, {} % on pixels "
         "proven open, "
         "{} % on pixels that were sure enough earlier; {} of {} tiles needed none",
         share(saved.background_rays + saved.open_rays + saved.converged_rays), count_text(saved.most_samples),
         share(saved.background_rays), share(saved.open_rays), share(saved.converged_rays),
         count_text(saved.untraced_tiles), count_text(saved.tiles));
+    if (saved.left_out_triangles > 0) {
+        text += fmt::format("; {} of {} triangles lay out of reach and were not built for tracing",
+                            count_text(saved.left_out_triangles), count_text(view.triangles));
+    }
+    return text;
 }
 
 /// All that the bits of a truth depend on beside scene, camera and radii, which have their own lines.

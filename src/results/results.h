@@ -51,12 +51,14 @@ struct CauseRecord {
 /// as the pixel that got most: those savings and ViewRecord::truth_rays add up to width x height x
 /// most_samples.
 struct TruthSavings {
-    std::uint64_t most_samples = 0;     ///< rays of the pixel that got most
-    std::uint64_t background_rays = 0;  ///< saved on pixels without surface
-    std::uint64_t open_rays = 0;        ///< saved on pixels proven open
-    std::uint64_t converged_rays = 0;   ///< saved on pixels that were sure enough earlier
-    std::uint64_t tiles = 0;            ///< of 8x8 pixels
-    std::uint64_t untraced_tiles = 0;   ///< of these, where no pixel needed a ray
+    std::uint64_t most_samples = 0;        ///< rays of the pixel that got most
+    std::uint64_t background_rays = 0;     ///< saved on pixels without surface
+    std::uint64_t open_rays = 0;           ///< saved on pixels proven open
+    std::uint64_t converged_rays = 0;      ///< saved on pixels that were sure enough earlier
+    std::uint64_t tiles = 0;               ///< of 8x8 pixels
+    std::uint64_t untraced_tiles = 0;      ///< of these, where no pixel needed a ray
+    std::uint64_t left_out_triangles = 0;  ///< out of reach of all that the camera sees, and so not built for
+                                           ///< tracing; 0 where nothing was built for this view
 };
 
 struct ViewRecord {

@@ -47,6 +47,7 @@ void visit_members(Visit& visit, Record& savings) {
     visit("converged_rays", savings.converged_rays);
     visit("tiles", savings.tiles);
     visit("untraced_tiles", savings.untraced_tiles);
+    visit("left_out_triangles", savings.left_out_triangles);
 }
 
 template <class Visit, RecordOf<ViewRecord> Record>

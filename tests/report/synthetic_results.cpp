@@ -63,6 +63,7 @@ ViewRecord view_record(const std::string& view) {
     record.integrator = 1;
     record.truth_command = "aoscore reference atrium --view " + view + " --seed 1 --out truth.exr";
     record.truth_rays = record.truth_rays_now = 1234567;
+    record.savings.left_out_triangles = 4321;
     record.gbuffer = {{10, 11, 12}, 11, 0.5};
     record.lighting = "Four lights";
     record.lighting_parameters = {{"lights", 4}};

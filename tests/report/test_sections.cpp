@@ -295,6 +295,7 @@ TEST(Measurement, NamesTruthMachineCommandAndWarnings) {
     EXPECT_THAT(views, HasSubstr("0.0310"));
     EXPECT_THAT(views, HasSubstr("alchemy, u 0.128 m, R infinite"));
     EXPECT_THAT(views, HasSubstr("2 disagree (0.010 %"));  // of 20336 - 300
+    EXPECT_THAT(views, HasSubstr("triangles lay out of reach and were not built for tracing"));
     EXPECT_THAT(model["machine"].dump(), HasSubstr("llvmpipe (synthetic)"));
 }
 
