@@ -1,11 +1,9 @@
 #include "reference/pilot.h"
 
-#include "core/sampling.h"
 #include "core/threads.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 namespace aoscore {
@@ -16,16 +14,6 @@ constexpr double kPilotPart = 1.0 / 64;
 constexpr std::size_t kLeastTiles = 256;
 /// Error falls about as N^-3/4.
 constexpr double kSamplesPerError = 4.0 / 3;
-
-std::vector<Tile> random_part(std::vector<Tile> tiles) {
-    const auto key = [](const Tile& tile) {
-        return mix_bits(static_cast<std::uint64_t>(tile.y0) << 32 | static_cast<std::uint32_t>(tile.x0));
-    };
-    std::sort(tiles.begin(), tiles.end(), [&](const Tile& a, const Tile& b) { return key(a) < key(b); });
-    const auto part = static_cast<std::size_t>(static_cast<double>(tiles.size()) * kPilotPart);
-    tiles.resize(std::min(tiles.size(), std::max(part, kLeastTiles)));
-    return tiles;
-}
 
 /// Prices at which a tile leaves its rungs, highest first.
 double price_of(const Rung& rung, const Ladder& ladder) {
@@ -64,8 +52,10 @@ double highest_price(const std::vector<Ladder>& ladders, double mean_error) {
 
 }  // namespace
 
-double price_for_mean_error(double mean_error, std::vector<Tile> tiles, const Climb& climb) {
-    tiles = random_part(std::move(tiles));
+double price_for_mean_error(double mean_error, int width, int height, const Climb& climb) {
+    const auto part =
+        static_cast<std::size_t>(kPilotPart * static_cast<double>(tiles_of(width, height).size()));
+    const std::vector<Tile> tiles = random_tiles(width, height, std::max(part, kLeastTiles));
     std::vector<Ladder> ladders(tiles.size());
     const auto climb_all = [&](double price) {
         parallel_for(tiles.size(), [&](std::size_t i) { ladders[i] = climb(tiles[i], price); });

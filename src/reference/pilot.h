@@ -26,6 +26,6 @@ using Climb = std::function<Ladder(const Tile& tile, double price)>;
 
 /// The price at which the mean standard error over a picture's surfaces comes to `mean_error`, from a random
 /// part of its tiles, always the same one: known to a few parts in a hundred for a large picture.
-double price_for_mean_error(double mean_error, std::vector<Tile> tiles, const Climb& climb);
+double price_for_mean_error(double mean_error, int width, int height, const Climb& climb);
 
 }  // namespace aoscore

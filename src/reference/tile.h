@@ -25,6 +25,9 @@ inline std::vector<Tile> tiles_of(int width, int height) {
     return tiles;
 }
 
+/// So many random tiles of a picture, all where it has fewer, always the same ones.
+std::vector<Tile> random_tiles(int width, int height, std::size_t count);
+
 /// Consecutive tiles that one thread does with the same buffers: enough to spare allocations, few enough to
 /// share the work evenly.
 inline std::size_t tiles_at_a_time(std::size_t tiles) {

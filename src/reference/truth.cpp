@@ -63,7 +63,7 @@ struct TraceWork {
           judge(scene.embree, frame, hits),
           points(s.points, SamplePlan(s).most()) {
         if (settings.mean_error > 0) {
-            price = price_for_mean_error(settings.mean_error, tiles_of(frame.width(), frame.height()),
+            price = price_for_mean_error(settings.mean_error, frame.width(), frame.height(),
                                          [&](const Tile& tile, double at) { return climb(tile, at); });
         }
     }

@@ -136,8 +136,9 @@ struct Truth {
     Image<std::uint32_t> sample_counts;  ///< rays of each pixel; 0 where none were needed
     int samples = 0;                     ///< rays a pixel with a surface (the mean, rounded, if they differ)
     std::uint64_t rays = 0;              ///< that all pixels got together
-    std::uint64_t rays_now = 0;          ///< of these, traced in this very call: the others were kept
-    std::uint64_t open_pixels = 0;       ///< proven open without a ray
+    std::uint64_t rays_now =
+        0;  ///< of these, traced in this very call for it (a pilot's for a mean error left out)
+    std::uint64_t open_pixels = 0;  ///< proven open without a ray
     /// Over instances: out of reach of all that the camera sees, so that they were not built for tracing; 0
     /// where nothing was built for it.
     std::uint64_t left_out_triangles = 0;

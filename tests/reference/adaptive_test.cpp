@@ -1,3 +1,4 @@
+#include "reference/benchmark/random_tiles.h"
 #include "reference/sample_plan.h"
 #include "reference/test_scenes.h"
 #include "reference/truth.h"
@@ -28,32 +29,46 @@ Truth accurate(const ReferenceScene& reference, const CameraFrame& frame) {
     return reference.trace(frame, kOneMetre, settings, "accurate");
 }
 
+/// Over the pixels with a surface of one or several truths.
+struct ErrorSums {
+    double bias = 0, squared = 0, stated = 0, pixels = 0;
+    void add(const Truth& truth, const Truth& exact) {
+        for (std::size_t i = 0; i < truth.hits.surface.size(); ++i) {
+            if (truth.hits.surface.pixels[i] == 0) continue;
+            const double error = truth.visibility[0].pixels[i] - exact.visibility[0].pixels[i];
+            bias += error;
+            squared += error * error;
+            stated += std::pow(truth.standard_error[0].pixels[i], 2);
+            ++pixels;
+        }
+    }
+    void expect_honest(double error) const {
+        EXPECT_LT(std::abs(bias / pixels), error / 10);
+        EXPECT_LT(std::sqrt(squared / stated), 1.1) << "stated errors are too small";
+    }
+};
+
 TEST(AdaptiveTracing, ReachesTheErrorInEveryPixelWithoutBias) {
     const ReferenceScene reference(testing::thicket());
     const CameraFrame frame(testing::looking({2, 2, 3}, {0, 0.5, 0}), 64, 48);
     const Truth exact = accurate(reference, frame);
     for (const double max_error : {0.02, 0.01}) {
         constexpr int kSeeds = 12;
-        double bias = 0, squared = 0, stated = 0, pixels = 0;
+        ErrorSums errors;
         for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
             const Truth truth = reference.trace(frame, kOneMetre, up_to(max_error, seed), "adaptive");
+            errors.add(truth, exact);
             float worst = 0;
             std::uint64_t rays = 0;
             for (std::size_t i = 0; i < truth.hits.surface.size(); ++i) {
                 if (truth.hits.surface.pixels[i] == 0) continue;
-                const double error = truth.visibility[0].pixels[i] - exact.visibility[0].pixels[i];
-                bias += error;
-                squared += error * error;
-                stated += std::pow(truth.standard_error[0].pixels[i], 2);
-                ++pixels;
                 worst = std::max(worst, truth.standard_error[0].pixels[i]);
                 rays += truth.sample_counts.pixels[i];
             }
             EXPECT_LE(worst, max_error);
             EXPECT_EQ(truth.rays, rays);
         }
-        EXPECT_LT(std::abs(bias / pixels), max_error / 10);
-        EXPECT_LT(std::sqrt(squared / stated), 1.1) << "stated errors are too small";
+        errors.expect_honest(max_error);
     }
 }
 
@@ -107,15 +122,6 @@ TEST(AdaptiveTracing, IsNotFooledByALuckyStart) {
     EXPECT_LT(std::sqrt(squared), kMaxError);
 }
 
-double mean_of_stated_errors(const Truth& truth) {
-    double sum = 0, pixels = 0;
-    for (std::size_t i = 0; i < truth.hits.surface.size(); ++i) {
-        sum += truth.standard_error[0].pixels[i];
-        pixels += truth.hits.surface.pixels[i];
-    }
-    return sum / pixels;
-}
-
 TEST(TracingToAMeanError, ReachesItWithFewerRaysThanTheSameForAll) {
     const ReferenceScene reference(testing::still_life());
     const CameraFrame frame(testing::looking({2, 2, 3}, {0, 0.6, 0}), 200, 150);
@@ -125,21 +131,13 @@ TEST(TracingToAMeanError, ReachesItWithFewerRaysThanTheSameForAll) {
         settings.samples = 16;
         settings.mean_error = mean_error;
         const Truth truth = reference.trace(frame, kOneMetre, settings, "mean");
-        EXPECT_NEAR(mean_of_stated_errors(truth), mean_error, 0.05 * mean_error);
-        double squared = 0, stated = 0, bias = 0, pixels = 0;
-        for (std::size_t i = 0; i < truth.hits.surface.size(); ++i) {
-            if (truth.hits.surface.pixels[i] == 0) continue;
-            const double error = truth.visibility[0].pixels[i] - exact.visibility[0].pixels[i];
-            bias += error;
-            squared += error * error;
-            stated += std::pow(truth.standard_error[0].pixels[i], 2);
-            ++pixels;
-        }
-        EXPECT_LT(std::sqrt(squared / stated), 1.1) << "stated errors are too small";
-        EXPECT_LT(std::abs(bias / pixels), mean_error / 10);
+        EXPECT_NEAR(mean_standard_error(truth), mean_error, 0.05 * mean_error);
+        ErrorSums errors;
+        errors.add(truth, exact);
+        errors.expect_honest(mean_error);
         settings.mean_error = 0;
         settings.samples = truth.samples;
-        EXPECT_GT(mean_of_stated_errors(reference.trace(frame, kOneMetre, settings, "even")),
+        EXPECT_GT(mean_standard_error(reference.trace(frame, kOneMetre, settings, "even")),
                   1.05 * mean_error);
     }
 }

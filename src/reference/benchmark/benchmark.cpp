@@ -97,7 +97,8 @@ void print_time_to_error(const ReferenceScene& reference, const EmbreeScene& emb
     const RandomTiles tiles(reference, frame, kPilotGroups);
     const std::vector<TruthQuery> query = binary(radius_m);
     const double target = benchmark.target_error;
-    const std::vector<Tile> some = random_tiles(frame, benchmark.tiles);
+    const std::vector<Tile> some =
+        random_tiles(frame.width(), frame.height(), static_cast<std::size_t>(benchmark.tiles));
     for (const auto& [name, settings] : {std::pair{"the same for all", even_settings(tiles, query, target)},
                                          std::pair{"--mean-error", mean_settings(target)}}) {
         const double rate = plain_rate(embree, frame, radius_m, benchmark.samples, some);

@@ -22,7 +22,7 @@ struct ReferenceBenchmark {
 /// independent samples; million rays a second against bare replays of the very same rays from memory; time to
 /// the target error against plain Monte Carlo with rtcOccluded1, and whether the stated error is the true
 /// one; time over pixels and over triangles. All ratios in one run; the baselines run on the stated random
-/// subset of tiles and get their rays for free.
+/// subset of tiles. Replays get their rays for free, plain Monte Carlo makes its own.
 void reference_benchmark(const Scene& scene, const View& view, const ReferenceBenchmark& benchmark);
 
 }  // namespace aoscore

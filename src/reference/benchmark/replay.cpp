@@ -146,18 +146,6 @@ std::vector<TruthQuery> queries_for(RayQuestion question, double radius_m) {
 
 }  // namespace
 
-std::vector<Tile> random_tiles(const CameraFrame& frame, int count) {
-    std::vector<Tile> all = tiles_of(frame.width(), frame.height());
-    std::sort(all.begin(), all.end(), [](const Tile& a, const Tile& b) {
-        const auto key = [](const Tile& t) {
-            return mix_bits(static_cast<std::uint64_t>(t.y0) << 32 | static_cast<std::uint32_t>(t.x0));
-        };
-        return key(a) < key(b);
-    });
-    all.resize(std::min(all.size(), static_cast<std::size_t>(count)));
-    return all;
-}
-
 double ReplayRates::best_plain() const {
     return std::max({single, pixel, block});
 }
@@ -165,7 +153,8 @@ double ReplayRates::best_plain() const {
 ReplayRates replay_rates(const EmbreeScene& scene, const CameraFrame& frame, double radius_m,
                          RayQuestion question, int samples, int tiles) {
     const PointSets points(PointKind::scrambled_sobol, samples);
-    const std::vector<Tile> all = random_tiles(frame, tiles);
+    const std::vector<Tile> all =
+        random_tiles(frame.width(), frame.height(), static_cast<std::size_t>(tiles));
     std::vector<RecordedTile> recorded(all.size());
     parallel_for(all.size(), [&](std::size_t i) {
         recorded[i] = record(scene, frame, all[i], points, samples, static_cast<float>(radius_m));

@@ -1,11 +1,9 @@
 #pragma once
 
 #include "reference/embree_scene.h"
-#include "reference/tile.h"
 #include "reference/truth.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace aoscore {
 
@@ -28,9 +26,6 @@ enum class RayQuestion {
     distance,   ///< what is hit first: rtcIntersect1 and rtcIntersect16, a truth of each falloff that has no
                 ///< parameter
 };
-
-/// Random tiles of a picture, always the same ones.
-std::vector<Tile> random_tiles(const CameraFrame& frame, int count);
 
 ReplayRates replay_rates(const EmbreeScene& scene, const CameraFrame& frame, double radius_m,
                          RayQuestion question, int samples, int tiles);
