@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <utility>
 
 namespace aoscore {
 namespace {
@@ -213,19 +212,28 @@ TraceTriangle EmbreeScene::triangle(const Placement& placement, unsigned index) 
 }
 
 std::vector<TraceTriangle> EmbreeScene::largest_triangles(std::size_t count) const {
-    std::vector<std::pair<double, TraceTriangle>> all;
+    struct Candidate {
+        double area;
+        TraceTriangle triangle;
+    };
+    const auto is_larger = [](const Candidate& a, const Candidate& b) { return a.area > b.area; };
+    std::vector<Candidate> heap;  // the smallest in front; a scene's triangles are too many to be copied
     for (const Placement& placement : placements_) {
         if (placement.is_instance || placement.geometry->material != nullptr) continue;
         for (unsigned i = 0; i < placement.geometry->triangle_count; ++i) {
             const TraceTriangle one = triangle(placement, i);
-            all.emplace_back(one.area(), one);
+            const double area = one.area();
+            if (heap.size() == count) {
+                if (area <= heap.front().area) continue;
+                std::ranges::pop_heap(heap, is_larger);
+                heap.pop_back();
+            }
+            heap.push_back({area, one});
+            std::ranges::push_heap(heap, is_larger);
         }
     }
-    count = std::min(count, all.size());
-    std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count), all.end(),
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<TraceTriangle> largest;
-    for (std::size_t i = 0; i < count; ++i) largest.push_back(all[i].second);
+    for (const Candidate& candidate : heap) largest.push_back(candidate.triangle);
     return largest;
 }
 
