@@ -22,19 +22,19 @@ namespace {
 struct Options {
     std::string name;
     std::string scene = "atrium";
-    std::string view;
+    ViewChoice view;
     std::vector<std::string> methods;
     std::filesystem::path methods_dir;
     std::filesystem::path results;
 };
 
 void bench_reference(const Options& options) {
-    const Scene scene = load_with_warnings(options.scene);
+    const Scene scene = load_with_warnings(options.scene, options.view.load);
     reference_benchmark(scene, one_view(scene, options.view), {});
 }
 
 void bench_methods(const Options& options, const GlobalOptions& global) {
-    const Scene scene = load_with_warnings(options.scene);
+    const Scene scene = load_with_warnings(options.scene, options.view.load);
     MethodsBenchmark benchmark;
     benchmark.seed = global.seed;
     benchmark.methods = options.methods;
@@ -86,7 +86,7 @@ CommandEntry add_bench_command(CLI::App& program, const GlobalOptions& global) {
         ->required()
         ->check(CLI::IsMember(names));
     app->add_option("scene", options->scene, "For methods, reference: a scene")->capture_default_str();
-    app->add_option("--view", options->view, "For methods, reference: a view of it [the first]");
+    add_view_options(*app, options->view);
     app->add_option("--methods", options->methods, "For methods: only these [all]")->delimiter(',');
     app->add_option("--methods-dir", options->methods_dir, "For methods: a folder of methods of your own");
     app->add_option("--results", options->results,

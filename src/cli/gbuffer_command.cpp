@@ -18,8 +18,10 @@ struct Options {
 };
 
 ExitCode run(const Options& options, const GlobalOptions& global) {
-    const Scene scene = load_with_warnings(options.choice.scene, {.albedo_textures = true});
-    const View& view = one_view(scene, options.choice.view);
+    LoadOptions load = options.choice.view.load;
+    load.albedo_textures = true;
+    const Scene scene = load_with_warnings(options.choice.scene, load);
+    const View view = one_view(scene, options.choice.view);
     const CameraFrame frame(view.camera, options.size.width, options.size.height);
     ScreenRenderer renderer;
     renderer.set_scene(scene);

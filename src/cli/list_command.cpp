@@ -2,8 +2,10 @@
 #include "cli/shared_options.h"
 #include "core/files.h"
 #include "experiment/plan.h"
+#include "experiment/view_description.h"
 #include "metrics/metric.h"
 #include "scene/scene.h"
+#include "scene/view_choice.h"
 #include "screen/method.h"
 
 #include <fmt/format.h>
@@ -19,6 +21,7 @@ namespace {
 struct Options {
     std::string what;
     std::string scene;
+    ViewChoice view;
     std::filesystem::path methods_dir;
 };
 
@@ -38,21 +41,28 @@ void list_scenes() {
     }
 }
 
-void list_views(const std::string& scene_name) {
-    std::vector<std::string> scenes;
-    if (!scene_name.empty()) {
-        scenes.push_back(scene_name);
-    } else {
-        for (const BuiltinScene& scene : builtin_scenes()) scenes.emplace_back(scene.id);
-    }
-    for (const std::string& name : scenes) {
-        const Scene scene = load_with_warnings(name);
+void list_builtin_views() {
+    for (const BuiltinScene& builtin : builtin_scenes()) {
+        const Scene scene = load_with_warnings(std::string(builtin.id));
         for (const View& view : scene.views) {
             const std::string radius = view.radius_m ? fmt::format(", ranked at {:g} m", *view.radius_m) : "";
             fmt::print("{:<24} {}{}{}\n", scene.id + "/" + view.id, view.source, radius,
                        view.note.empty() ? "" : ", " + view.note);
         }
     }
+}
+
+void list_views(const std::string& scene_name, const ViewChoice& choice) {
+    if (scene_name.empty()) return list_builtin_views();
+    const Scene scene = load_with_warnings(scene_name, choice.load);
+    std::vector<View> views;
+    for (const std::string& id : choice.views.empty() ? std::vector<std::string>{"all"} : choice.views) {
+        for (View& view : choose_views(scene, id)) views.push_back(std::move(view));
+    }
+    for (const View& view : views) {
+        log_info(fmt::format("{}: from {}{}", view.id, view.source, view.note.empty() ? "" : ", " + view.note));
+    }
+    fmt::print("{}\n", view_file_text(scene, views));
 }
 
 void list_methods(const std::filesystem::path& methods_dir) {
@@ -87,7 +97,7 @@ void list_report_definitions() {
 ExitCode run(const Options& options) {
     const std::map<std::string, std::function<void()>> lists{
         {"scenes", list_scenes},
-        {"views", [&] { list_views(options.scene); }},
+        {"views", [&] { list_views(options.scene, options.view); }},
         {"methods", [&] { list_methods(options.methods_dir); }},
         {"metrics", list_metrics},
         {"reports", list_report_definitions},
@@ -104,7 +114,9 @@ CommandEntry add_list_command(CLI::App& program, const GlobalOptions&) {
     app->add_option("what", options->what, "scenes, views, methods, metrics or reports")
         ->required()
         ->check(CLI::IsMember({"scenes", "views", "methods", "metrics", "reports"}));
-    app->add_option("scene", options->scene, "For views: one scene [every built-in]");
+    app->add_option("scene", options->scene,
+                    "For views: one scene, whose views are printed as a view file [every built-in]");
+    add_view_options(*app, options->view);
     app->add_option("--methods-dir", options->methods_dir, "A folder of methods of your own");
     return {app, [options] { return run(*options); }};
 }

@@ -1,6 +1,7 @@
 #include "cli/outcome_options.h"
 
 #include "experiment/experiment.h"
+#include "experiment/view_description.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -68,7 +69,14 @@ ExitCode Outcome::conclude(const Results& results) {
     exports_.write(export_table(results, failures));
     for (const CellRecord& cell : results.cells)
         gates_.require_above_noise(noise_floor_of(results, cell), cell.view_key);
-    if (!all.failures.empty()) return ExitCode::gate_failed;
+    bool comparable = true;
+    for (const ViewRecord& view : results.views) {
+        const std::string reason = emptiness(view);
+        if (reason.empty()) continue;
+        comparable = false;
+        fmt::print(stderr, "fail {}: {}\n", view.key, reason);
+    }
+    if (!all.failures.empty() || !comparable) return ExitCode::gate_failed;
     return failed_cells(results) > 0 ? ExitCode::cells_failed : all.exit_code();
 }
 

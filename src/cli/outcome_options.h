@@ -36,8 +36,8 @@ class Outcome {
     const std::shared_ptr<const Results>& baseline() const { return baseline_; }
 
     /// Writes the exports of a run, says on standard error which limits were tripped where, and returns the
-    /// exit code: a tripped --fail, then a failed cell, then a tripped --warn. A cell that failed has no
-    /// value and so trips every limit.
+    /// exit code: a tripped --fail or a view on which nothing can be compared, then a failed cell, then a
+    /// tripped --warn. A cell that failed has no value and so trips every limit.
     ExitCode conclude(const Results& results);
 
     /// Says which were tripped.

@@ -27,8 +27,8 @@ struct Options {
 };
 
 ExitCode run(const Options& options, const GlobalOptions& global) {
-    const Scene scene = load_with_warnings(options.choice.scene);
-    const View& view = one_view(scene, options.choice.view);
+    const Scene scene = load_with_warnings(options.choice.scene, options.choice.view.load);
+    const View view = one_view(scene, options.choice.view);
     std::vector<TruthQuery> queries;
     for (const double radius : options.radii) queries.push_back({Falloff::binary, radius, 0});
     if (queries.empty()) {
@@ -50,7 +50,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
                                            {scene_name(scene), view.id, global.command_line},
                                            fmt::format("truth {}/{}", scene.id, view.id));
     std::map<std::string, std::string> header = truth_provenance(
-        scene, traced, reference_command(scene, view.id, traced.made_for, options.out.string()));
+        scene, traced, reference_command(scene, view, traced.made_for, options.out.string()));
     header["aoscore:view"] = view.id;
     write_truth(options.out, traced.truth, traced.truth.hits.surface, header);
     fmt::print("{}\n", options.out.string());

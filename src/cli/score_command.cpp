@@ -45,14 +45,17 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     plan.truth_cache = options.truth_cache;
     ViewPlan view;
     view.scene = options.choice.scene;
-    view.view = options.choice.view;
+    view.load = options.choice.view.load;
     view.width = options.size.width;
     view.height = options.size.height;
     view.samples = options.effort.samples;
     view.max_error = options.effort.max_error;
     if (!options.radii.empty()) view.radius_m = options.radii[0];
     view.cells = plan_cells(chosen_methods(options), load_filters(), options.method_options, plan.warnings);
-    plan.views.push_back(std::move(view));
+    for (const std::string& id : planned_views(options.choice.view)) {
+        view.view = id;
+        shared_view(plan, view);
+    }
     const std::string stem = std::filesystem::path(options.choice.scene).stem().string();
     const std::filesystem::path folder =
         options.out.empty() ? home_dir() / "reports" / "out" / ("score-" + stem) : options.out;

@@ -1,6 +1,9 @@
 #include "cli/shared_options.h"
 
+#include "core/error.h"
 #include "reference/cache/truth_cache.h"
+#include "scene/view_choice.h"
+#include "scene/view_limits.h"
 
 #include <fmt/format.h>
 
@@ -27,6 +30,28 @@ double parse_radius(const std::string& text) {
                                    "\"" + text + "\" is no length in metres above 0, and not \"inf\"");
     }
     return value;
+}
+
+constexpr double kGivenFovy_deg = 60;
+
+glm::dvec3 parse_point(const char* option, const std::string& text) {
+    glm::dvec3 point;
+    const char *at = text.data(), *const end = text.data() + text.size();
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto [next, ec] = std::from_chars(at, end, point[axis]);
+        const bool is_last = axis == 2;
+        if (ec != std::errc() || !is_float32(point[axis]) || (is_last ? next != end : next == end || *next != ','))
+            throw CLI::ValidationError(option, "\"" + text + "\" is no point such as 1.5,2,-3 of float32 numbers");
+        at = next + 1;
+    }
+    return point;
+}
+
+/// A camera that looks straight up or down has the top of its picture at -z.
+void face_target(Camera& camera) {
+    const glm::dvec3 sight = camera.target - camera.position;
+    if (sight == glm::dvec3(0)) throw CLI::ValidationError("--target", "is where --eye is");
+    if (glm::length(glm::cross(glm::normalize(sight), camera.up)) < 1e-6) camera.up = {0, 0, -1};
 }
 
 }  // namespace
@@ -89,10 +114,46 @@ void add_extras_options(CLI::App& app, TruthExtras& extras) {
                  "in radians");
 }
 
+void add_view_options(CLI::App& app, ViewChoice& choice) {
+    CLI::Option* view =
+        app.add_option("--view", choice.views,
+                       "Views of the scene (see list views SCENE); file, nodes or auto: those of its view file, "
+                       "of its own cameras, automatic ones; all [those of the first of these that it has]")
+            ->delimiter(',')
+            ->allow_extra_args(false);
+    CLI::Option* file = app.add_option("--views", choice.load.view_file,
+                                       "A view file [NAME.views.json beside the scene NAME, or the one that "
+                                       "scenes/ has for it]")
+                            ->check(CLI::ExistingFile);
+    const auto camera = [&choice]() -> Camera& {
+        if (!choice.load.camera) choice.load.camera.emplace().fovy_rad = glm::radians(kGivenFovy_deg);
+        return *choice.load.camera;
+    };
+    CLI::Option* eye = app.add_option_function<std::string>(
+        "--eye", [camera](const std::string& text) { camera().position = parse_point("--eye", text); },
+        "A camera of your own stands there, in the scene's coordinates");
+    CLI::Option* target = app.add_option_function<std::string>(
+        "--target", [camera](const std::string& text) { camera().target = parse_point("--target", text); },
+        "What it looks at; +y is up");
+    CLI::Option* fovy = app.add_option_function<double>(
+        "--fovy", [camera](double degrees) { camera().fovy_rad = glm::radians(degrees); },
+        fmt::format("Its vertical angle of view in degrees [{:g}]", kGivenFovy_deg));
+    eye->type_name("X,Y,Z")->needs(target)->excludes(view)->excludes(file);
+    target->type_name("X,Y,Z")->needs(eye);
+    fovy->type_name("DEG")->check(CLI::Range(0.1, 179.0))->needs(eye);
+    app.final_callback([&choice] {
+        if (choice.load.camera) face_target(*choice.load.camera);
+    });
+}
+
+std::vector<std::string> planned_views(const ViewChoice& choice) {
+    return choice.views.empty() ? std::vector<std::string>{""} : choice.views;
+}
+
 void add_scene_options(CLI::App& app, SceneChoice& choice) {
     app.add_option("scene", choice.scene, "A built-in scene (see list scenes), or a .gltf or .glb file")
         ->required();
-    app.add_option("--view", choice.view, "One of the scene's views (see list views SCENE)");
+    add_view_options(app, choice.view);
 }
 
 Scene load_with_warnings(const std::string& name_or_path, const LoadOptions& options) {
@@ -101,14 +162,14 @@ Scene load_with_warnings(const std::string& name_or_path, const LoadOptions& opt
     return scene;
 }
 
-const View& one_view(const Scene& scene, const std::string& view_id) {
-    if (!view_id.empty()) return find_view(scene, view_id);
-    const View& first = scene.views.front();
-    if (scene.views.size() > 1) {
-        log_info(fmt::format("{} has {} views; taking {} (choose with --view)", scene.id, scene.views.size(),
-                             first.id));
+View one_view(const Scene& scene, const ViewChoice& choice) {
+    if (choice.views.size() > 1) throw usage_error("several views", "--view", "one");
+    const std::vector<View> views = choose_views(scene, planned_views(choice).front());
+    if (views.size() > 1) {
+        log_info(fmt::format("{} has {} such views; taking {} (choose with --view)", scene.id, views.size(),
+                             views.front().id));
     }
-    return first;
+    return views.front();
 }
 
 }  // namespace aoscore

@@ -37,10 +37,20 @@ void add_cache_option(CLI::App& app, std::filesystem::path& folder);
 /// --causes, --one-layer-bound and --bent-normals.
 void add_extras_options(CLI::App& app, TruthExtras& extras);
 
-/// SCENE as a positional and --view.
+/// Which of a scene's views, and cameras of the user's own.
+struct ViewChoice {
+    std::vector<std::string> views;  ///< as choose_views() takes them; none: the scene's views of one kind
+    LoadOptions load;                ///< with the view file and the camera that were given
+};
+/// --view, --views, --eye, --target and --fovy.
+void add_view_options(CLI::App& app, ViewChoice& choice);
+/// The choices of views, one for each plan: one empty one where none was made.
+std::vector<std::string> planned_views(const ViewChoice& choice);
+
+/// SCENE as a positional and the options of add_view_options().
 struct SceneChoice {
     std::string scene;
-    std::string view;  ///< empty: all of the scene's views, or the first where only one makes sense
+    ViewChoice view;
 };
 void add_scene_options(CLI::App& app, SceneChoice& choice);
 
@@ -48,6 +58,6 @@ void add_scene_options(CLI::App& app, SceneChoice& choice);
 Scene load_with_warnings(const std::string& name_or_path, const LoadOptions& options = {});
 
 /// The chosen view, or the scene's first (said on standard error where there are several).
-const View& one_view(const Scene& scene, const std::string& view_id);
+View one_view(const Scene& scene, const ViewChoice& choice);
 
 }  // namespace aoscore

@@ -16,7 +16,7 @@ namespace {
 
 struct Options {
     std::vector<std::string> scenes;
-    std::vector<std::string> views;
+    ViewChoice view;
     std::vector<std::string> methods;
     std::vector<std::string> axes;
     MethodOptions method_options;
@@ -81,11 +81,12 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     SweepPlan sweep;
     sweep.title = fmt::format("Sweep of {}", fmt::join(options.scenes, ", "));
     sweep.budget_ms = options.budget_ms;
-    const std::vector<std::string> views =
-        options.views.empty() ? std::vector<std::string>{""} : options.views;
+    if (options.scenes.size() > 1 && options.view.load != LoadOptions())
+        throw usage_error("several scenes", "--views, --eye", "one scene: a camera is a place in it");
+    view.load = options.view.load;
     for (const std::string& scene : options.scenes) {
         view.scene = scene;
-        for (const std::string& id : views) {
+        for (const std::string& id : planned_views(options.view)) {
             view.view = id;
             add_sweep(plan, view, request, sweep, registry);
         }
@@ -111,8 +112,7 @@ CommandEntry add_sweep_command(CLI::App& program, const GlobalOptions& global) {
            "scene", options->scenes,
            "Built-in scenes (see list scenes), or .gltf or .glb files; several have one front together")
         ->required();
-    app->add_option("--view", options->views, "Views of every scene (see list views SCENE) [all]")
-        ->delimiter(',');
+    add_view_options(*app, options->view);
     app->add_option("--methods", options->methods, "Methods to sweep (see list methods) [all]")
         ->delimiter(',');
     app->add_option("--vary", options->axes,

@@ -14,6 +14,7 @@
 #include "experiment/view_stock.h"
 #include "experiment/work_plan.h"
 #include "results/sweep_rows.h"
+#include "scene/view_choice.h"
 
 #include <fmt/format.h>
 
@@ -21,6 +22,7 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <utility>
 
 namespace aoscore {
 namespace {
@@ -32,14 +34,34 @@ struct PreparedView {
     const ViewPlan* plan;
     std::size_t plan_index;  ///< into ExperimentPlan::views
     std::shared_ptr<const Scene> scene;
-    const View* view;
+    View view;
     std::vector<ResolvedCell> cells;
+};
+
+/// The scenes of a plan, each read once.
+class PlannedScenes {
+  public:
+    std::shared_ptr<const Scene> of(const ViewPlan& plan) {
+        for (const auto& [reader, scene] : scenes_) {
+            if (reader->scene == plan.scene && reader->load == plan.load) return scene;
+        }
+        auto scene = std::make_shared<const Scene>(load_scene(plan.scene, plan.load));
+        for (const std::string& warning : scene->warnings) log_warning(scene->id + ": " + warning);
+        if (plan.view.empty()) {
+            if (const std::string left_out = left_out_text(*scene); !left_out.empty()) log_info(left_out);
+        }
+        scenes_.emplace_back(&plan, scene);
+        return scene;
+    }
+
+  private:
+    std::vector<std::pair<const ViewPlan*, std::shared_ptr<const Scene>>> scenes_;
 };
 
 // Looks up and loads everything before any work is done or file is written, so that a wrong name costs
 // nothing.
 std::vector<PreparedView> prepare(const ExperimentPlan& plan, const Registry& registry) {
-    std::map<std::string, std::shared_ptr<const Scene>> scenes;
+    PlannedScenes scenes;
     std::vector<std::vector<ResolvedCell>> cells;
     for (const ViewPlan& view : plan.views) {
         cells.emplace_back();
@@ -48,19 +70,10 @@ std::vector<PreparedView> prepare(const ExperimentPlan& plan, const Registry& re
     std::vector<PreparedView> prepared;
     for (std::size_t i = 0; i < plan.views.size(); ++i) {
         const ViewPlan& wanted = plan.views[i];
-        std::shared_ptr<const Scene>& scene = scenes[wanted.scene];
-        if (!scene) {
-            scene = std::make_shared<Scene>(load_scene(wanted.scene));
-            for (const std::string& warning : scene->warnings) log_warning(scene->id + ": " + warning);
-        }
-        const auto add = [&](const View& view) {
+        const std::shared_ptr<const Scene> scene = scenes.of(wanted);
+        for (View& view : choose_views(*scene, wanted.view)) {
             CameraFrame(view.camera, wanted.width, wanted.height);
-            prepared.push_back({&wanted, i, scene, &view, cells[i]});
-        };
-        if (wanted.view.empty()) {
-            for (const View& view : scene->views) add(view);
-        } else {
-            add(find_view(*scene, wanted.view));
+            prepared.push_back({&wanted, i, scene, std::move(view), cells[i]});
         }
     }
     // A scene is built once: its views one after the other.
@@ -78,7 +91,7 @@ std::vector<PreparedView> prepare(const ExperimentPlan& plan, const Registry& re
 
 // Names the view in the results. One view in two sizes is two entries.
 std::string view_key(const PreparedView& p, const std::vector<std::string>& taken) {
-    const std::string key = p.scene->id + "/" + p.view->id;
+    const std::string key = p.scene->id + "/" + p.view.id;
     const bool is_taken = std::find(taken.begin(), taken.end(), key) != taken.end();
     return is_taken ? fmt::format("{}@{}x{}", key, p.plan->width, p.plan->height) : key;
 }
@@ -151,8 +164,8 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
     std::vector<ViewStock> stocks;
     for (const PreparedView& p : prepared) {
         keys.push_back(view_key(p, keys));
-        frames.emplace(keys.back(), CameraFrame(p.view->camera, p.plan->width, p.plan->height));
-        runs.push_back({*p.scene, *p.view, tools, *p.plan, p.cells, registry.fixed_pass, registry.lighting,
+        frames.emplace(keys.back(), CameraFrame(p.view.camera, p.plan->width, p.plan->height));
+        runs.push_back({*p.scene, p.view, tools, *p.plan, p.cells, registry.fixed_pass, registry.lighting,
                         keys.back(), plan.seed, results.mask_threshold, plan.keep_gbuffer, plan.truth_cache,
                         plan.command, gbuffer_inputs_of(registry), folder});
         stocks.push_back(take_stock(runs.back(), store));

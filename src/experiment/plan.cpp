@@ -72,7 +72,7 @@ std::pair<int, int> read_size(StrictObject& object) {
 }
 
 bool same_picture(const ViewPlan& a, const ViewPlan& b) {
-    return a.scene == b.scene && a.view == b.view && a.width == b.width && a.height == b.height &&
+    return a.scene == b.scene && a.load == b.load && a.view == b.view && a.width == b.width && a.height == b.height &&
            a.radius_m == b.radius_m;
 }
 

@@ -4,6 +4,7 @@
 #include "experiment/timing.h"
 #include "reference/truth.h"
 #include "results/results.h"
+#include "scene/scene.h"
 
 #include <nlohmann/json.hpp>
 
@@ -40,7 +41,8 @@ struct CellPlan {
 /// One view of a scene and everything that is run on it.
 struct ViewPlan {
     std::string scene;  ///< built-in id or path of a glTF file
-    std::string view;   ///< empty: every view of the scene, one after the other
+    LoadOptions load;   ///< how it is read, and with which views
+    std::string view;   ///< as choose_views() takes it; of several views one after the other
     int width = 1920, height = 1080;
     double max_error = 0;  ///< 0, or the standard error every truth pixel is traced to
     int samples = 64;      ///< truth rays a pixel

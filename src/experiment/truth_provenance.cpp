@@ -53,15 +53,15 @@ std::map<std::string, std::string> truth_provenance(const Scene& scene, const Ca
             {"worldToNDC", matrix_text(frame.clip_from_view() * camera_from_world)}};
 }
 
-std::string reference_command(const Scene& scene, const std::string& view_id, const TruthRequest& traced,
+std::string reference_command(const Scene& scene, const View& view, const TruthRequest& traced,
                               const std::string& out) {
     const TruthSettings& settings = traced.settings;
     std::vector<std::string> radii;
     for (const TruthQuery& query : traced.queries) {
         radii.push_back(std::isfinite(query.radius_m) ? fmt::format("{}", query.radius_m) : "inf");
     }
-    std::string command = fmt::format("aoscore reference {} --view {} --size {}x{} --radius {} --samples {}",
-                                      shell_quoted(scene_name(scene)), shell_quoted(view_id), traced.width,
+    std::string command = fmt::format("aoscore reference {} {} --size {}x{} --radius {} --samples {}",
+                                      shell_quoted(scene_name(scene)), view.options, traced.width,
                                       traced.height, fmt::join(radii, ","), settings.samples);
     if (settings.max_error > 0) command += fmt::format(" --error {}", settings.max_error);
     if (settings.mean_error > 0) command += fmt::format(" --mean-error {}", settings.mean_error);

@@ -15,7 +15,7 @@ std::map<std::string, std::string> truth_provenance(const Scene& scene, const Ca
                                                     const std::string& command);
 
 /// The call of `aoscore reference` that traces this request again, into `out`. All queries must be binary.
-std::string reference_command(const Scene& scene, const std::string& view_id, const TruthRequest& traced,
+std::string reference_command(const Scene& scene, const View& view, const TruthRequest& traced,
                               const std::string& out);
 
 }  // namespace aoscore

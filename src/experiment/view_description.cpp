@@ -1,6 +1,12 @@
 #include "experiment/view_description.h"
 
+#include "results/view_piece.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <glm/glm.hpp>
+
+#include <algorithm>
 
 namespace aoscore {
 namespace {
@@ -38,6 +44,32 @@ ViewRecord describe_view(const Scene& scene, const View& view, const CameraFrame
     record.far_m = camera.far;
     record.warnings = scene.warnings;
     return record;
+}
+
+std::string emptiness(const ViewRecord& view) {
+    if (view.valid_pixels > 0) return "";
+    return view.surface_pixels == 0 ? "the camera sees no surface: there is nothing to compare"
+                                    : "ray tracer and rasteriser see the same surface through no pixel";
+}
+
+std::string view_file_text(const Scene& scene, const std::vector<View>& views) {
+    // Wide enough for what exporters round, narrow enough to tell scenes apart.
+    constexpr double kTolerance = 1e-3;
+    nlohmann::ordered_json file;
+    file["title"] = scene.id;
+    file["verified"] = std::ranges::all_of(views, [](const View& view) { return view.note.empty(); });
+    file["bounds"] = {{"low", numbers(scene.bounds.low + scene.origin)},
+                      {"high", numbers(scene.bounds.high + scene.origin)},
+                      {"tolerance_m", kTolerance * scene.bounds.diagonal()}};
+    std::vector<std::string> pieces;
+    for (const View& view : views) {
+        ViewRecord record = describe_view(scene, view, CameraFrame(view.camera, 16, 9), view.id);
+        record.radius_m = view.radius_m.value_or(0);
+        pieces.push_back("    " + view_piece(record).dump());
+    }
+    std::string text = file.dump(2);
+    text.erase(text.rfind('\n'));
+    return fmt::format("{},\n  \"views\": [\n{}\n  ]\n}}", text, fmt::join(pieces, ",\n"));
 }
 
 }  // namespace aoscore

@@ -4,11 +4,18 @@
 #include "scene/scene.h"
 
 #include <string>
+#include <vector>
 
 namespace aoscore {
 
 /// The facts of a view that are known before anything is rendered: scene, camera in world coordinates, size.
 ViewRecord describe_view(const Scene& scene, const View& view, const CameraFrame& frame,
                          const std::string& key);
+
+/// Why nothing can be compared on a view that was traced; empty where something can.
+std::string emptiness(const ViewRecord& view);
+
+/// These views of the scene as the text of a view file for it (see scenes/README.md).
+std::string view_file_text(const Scene& scene, const std::vector<View>& views);
 
 }  // namespace aoscore

@@ -7,6 +7,7 @@
 #include "experiment/timing.h"
 #include "experiment/truth_provenance.h"
 #include "experiment/truth_record.h"
+#include "experiment/view_description.h"
 #include "experiment/view_stock.h"
 #include "metrics/analysis.h"
 #include "metrics/evaluate.h"
@@ -84,7 +85,7 @@ void ViewMeasurement::obtain_truth() {
     again.queries = request.queries;
     std::erase_if(again.queries, [](const TruthQuery& query) { return query.falloff != Falloff::binary; });
     view_.truth_command =
-        reference_command(run_.scene, run_.view.id, again, file_name(run_.key) + "-truth.exr");
+        reference_command(run_.scene, run_.view, again, file_name(run_.key) + "-truth.exr");
     if (traced.made_for.settings.max_error > 0) view_.max_error = traced.made_for.settings.max_error;
 }
 
@@ -130,6 +131,7 @@ MetricMap ViewMeasurement::metrics_against(const TruthQuery& query, const ImageF
 
 void ViewMeasurement::measure(const ResolvedCell& cell, CellRecord& record) {
     trace();
+    if (view_.valid_pixels == 0 && contract_.kept()) throw Error(ExitCode::gate_failed, emptiness(view_));
     const bool filtered = cell.request.filter != nullptr;
     const MethodOutput output = run_.tools.ready_renderer().run(cell.request);
 

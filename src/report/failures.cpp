@@ -1,6 +1,7 @@
 #include "report/causes.h"
 #include "report/number_text.h"
 #include "report/section.h"
+#include "results/view_piece.h"
 
 #include <fmt/format.h>
 
@@ -59,7 +60,14 @@ json row_model(const CellRecord& cell, double widest) {
             {"false_width", css_percent(widest > 0 ? analysis.false_occlusion.area / widest : 0)}};
 }
 
-json region_model(const CellRecord& cell, const ErrorRegion& region) {
+/// A view of the region and as much around it, in a view file's words.
+std::string crop_text(const ViewRecord& view, const ErrorRegion& region) {
+    const PictureBox box{region.left - region.width / 2, region.top - region.height / 2, 2 * region.width,
+                         2 * region.height};
+    return crop_piece(view, box, fmt::format("{}_at_{}_{}", view.view, region.left, region.top)).dump();
+}
+
+json region_model(const ViewRecord& view, const CellRecord& cell, const ErrorRegion& region) {
     const std::string cause = cause_label(region.cause);
     return {{"kind", region.kind == "missing" ? "missing" : "false"},
             {"view", cell.view_key},
@@ -69,15 +77,16 @@ json region_model(const CellRecord& cell, const ErrorRegion& region) {
             {"mean", (region.mean_error > 0 ? "+" : "") + fixed_text(region.mean_error, 2)},
             {"area", count_text(region.area_px)},
             {"has_cause", !cause.empty()},
-            {"cause", cause}};
+            {"cause", cause},
+            {"crop", crop_text(view, region)}};
 }
 
-json regions_model(const CellRecord& cell) {
+json regions_model(const ViewRecord& view, const CellRecord& cell) {
     json regions = json::array();
     std::size_t missing = 0, others = 0;
     for (const ErrorRegion& region : cell.analysis->regions) {
         std::size_t& shown = region.kind == "missing" ? missing : others;
-        if (++shown <= kShownOfEach) regions.push_back(region_model(cell, region));
+        if (++shown <= kShownOfEach) regions.push_back(region_model(view, cell, region));
     }
     return regions;
 }
@@ -95,7 +104,7 @@ json view_model(const ViewRecord& view, const Results& results) {
     json rows = json::array(), methods = json::array();
     for (const CellRecord* cell : cells) {
         rows.push_back(row_model(*cell, widest));
-        json regions = regions_model(*cell);
+        json regions = regions_model(view, *cell);
         if (regions.empty()) continue;
         methods.push_back({{"method", shown_name(*cell)},
                            {"preset", cell->preset},

@@ -1,6 +1,7 @@
 #include "metrics/metric.h"
 #include "report/number_text.h"
 #include "report/section.h"
+#include "results/view_piece.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -116,7 +117,8 @@ json view_model(const ViewRecord& view, std::uint64_t seed) {
     return {{"key", view.key},
             {"facts", std::move(facts)},
             {"truths", std::move(truths)},
-            {"truth_command", view.truth_command}};
+            {"truth_command", view.truth_command},
+            {"piece", view_piece(view).dump()}};
 }
 
 json machine_facts(const Results& results) {

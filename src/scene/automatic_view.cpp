@@ -159,6 +159,7 @@ View automatic_view(const Scene& scene) {
     const RayProbe probe(scene);
     View view;
     view.id = "auto";
+    view.kind = View::Kind::automatic;
     view.source = "automatic";
     const bool inside = is_room(probe, scene.bounds.centre());
     view.camera = inside ? inside_camera(probe, scene.bounds) : outside_camera(scene.bounds);

@@ -23,6 +23,8 @@ struct Camera {
     double half_height = 1.0;      ///< orthographic: half the picture's height, metres, > 0
     double near = 0.1;             ///< metres, > 0
     double far = 1000.0;           ///< metres, > near, finite
+
+    bool operator==(const Camera&) const = default;
 };
 
 /// A camera for one image size: pixels, rays and matrices of it. Immutable.

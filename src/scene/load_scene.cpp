@@ -1,10 +1,13 @@
 #include "core/error.h"
+#include "core/shell.h"
 #include "scene/automatic_view.h"
+#include "scene/depth_range.h"
 #include "scene/gltf/load_gltf.h"
 #include "scene/scene.h"
 #include "scene/scene_bounds.h"
 #include "scene/scene_digest.h"
 #include "scene/view_file.h"
+#include "scene/view_limits.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,32 +26,100 @@ std::string box_text(const Bounds& b) {
                        b.high.x, b.high.y, b.high.z);
 }
 
-/// Puts the view file's views before the scene's own, where the scene is the one they were made for.
-void add_filed_views(Scene& scene) {
-    const fs::path path = view_file_path(scene.id);
-    if (!fs::exists(path)) return;
-    ViewFile file = read_view_file(path);
-    if (!bounds_match(file, scene.bounds)) {
-        scene.warnings.push_back(
-            fmt::format("{} is for a scene with bounds {}, this one has {}: its views are not used",
-                        file.views.front().source, box_text(file.bounds), box_text(scene.bounds)));
-        return;
+/// The view files that may be for this scene, the preferred one first.
+std::vector<fs::path> possible_view_files(const Scene& scene, const LoadOptions& options) {
+    if (!options.view_file.empty()) return {options.view_file};
+    std::vector<fs::path> paths;
+    if (!scene.file.empty()) paths.push_back(view_file_beside(scene.file));
+    paths.push_back(view_file_path(scene.id));
+    std::erase_if(paths, [](const fs::path& path) { return !fs::exists(path); });
+    return paths;
+}
+
+/// The views of the first file that is for these bounds. A file that the user names must be.
+std::vector<View> filed_views(Scene& scene, const LoadOptions& options) {
+    for (const fs::path& path : possible_view_files(scene, options)) {
+        ViewFile file = read_view_file(path);
+        const std::string& name = file.views.front().source;
+        if (bounds_match(file, scene.bounds)) {
+            for (const View& view : file.views) {
+                const std::string fault = view_fault(view.camera, scene.bounds);
+                if (!fault.empty()) throw file_error(fault, fmt::format("{}: {}", name, view.id));
+            }
+            return std::move(file.views);
+        }
+        const std::string mismatch = fmt::format("is for a scene with bounds {}, this one has {}",
+                                                 box_text(file.bounds), box_text(scene.bounds));
+        if (!options.view_file.empty()) throw file_error(mismatch, name);
+        scene.warnings.push_back(fmt::format("{} {}: its views are not used", name, mismatch));
     }
+    return {};
+}
+
+/// Cameras of the scene's file that can be used, under ids that `views` does not have.
+void add_node_views(Scene& scene, std::vector<View>& views) {
     std::set<std::string> taken;
-    for (const View& view : file.views) taken.insert(view.id);
+    for (const View& view : views) taken.insert(view.id);
     for (View& view : scene.views) {
+        const std::string fault = view_fault(view.camera, scene.bounds);
+        if (!fault.empty()) {
+            scene.warnings.push_back(fmt::format("{} is left out: {}", view.source, fault));
+            continue;
+        }
         const std::string id = view.id;
         for (int n = 2; !taken.insert(view.id).second; ++n) view.id = fmt::format("{}_{}", id, n);
-        file.views.push_back(std::move(view));
+        views.push_back(std::move(view));
     }
-    scene.views = std::move(file.views);
+}
+
+std::string vector_words(const glm::dvec3& v) {
+    return fmt::format("{},{},{}", v.x, v.y, v.z);
+}
+
+/// The user's own camera as a view.
+View given_view(Camera camera, const Bounds& bounds) {
+    // Which surfaces are close is not known; that the target is what the camera looks at is.
+    constexpr double kNearPerDiagonal = 1e-3, kNearPerTarget = 1e-2;
+    const double stated_near = std::min(kNearPerDiagonal * bounds.diagonal(),
+                                        kNearPerTarget * glm::distance(camera.position, camera.target));
+    const DepthRange range = useful_depth_range(camera, bounds, stated_near, 0);
+    camera.near = range.near;
+    camera.far = range.far;
+    const std::string fault = view_fault(camera, bounds);
+    if (!fault.empty()) throw usage_error(fault, "--eye");
+    View view;
+    view.id = "eye";
+    view.camera = camera;
+    view.kind = View::Kind::given;
+    view.source = "the command line";
+    view.options =
+        fmt::format("--eye {} --target {} --fovy {}", vector_words(camera.position),
+                    vector_words(camera.target), glm::degrees(camera.fovy_rad));
+    return view;
+}
+
+/// All views but automatic ones, the preferred kinds first.
+std::vector<View> stated_views(Scene& scene, const LoadOptions& options) {
+    std::vector<View> views;
+    if (options.camera) views.push_back(given_view(*options.camera, scene.bounds));
+    for (View& view : filed_views(scene, options)) views.push_back(std::move(view));
+    add_node_views(scene, views);
+    return views;
+}
+
+void name_options(View& view, const LoadOptions& options) {
+    if (view.kind == View::Kind::given) return;
+    const bool is_named = view.kind == View::Kind::filed && !options.view_file.empty();
+    view.options = (is_named ? "--views " + shell_quoted(options.view_file.string()) + " " : "") + "--view " +
+                   shell_quoted(view.id);
 }
 
 /// What is the same for built-in scenes and files: views, origin, digest. Bounds are measured already.
-Scene finish(Scene scene) {
-    add_filed_views(scene);
+Scene finish(Scene scene, const LoadOptions& options) {
+    scene.views = stated_views(scene, options);
     move_origin(scene, suitable_origin(scene.bounds));
     if (scene.views.empty()) scene.views.push_back(automatic_view(scene));
+    for (View& view : scene.views) name_options(view, options);
     scene.digest = scene_digest(scene);
     return scene;
 }
@@ -67,7 +138,7 @@ Scene load_scene(const std::string& name_or_path, const LoadOptions& options) {
         Scene scene = builtin->generate();
         scene.id = name_or_path;
         measure_scene(scene, scene.id);
-        return finish(std::move(scene));
+        return finish(std::move(scene), options);
     }
     std::error_code ec;
     if (!fs::exists(name_or_path, ec)) {
@@ -80,7 +151,7 @@ Scene load_scene(const std::string& name_or_path, const LoadOptions& options) {
     }
     Scene scene = gltf::load_gltf(name_or_path, options);
     scene.id = fs::path(name_or_path).stem().string();
-    return finish(std::move(scene));
+    return finish(std::move(scene), options);
 }
 
 const View& find_view(const Scene& scene, std::string_view id) {

@@ -58,11 +58,22 @@ struct Bounds {
 
 /// A named fixed camera, with the radius that rankings use where nobody says another.
 struct View {
+    /// Where a view comes from, the preferred ones first: where nobody names a view, those of the first kind
+    /// that a scene has are taken (see choose_views()).
+    enum class Kind : std::uint8_t {
+        given,      ///< by the user, with --eye
+        filed,      ///< in a view file
+        node,       ///< a camera of the scene's file
+        automatic,  ///< of a scene that has none of these
+    };
+
     std::string id;
     Camera camera;
     std::optional<double> radius_m;  ///< the ranking's one AO radius in metres, as the view file states it
-    std::string source;              ///< "scenes/atrium/views.json", "camera node cam_wide" or "automatic"
-    std::string note;                ///< such as "unverified: …"; empty when there is nothing to say
+    Kind kind = Kind::filed;
+    std::string source;   ///< "scenes/atrium/views.json", "camera node cam_wide" or "automatic"
+    std::string note;     ///< such as "unverified: …"; empty when there is nothing to say
+    std::string options;  ///< the words that choose it on a command line: "--view wide"
 };
 
 /// A scene ready for both paths. All coordinates (instances, bounds, cameras) are relative to `origin`, which
@@ -74,7 +85,7 @@ struct Scene {
     std::vector<Material> materials;  ///< at least one
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
-    std::vector<View> views;            ///< the view file's, then the file's cameras, else one automatic
+    std::vector<View> views;            ///< by kind; automatic ones only where there is no other
     glm::dvec3 origin{0};               ///< world coordinates of this struct's zero
     Bounds bounds;                      ///< of all instances, relative to origin
     std::size_t triangle_count = 0;     ///< over instances
@@ -86,12 +97,19 @@ struct LoadOptions {
     /// Decode base-colour textures of opaque materials as well; without it only cut-outs are decoded, since
     /// occlusion needs no more.
     bool albedo_textures = false;
+    /// A view file to be used in place of those that are found; empty: those.
+    std::filesystem::path view_file;
+    /// A camera of the user's own, in world coordinates; near and far are chosen for the scene.
+    std::optional<Camera> camera;
+
+    bool operator==(const LoadOptions&) const = default;
 };
 
-/// A built-in scene by id, or a glTF 2.0 file (.gltf, .glb) by path. Views come from scenes/<id>/views.json
-/// where that exists for the id or for the file's stem, and from the file's cameras; one is automatic where
-/// there are neither. Throws usage_error for an unknown name (listing the known ones), file_error for a bad
-/// file.
+/// A built-in scene by id, or a glTF 2.0 file (.gltf, .glb) by path. Views come from the first view file that
+/// there is for these bounds: LoadOptions::view_file, NAME.views.json beside the file NAME.glb,
+/// scenes/<id>/views.json for the id or the file's stem; then from the file's cameras; one is automatic where
+/// there are none. Throws usage_error for an unknown name (listing the known ones) and for a camera that
+/// cannot be used on this scene, file_error for a bad file.
 Scene load_scene(const std::string& name_or_path, const LoadOptions& options = {});
 
 /// The view of that id. Throws usage_error listing the scene's views.

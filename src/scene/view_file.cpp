@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/strict_json.h"
+#include "scene/view_limits.h"
 
 #include <fmt/format.h>
 
@@ -17,16 +18,22 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kLargest = 1e12;  // metres; any coordinate
+constexpr double kLargest = 1e12;  // of what must be positive
+constexpr double kSmallest = std::numeric_limits<float>::min();
 
 glm::dvec3 vector_in(StrictObject& object, std::string_view key) {
     const std::vector<double> v = object.numbers(key, 3);
+    for (const double coordinate : v) {
+        if (!is_float32(coordinate))
+            throw file_error(fmt::format("holds {:g}", coordinate), object.where(key), "finite float32 numbers");
+    }
     return {v[0], v[1], v[2]};
 }
 
 double positive(StrictObject& object, std::string_view key, double highest = kLargest) {
     const double value = object.number(key, 0, highest);
-    if (value <= 0) throw file_error("is 0", object.where(key), "more than 0");
+    if (value < kSmallest)
+        throw file_error(fmt::format("is {:g}", value), object.where(key), "more than 0, a normal float32");
     return value;
 }
 
@@ -65,6 +72,10 @@ View read_view(StrictObject& object) {
 
 fs::path view_file_path(const std::string& id) {
     return home_dir() / "scenes" / id / "views.json";
+}
+
+fs::path view_file_beside(const fs::path& scene_file) {
+    return scene_file.parent_path() / (scene_file.stem().string() + ".views.json");
 }
 
 ViewFile read_view_file(const fs::path& path) {

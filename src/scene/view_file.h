@@ -29,6 +29,9 @@ struct ViewFile {
 /// Where the view file of a scene id or file stem would be.
 std::filesystem::path view_file_path(const std::string& id);
 
+/// Where that of a scene's own file would be: NAME.views.json beside NAME.glb.
+std::filesystem::path view_file_beside(const std::filesystem::path& scene_file);
+
 /// Reads a view file. Throws file_error with file and place for unknown keys, missing or impossible values,
 /// and ids that are there twice.
 ViewFile read_view_file(const std::filesystem::path& path);

@@ -87,6 +87,7 @@ std::vector<View> read_cameras(Document& document, const std::vector<PlacedNode>
         View view;
         view.id = view_id(node.name.empty() ? source.name : node.name, taken);
         view.camera = *camera;
+        view.kind = View::Kind::node;
         view.source = "camera node " + (node.name.empty() ? place : printable(node.name));
         views.push_back(std::move(view));
     }
