@@ -29,6 +29,16 @@ function(aoscore_room name)
     target_link_libraries(aoscore_${name} PUBLIC aoscore_options ${ROOM_ROOMS} ${ROOM_LIBRARIES})
 endfunction()
 
+#   aoscore_program(<name> ROOMS <rooms it may include>… LIBRARIES <external targets>…): all sources of this folder in one
+#   program.
+function(aoscore_program name)
+    cmake_parse_arguments(PROGRAM "" "" "ROOMS;LIBRARIES" ${ARGN})
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    add_executable(${name} ${sources})
+    list(TRANSFORM PROGRAM_ROOMS PREPEND aoscore_)
+    target_link_libraries(${name} PRIVATE aoscore_options ${PROGRAM_ROOMS} ${PROGRAM_LIBRARIES})
+endfunction()
+
 #   aoscore_test(<name> ROOMS <rooms under test>… LIBRARIES <external targets>…): all of tests/<name>/*.cpp in
 #   one program; each of its cases is a test of its own, in a folder of its own.
 function(aoscore_test name)

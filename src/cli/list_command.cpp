@@ -37,7 +37,7 @@ void list_scenes() {
         if (std::filesystem::exists(entry.path() / "views.json") && !builtin.contains(id)) known.insert(id);
     }
     for (const std::string& id : known) {
-        fmt::print("{:<20} views for your own {}.glb (see scenes/README.md)\n", id, id);
+        fmt::print("{:<20} views for your own {} file (see scenes/README.md)\n", id, id);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "reference/cache/truth_cache.h"
+#include "scene/scene_frame.h"
 #include "scene/view_choice.h"
 #include "scene/view_limits.h"
 
@@ -40,8 +41,10 @@ glm::dvec3 parse_point(const char* option, const std::string& text) {
     for (int axis = 0; axis < 3; ++axis) {
         const auto [next, ec] = std::from_chars(at, end, point[axis]);
         const bool is_last = axis == 2;
-        if (ec != std::errc() || !is_float32(point[axis]) || (is_last ? next != end : next == end || *next != ','))
-            throw CLI::ValidationError(option, "\"" + text + "\" is no point such as 1.5,2,-3 of float32 numbers");
+        if (ec != std::errc() || !is_float32(point[axis]) ||
+            (is_last ? next != end : next == end || *next != ','))
+            throw CLI::ValidationError(option,
+                                       "\"" + text + "\" is no point such as 1.5,2,-3 of float32 numbers");
         at = next + 1;
     }
     return point;
@@ -114,11 +117,37 @@ void add_extras_options(CLI::App& app, TruthExtras& extras) {
                  "in radians");
 }
 
+namespace {
+
+/// --unit and --up.
+void add_frame_options(CLI::App& app, LoadOptions& load) {
+    app.add_option_function<std::string>(
+           "--unit",
+           [&load](const std::string& text) {
+               load.metres_per_unit = parse_unit(text);
+               if (!load.metres_per_unit)
+                   throw CLI::ValidationError("--unit",
+                                              "\"" + text + "\" is no unit and no number of metres above 0");
+           },
+           "What a unit of the scene's file is: m, cm, mm, in, ft, km, or metres as a number [what the file "
+           "states; "
+           "where it states none, what its view file recognises, else m]")
+        ->type_name("UNIT");
+    app.add_option_function<std::string>(
+           "--up", [&load](const std::string& text) { load.up = text == "z" ? UpAxis::z : UpAxis::y; },
+           "Which axis of the scene's file is up [what the file states, else y]")
+        ->check(CLI::IsMember({"y", "z"}));
+}
+
+}  // namespace
+
 void add_view_options(CLI::App& app, ViewChoice& choice) {
+    add_frame_options(app, choice.load);
     CLI::Option* view =
-        app.add_option("--view", choice.views,
-                       "Views of the scene (see list views SCENE); file, nodes or auto: those of its view file, "
-                       "of its own cameras, automatic ones; all [those of the first of these that it has]")
+        app.add_option(
+               "--view", choice.views,
+               "Views of the scene (see list views SCENE); file, nodes or auto: those of its view file, "
+               "of its own cameras, automatic ones; all [those of the first of these that it has]")
             ->delimiter(',')
             ->allow_extra_args(false);
     CLI::Option* file = app.add_option("--views", choice.load.view_file,
@@ -151,7 +180,8 @@ std::vector<std::string> planned_views(const ViewChoice& choice) {
 }
 
 void add_scene_options(CLI::App& app, SceneChoice& choice) {
-    app.add_option("scene", choice.scene, "A built-in scene (see list scenes), or a .gltf or .glb file")
+    app.add_option("scene", choice.scene,
+                   "A built-in scene (see list scenes), or a .gltf, .glb, .obj, .fbx, .ply or .stl file")
         ->required();
     add_view_options(app, choice.view);
 }

@@ -42,7 +42,7 @@ struct ViewChoice {
     std::vector<std::string> views;  ///< as choose_views() takes them; none: the scene's views of one kind
     LoadOptions load;                ///< with the view file and the camera that were given
 };
-/// --view, --views, --eye, --target and --fovy.
+/// --view, --views, --eye, --target and --fovy; --unit and --up.
 void add_view_options(CLI::App& app, ViewChoice& choice);
 /// The choices of views, one for each plan: one empty one where none was made.
 std::vector<std::string> planned_views(const ViewChoice& choice);

@@ -81,7 +81,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     SweepPlan sweep;
     sweep.title = fmt::format("Sweep of {}", fmt::join(options.scenes, ", "));
     sweep.budget_ms = options.budget_ms;
-    if (options.scenes.size() > 1 && options.view.load != LoadOptions())
+    if (options.scenes.size() > 1 && (options.view.load.camera || !options.view.load.view_file.empty()))
         throw usage_error("several scenes", "--views, --eye", "one scene: a camera is a place in it");
     view.load = options.view.load;
     for (const std::string& scene : options.scenes) {
@@ -108,9 +108,8 @@ CommandEntry add_sweep_command(CLI::App& program, const GlobalOptions& global) {
     CLI::App* app = program.add_subcommand(
         "sweep", "Run time against error over parameters of methods; prints the page's path");
     const auto options = std::make_shared<Options>();
-    app->add_option(
-           "scene", options->scenes,
-           "Built-in scenes (see list scenes), or .gltf or .glb files; several have one front together")
+    app->add_option("scene", options->scenes,
+                    "Built-in scenes (see list scenes), or files of scenes; several have one front together")
         ->required();
     add_view_options(*app, options->view);
     app->add_option("--methods", options->methods, "Methods to sweep (see list methods) [all]")

@@ -2,10 +2,11 @@
 #include "core/shell.h"
 #include "scene/automatic_view.h"
 #include "scene/depth_range.h"
-#include "scene/gltf/load_gltf.h"
+#include "scene/load_file.h"
 #include "scene/scene.h"
 #include "scene/scene_bounds.h"
 #include "scene/scene_digest.h"
+#include "scene/scene_frame.h"
 #include "scene/view_file.h"
 #include "scene/view_limits.h"
 
@@ -21,6 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* kSceneFiles = "a .gltf, .glb, .obj, .fbx, .ply or .stl file";
+
 std::string box_text(const Bounds& b) {
     return fmt::format("({:.3f}, {:.3f}, {:.3f}) to ({:.3f}, {:.3f}, {:.3f})", b.low.x, b.low.y, b.low.z,
                        b.high.x, b.high.y, b.high.z);
@@ -33,7 +36,21 @@ std::vector<fs::path> possible_view_files(const Scene& scene, const LoadOptions&
     if (!scene.file.empty()) paths.push_back(view_file_beside(scene.file));
     paths.push_back(view_file_path(scene.id));
     std::erase_if(paths, [](const fs::path& path) { return !fs::exists(path); });
+    for (fs::path& path : view_files_of_stem(scene.id)) paths.push_back(std::move(path));
     return paths;
+}
+
+/// Takes the frame in which a view file knows the scene.
+void take_frame(Scene& scene, const SceneFrame& frame, const std::string& view_file) {
+    const bool is_turned = frame.y_up_from_file != glm::dmat3(1);
+    if (frame.metres_per_unit == 1 && !is_turned) return;
+    scene.warnings.push_back(
+        fmt::format("{} knows this scene at another {}: its coordinates are taken times {}{} (as --unit and "
+                    "--up can say)",
+                    view_file, is_turned ? "scale or lying on its side" : "scale", frame.metres_per_unit,
+                    is_turned ? ", and z is up" : ""));
+    apply_frame(scene, frame);
+    measure_scene(scene, scene.id);
 }
 
 /// The views of the first file that is for these bounds. A file that the user names must be.
@@ -41,7 +58,8 @@ std::vector<View> filed_views(Scene& scene, const LoadOptions& options) {
     for (const fs::path& path : possible_view_files(scene, options)) {
         ViewFile file = read_view_file(path);
         const std::string& name = file.views.front().source;
-        if (bounds_match(file, scene.bounds)) {
+        if (const auto frame = recognise(file, scene.bounds, !options.metres_per_unit, !options.up)) {
+            take_frame(scene, *frame, name);
             for (const View& view : file.views) {
                 const std::string fault = view_fault(view.camera, scene.bounds);
                 if (!fault.empty()) throw file_error(fault, fmt::format("{}: {}", name, view.id));
@@ -92,9 +110,8 @@ View given_view(Camera camera, const Bounds& bounds) {
     view.camera = camera;
     view.kind = View::Kind::given;
     view.source = "the command line";
-    view.options =
-        fmt::format("--eye {} --target {} --fovy {}", vector_words(camera.position),
-                    vector_words(camera.target), glm::degrees(camera.fovy_rad));
+    view.options = fmt::format("--eye {} --target {} --fovy {}", vector_words(camera.position),
+                               vector_words(camera.target), glm::degrees(camera.fovy_rad));
     return view;
 }
 
@@ -107,16 +124,21 @@ std::vector<View> stated_views(Scene& scene, const LoadOptions& options) {
     return views;
 }
 
+/// The words that choose the view on a command line, and those that read the scene as it is.
 void name_options(View& view, const LoadOptions& options) {
-    if (view.kind == View::Kind::given) return;
-    const bool is_named = view.kind == View::Kind::filed && !options.view_file.empty();
-    view.options = (is_named ? "--views " + shell_quoted(options.view_file.string()) + " " : "") + "--view " +
-                   shell_quoted(view.id);
+    if (view.kind != View::Kind::given) {
+        const bool is_named = view.kind == View::Kind::filed && !options.view_file.empty();
+        view.options = (is_named ? "--views " + shell_quoted(options.view_file.string()) + " " : "") +
+                       "--view " + shell_quoted(view.id);
+    }
+    if (options.metres_per_unit) view.options += " --unit " + unit_text(*options.metres_per_unit);
+    if (options.up) view.options += *options.up == UpAxis::y ? " --up y" : " --up z";
 }
 
 /// What is the same for built-in scenes and files: views, origin, digest. Bounds are measured already.
 Scene finish(Scene scene, const LoadOptions& options) {
     scene.views = stated_views(scene, options);
+    warn_of_unknown_unit(scene, options);
     move_origin(scene, suitable_origin(scene.bounds));
     if (scene.views.empty()) scene.views.push_back(automatic_view(scene));
     for (View& view : scene.views) name_options(view, options);
@@ -135,6 +157,8 @@ Scene load_scene(const std::string& name_or_path, const LoadOptions& options) {
     const auto builtin = std::find_if(builtins.begin(), builtins.end(),
                                       [&](const BuiltinScene& b) { return b.id == name_or_path; });
     if (builtin != builtins.end()) {
+        if (options.metres_per_unit || options.up)
+            throw usage_error("a built-in scene is in metres with y up", "--unit, --up", "for files");
         Scene scene = builtin->generate();
         scene.id = name_or_path;
         measure_scene(scene, scene.id);
@@ -142,14 +166,13 @@ Scene load_scene(const std::string& name_or_path, const LoadOptions& options) {
     }
     std::error_code ec;
     if (!fs::exists(name_or_path, ec)) {
-        if (looks_like_path(name_or_path))
-            throw file_error("no such file", name_or_path, "a .gltf or .glb file");
+        if (looks_like_path(name_or_path)) throw file_error("no such file", name_or_path, kSceneFiles);
         std::vector<std::string_view> ids;
         for (const BuiltinScene& b : builtins) ids.push_back(b.id);
         throw usage_error(fmt::format("no scene \"{}\"", name_or_path), "SCENE",
-                          fmt::format("{}; or a .gltf or .glb file", fmt::join(ids, ", ")));
+                          fmt::format("{}; or {}", fmt::join(ids, ", "), kSceneFiles));
     }
-    Scene scene = gltf::load_gltf(name_or_path, options);
+    Scene scene = load_file(name_or_path, options);
     scene.id = fs::path(name_or_path).stem().string();
     return finish(std::move(scene), options);
 }

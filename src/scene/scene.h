@@ -93,6 +93,9 @@ struct Scene {
     std::string digest;  ///< of everything that changes a picture: geometry, transforms, cut-outs
 };
 
+/// Which axis of a file's coordinates is up.
+enum class UpAxis : std::uint8_t { y, z };
+
 struct LoadOptions {
     /// Decode base-colour textures of opaque materials as well; without it only cut-outs are decoded, since
     /// occlusion needs no more.
@@ -102,12 +105,17 @@ struct LoadOptions {
     /// A camera of the user's own, in world coordinates; near and far are chosen for the scene.
     std::optional<Camera> camera;
 
+    /// Metres for one unit of the file; empty: what a view file recognises, else what the file states, else 1.
+    std::optional<double> metres_per_unit;
+    /// Which of the file's axes is up; empty: what a view file recognises, else what the file states, else y.
+    std::optional<UpAxis> up;
+
     bool operator==(const LoadOptions&) const = default;
 };
 
-/// A built-in scene by id, or a glTF 2.0 file (.gltf, .glb) by path. Views come from the first view file that
-/// there is for these bounds: LoadOptions::view_file, NAME.views.json beside the file NAME.glb,
-/// scenes/<id>/views.json for the id or the file's stem; then from the file's cameras; one is automatic where
+/// A built-in scene by id, or a file (.gltf, .glb, .obj, .fbx, .ply, .stl) by path. Views come from the first view
+/// file that there is for these bounds, which may also tell the file's unit: LoadOptions::view_file, NAME.views.json
+/// beside the file NAME.glb, scenes/<id>/views.json for the id, the file's stem or one of the view file's own; then from the file's cameras; one is automatic where
 /// there are none. Throws usage_error for an unknown name (listing the known ones) and for a camera that
 /// cannot be used on this scene, file_error for a bad file.
 Scene load_scene(const std::string& name_or_path, const LoadOptions& options = {});

@@ -7,10 +7,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <set>
+#include <utility>
 
 namespace aoscore {
 
@@ -25,7 +27,8 @@ glm::dvec3 vector_in(StrictObject& object, std::string_view key) {
     const std::vector<double> v = object.numbers(key, 3);
     for (const double coordinate : v) {
         if (!is_float32(coordinate))
-            throw file_error(fmt::format("holds {:g}", coordinate), object.where(key), "finite float32 numbers");
+            throw file_error(fmt::format("holds {:g}", coordinate), object.where(key),
+                             "finite float32 numbers");
     }
     return {v[0], v[1], v[2]};
 }
@@ -78,6 +81,23 @@ fs::path view_file_beside(const fs::path& scene_file) {
     return scene_file.parent_path() / (scene_file.stem().string() + ".views.json");
 }
 
+std::vector<fs::path> view_files_of_stem(const std::string& stem) {
+    std::vector<std::pair<double, fs::path>> found;
+    std::error_code ec;
+    for (fs::directory_iterator entry(home_dir() / "scenes", ec), end; !ec && entry != end;
+         entry.increment(ec)) {
+        const fs::path path = entry->path() / "views.json";
+        if (!fs::exists(path)) continue;
+        const ViewFile file = read_view_file(path);
+        if (std::find(file.stems.begin(), file.stems.end(), stem) != file.stems.end())
+            found.emplace_back(file.tolerance_m, path);
+    }
+    std::sort(found.begin(), found.end());
+    std::vector<fs::path> paths;
+    for (auto& [tolerance, path] : found) paths.push_back(std::move(path));
+    return paths;
+}
+
 ViewFile read_view_file(const fs::path& path) {
     const nlohmann::json json = parse_json_file(path);
     // Errors and reports name the file as users know it: from the project's root on.
@@ -90,6 +110,7 @@ ViewFile read_view_file(const fs::path& path) {
     if (!root.has("verified")) throw file_error("is missing", root.where("verified"), "true or false");
     const bool verified = root.boolean_or("verified", false);
     const std::string note = root.text_or("note", "");
+    file.stems = root.texts_or_empty("stems");
 
     StrictObject bounds = root.object("bounds");
     file.bounds.low = vector_in(bounds, "low");

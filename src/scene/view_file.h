@@ -11,16 +11,18 @@ namespace aoscore {
 /// The content of a view file, scenes/<id>/views.json: cameras by name for a scene that everybody has as the
 /// same file. Coordinates are the scene's own (before any change of origin).
 ///
-///     {"title": text, "verified": bool, "note": text (optional),
+///     {"title": text, "verified": bool, "note": text (optional), "stems": [text] (optional),
 ///      "bounds": {"low": [x, y, z], "high": [x, y, z], "tolerance_m": n},
 ///      "views": [{"id": text, "position": [x, y, z], "target": [x, y, z], "up": [x, y, z] (default 0, 1, 0),
 ///                 "fovy_deg": n or "half_height_m": n (orthographic), "near_m": n, "far_m": n,
 ///                 "radius_m": n (optional)}]}
 ///
-/// The bounds are those of the scene the views were made for. `verified` says whether somebody rendered the
-/// views with that very scene; views that nobody verified say so in View::note.
+/// `stems` are other names that the scene's file has where one gets it, without extension. The bounds are
+/// those of the scene the views were made for. `verified` says whether somebody rendered the views with that
+/// very scene; views that nobody verified say so in View::note.
 struct ViewFile {
     std::string title;
+    std::vector<std::string> stems;
     Bounds bounds;
     double tolerance_m = 0;
     std::vector<View> views;
@@ -31,6 +33,9 @@ std::filesystem::path view_file_path(const std::string& id);
 
 /// Where that of a scene's own file would be: NAME.views.json beside NAME.glb.
 std::filesystem::path view_file_beside(const std::filesystem::path& scene_file);
+
+/// Those of scenes/ that have this stem among theirs, the most exact bounds first.
+std::vector<std::filesystem::path> view_files_of_stem(const std::string& stem);
 
 /// Reads a view file. Throws file_error with file and place for unknown keys, missing or impossible values,
 /// and ids that are there twice.

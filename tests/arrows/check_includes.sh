@@ -39,6 +39,8 @@ only Imf results/
 only OpenEXR results/
 only OpenImageIO results/ scene/
 only tiny_gltf scene/
+only assimp/ importer/
+only tiny_obj_loader importer/
 
 [ "$failures" -eq 0 ] || exit 1
 echo "all includes follow the arrows"

@@ -57,18 +57,24 @@ int GltfFile::add_box(const glm::vec3& low, const glm::vec3& high) {
                      {"indices", add_accessor(indices, "SCALAR", 1)}});
 }
 
-int GltfFile::add_texture(const Image<glm::u8vec4>& texels, const nlohmann::json& sampler) {
+std::string png_bytes(const Image<glm::u8vec4>& texels) {
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
     png.width = static_cast<png_uint_32>(texels.width);
     png.height = static_cast<png_uint_32>(texels.height);
     png.format = PNG_FORMAT_RGBA;
-    std::vector<char> bytes(4096 + texels.size() * 8);
+    std::string bytes(4096 + texels.size() * 8, '\0');
     png_alloc_size_t size = bytes.size();
     if (png_image_write_to_memory(&png, bytes.data(), &size, 0, texels.pixels.data(), 0, nullptr) == 0) {
         throw std::runtime_error("PNG was not written");
     }
-    const int view = add_view(bytes.data(), size);
+    bytes.resize(size);
+    return bytes;
+}
+
+int GltfFile::add_texture(const Image<glm::u8vec4>& texels, const nlohmann::json& sampler) {
+    const std::string bytes = png_bytes(texels);
+    const int view = add_view(bytes.data(), bytes.size());
     document["images"].push_back({{"bufferView", view}, {"mimeType", "image/png"}});
     document["samplers"].push_back(sampler);
     document["textures"].push_back(

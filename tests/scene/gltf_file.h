@@ -62,6 +62,9 @@ class GltfFile {
     std::vector<char> buffer_;
 };
 
+/// A PNG file of these texels.
+std::string png_bytes(const Image<glm::u8vec4>& texels);
+
 /// The three corners of triangle `i` of an instance, in scene space.
 std::vector<glm::dvec3> corners(const Scene& scene, const Instance& instance, std::size_t i);
 /// Of all triangles of the scene, in order of instances.

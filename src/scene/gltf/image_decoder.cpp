@@ -67,8 +67,11 @@ glm::u8vec4 to_rgba(const std::uint8_t* pixel, int channels) {
     }
 }
 
-std::optional<Image<glm::u8vec4>> decode_other(const char* format, std::string_view bytes,
-                                               MemoryBudget& budget, std::string& reason) {
+}  // namespace
+
+std::optional<Image<glm::u8vec4>> decode_image_as(const char* format, std::string_view bytes,
+                                                  MemoryBudget& budget, std::string& reason) {
+    reason = "is broken";
     OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(format);
     OIIO::ImageSpec config, spec;
@@ -92,15 +95,13 @@ std::optional<Image<glm::u8vec4>> decode_other(const char* format, std::string_v
     return image;
 }
 
-}  // namespace
-
 std::optional<Image<glm::u8vec4>> decode_image(std::string_view bytes, MemoryBudget& budget,
                                                std::string& reason) {
     const std::string_view format = format_of(bytes);
     reason = format.empty() ? "is no PNG, JPEG or WebP" : "is broken";
     if (format.empty()) return std::nullopt;
     return format == "png" ? decode_png(bytes, budget, reason)
-                           : decode_other(format.data(), bytes, budget, reason);
+                           : decode_image_as(format.data(), bytes, budget, reason);
 }
 
 }  // namespace aoscore::gltf

@@ -18,4 +18,8 @@ namespace aoscore::gltf {
 std::optional<Image<glm::u8vec4>> decode_image(std::string_view bytes, MemoryBudget& budget,
                                                std::string& reason);
 
+/// The same for an image of another kind, by OpenImageIO's name of its reader, such as "targa".
+std::optional<Image<glm::u8vec4>> decode_image_as(const char* format, std::string_view bytes,
+                                                  MemoryBudget& budget, std::string& reason);
+
 }  // namespace aoscore::gltf

@@ -6,6 +6,7 @@
 #include "scene/gltf/materials.h"
 #include "scene/gltf/meshes.h"
 #include "scene/gltf/nodes.h"
+#include "scene/mesh_repair.h"
 #include "scene/scene_bounds.h"
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include "core/interrupt.h"
 #include "scene/gltf/accessors.h"
 #include "scene/gltf/primitive_topology.h"
-#include "scene/gltf/vertex_normals.h"
+#include "scene/mesh_repair.h"
 
 #include <fmt/format.h>
 #include <tiny_gltf.h>
@@ -103,13 +103,6 @@ glm::dvec3 recentre(Mesh& mesh) {
 }
 
 }  // namespace
-
-std::size_t drop_degenerate_triangles(Mesh& mesh) {
-    return std::erase_if(mesh.triangles, [&](const glm::uvec3& t) {
-        return triangle_normal(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]) ==
-               glm::dvec3(0.0);
-    });
-}
 
 std::vector<DecodedMesh> MeshReader::read(int mesh) {
     std::vector<DecodedMesh> decoded;

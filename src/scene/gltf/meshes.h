@@ -43,7 +43,4 @@ class MeshReader {
     std::vector<std::uint32_t> new_index_;  // of each old vertex while a primitive is read; kUnused else
 };
 
-/// Removes triangles without area. Returns how many there were.
-std::size_t drop_degenerate_triangles(Mesh& mesh);
-
 }  // namespace aoscore::gltf

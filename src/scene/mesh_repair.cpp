@@ -1,8 +1,8 @@
-#include "scene/gltf/vertex_normals.h"
+#include "scene/mesh_repair.h"
 
 #include <cmath>
 
-namespace aoscore::gltf {
+namespace aoscore {
 namespace {
 
 /// Zero when there is no direction.
@@ -12,6 +12,13 @@ glm::vec3 unit_or_zero(const glm::dvec3& v) {
 }
 
 }  // namespace
+
+std::size_t drop_degenerate_triangles(Mesh& mesh) {
+    return std::erase_if(mesh.triangles, [&](const glm::uvec3& t) {
+        return triangle_normal(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]) ==
+               glm::dvec3(0.0);
+    });
+}
 
 std::size_t repair_normals(Mesh& mesh) {
     std::size_t bad = 0;
@@ -40,4 +47,4 @@ std::size_t repair_normals(Mesh& mesh) {
     return bad;
 }
 
-}  // namespace aoscore::gltf
+}  // namespace aoscore

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "importer/import_job.h"
+#include "importer/surface_materials.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace aoscore::importer {
+
+/// The materials of an OBJ file's libraries, by name, added to the scene when a face first uses them.
+class MtlLibrary {
+  public:
+    /// Reads the libraries from the scene's folder; `names` is what follows each mtllib.
+    MtlLibrary(ImportJob& job, const std::vector<std::string>& names);
+
+    struct Used {
+        int material = 0;                   ///< into the scene's materials
+        std::optional<TextureUse> texture;  ///< that it samples
+    };
+    /// The material of that name; one of its own, with a warning, where there is none.
+    const Used& use(const std::string& name);
+
+    /// To be called after the last use().
+    void finish();
+
+  private:
+    void read(const std::string& library);
+    void distrust_opacity();
+
+    ImportJob& job_;
+    SurfaceMaterials materials_;
+    std::map<std::string, MaterialSource> sources_;
+    std::map<std::string, Used> used_;
+    std::set<std::string> unknown_;
+};
+
+}  // namespace aoscore::importer
