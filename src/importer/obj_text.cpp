@@ -28,18 +28,18 @@ std::string_view arguments_of(std::string_view statement, std::string_view keywo
     return trimmed(statement.substr(keyword.size()));
 }
 
-/// Whether a statement is of a kind that is numbers alone, and which characters those may have.
+/// Which characters a statement may have that must be right; nothing for another one. A normal that is no
+/// number is read as zero, and such normals are repaired later.
 std::string_view characters_of(std::string_view statement) {
-    constexpr std::string_view kReal = "0123456789+-.eE \t\r\f\v", kIndices = "0123456789+-/ \t\r\f\v";
-    for (const std::string_view keyword : {"v", "vn", "vt"}) {
-        if (!arguments_of(statement, keyword).empty()) return kReal;
-    }
-    return arguments_of(statement, "f").empty() ? std::string_view() : kIndices;
+    if (!arguments_of(statement, "v").empty()) return "0123456789+-.eE \t\r\f\v";
+    if (!arguments_of(statement, "f").empty()) return "0123456789+-/ \t\r\f\v";
+    return {};
 }
 
 void check_numbers(std::string_view statement, std::size_t line) {
     const std::string_view allowed = characters_of(statement);
-    const std::string_view numbers = statement.substr(statement.find_first_of(kBlank));
+    const std::string_view numbers =
+        statement.substr(std::min(statement.size(), statement.find_first_of(kBlank)));
     if (numbers.find_first_not_of(allowed) == numbers.npos) return;
     throw file_error("holds what is no finite number: " + gltf::printable(statement),
                      fmt::format("line {}", line), "decimal numbers");
@@ -68,6 +68,8 @@ class Statements {
         return std::min(text_.size(), text_.find('\n', from));
     }
     bool goes_on(std::size_t start, std::size_t end) {
+        const std::size_t first = text_.find_first_not_of(kBlank, start);
+        if (end == start || text_[first] == '#') return false;
         const std::size_t last = text_.find_last_not_of(kBlank, end - 1);
         if (last == text_.npos || last < start || text_[last] != '\\') return false;
         std::fill(text_.begin() + static_cast<long>(last), text_.begin() + static_cast<long>(end) + 1, ' ');
