@@ -72,6 +72,8 @@ TEST(SceneFrame, OfTheCommandLineHoldsForEveryFormat) {
     LoadOptions options;
     options.metres_per_unit = 0.001;
     options.up = UpAxis::z;
+    options.camera.emplace().position = {5, 5, 5};
+    options.camera->target = {0, 1, 0};
     aoscore::testing::GltfFile gltf;
     gltf.add_box({0, 0, 0}, {1000, 2000, 3000});
     gltf.add_node({{"mesh", 0}});
