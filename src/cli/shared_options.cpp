@@ -1,8 +1,7 @@
 #include "cli/shared_options.h"
 
 #include "core/error.h"
-#include "reference/cache/truth_cache.h"
-#include "scene/view_choice.h"
+#include "experiment/scene_views.h"
 #include "scene/view_limits.h"
 
 #include <fmt/format.h>
@@ -40,8 +39,10 @@ glm::dvec3 parse_point(const char* option, const std::string& text) {
     for (int axis = 0; axis < 3; ++axis) {
         const auto [next, ec] = std::from_chars(at, end, point[axis]);
         const bool is_last = axis == 2;
-        if (ec != std::errc() || !is_float32(point[axis]) || (is_last ? next != end : next == end || *next != ','))
-            throw CLI::ValidationError(option, "\"" + text + "\" is no point such as 1.5,2,-3 of float32 numbers");
+        if (ec != std::errc() || !is_float32(point[axis]) ||
+            (is_last ? next != end : next == end || *next != ','))
+            throw CLI::ValidationError(option,
+                                       "\"" + text + "\" is no point such as 1.5,2,-3 of float32 numbers");
         at = next + 1;
     }
     return point;
@@ -116,9 +117,10 @@ void add_extras_options(CLI::App& app, TruthExtras& extras) {
 
 void add_view_options(CLI::App& app, ViewChoice& choice) {
     CLI::Option* view =
-        app.add_option("--view", choice.views,
-                       "Views of the scene (see list views SCENE); file, nodes or auto: those of its view file, "
-                       "of its own cameras, automatic ones; all [those of the first of these that it has]")
+        app.add_option(
+               "--view", choice.views,
+               "Views of the scene (see list views SCENE); file, nodes or auto: those of its view file, "
+               "of its own cameras, automatic ones; all [those of the first of these that it has]")
             ->delimiter(',')
             ->allow_extra_args(false);
     CLI::Option* file = app.add_option("--views", choice.load.view_file,
@@ -162,9 +164,12 @@ Scene load_with_warnings(const std::string& name_or_path, const LoadOptions& opt
     return scene;
 }
 
-View one_view(const Scene& scene, const ViewChoice& choice) {
+View one_view(const Scene& scene, const ViewChoice& choice, const ImageSize& size,
+              const std::filesystem::path& cache) {
     if (choice.views.size() > 1) throw usage_error("several views", "--view", "one");
-    const std::vector<View> views = choose_views(scene, planned_views(choice).front());
+    const std::vector<View> views =
+        wanted_views(scene, planned_views(choice).front(), static_cast<double>(size.width) / size.height,
+                     MeasurementStore(MeasurementStore::folder_in(cache)));
     if (views.size() > 1) {
         log_info(fmt::format("{} has {} such views; taking {} (choose with --view)", scene.id, views.size(),
                              views.front().id));

@@ -25,7 +25,8 @@ glm::dvec3 vector_in(StrictObject& object, std::string_view key) {
     const std::vector<double> v = object.numbers(key, 3);
     for (const double coordinate : v) {
         if (!is_float32(coordinate))
-            throw file_error(fmt::format("holds {:g}", coordinate), object.where(key), "finite float32 numbers");
+            throw file_error(fmt::format("holds {:g}", coordinate), object.where(key),
+                             "finite float32 numbers");
     }
     return {v[0], v[1], v[2]};
 }
