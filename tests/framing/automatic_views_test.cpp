@@ -143,7 +143,9 @@ TEST(AutomaticViews, OfFlatAndTinyShapesExist) {
         ASSERT_FALSE(views.empty()) << i;
         for (const View& view : views) EXPECT_NO_THROW(CameraFrame(view.camera, 16, 9)) << i;
         const bool has_area = i < 3 || i == 5;
-        if (has_area) { EXPECT_GT(coverage(scene, views.front()), 0.1) << i; }
+        if (has_area) {
+            EXPECT_GT(coverage(scene, views.front()), 0.1) << i;
+        }
     }
 }
 
