@@ -30,7 +30,7 @@ struct Options {
 
 void bench_reference(const Options& options) {
     const Scene scene = load_with_warnings(options.scene, options.view.load);
-    reference_benchmark(scene, one_view(scene, options.view), {});
+    reference_benchmark(scene, one_view(scene, options.view, {}), {});
 }
 
 void bench_methods(const Options& options, const GlobalOptions& global) {
@@ -39,7 +39,7 @@ void bench_methods(const Options& options, const GlobalOptions& global) {
     benchmark.seed = global.seed;
     benchmark.methods = options.methods;
     benchmark.methods_dir = options.methods_dir;
-    bench_methods(scene, one_view(scene, options.view), benchmark);
+    bench_methods(scene, one_view(scene, options.view, {}), benchmark);
 }
 
 void bench_metrics_and_page(const Options& options, const GlobalOptions& global) {

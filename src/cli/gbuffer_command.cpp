@@ -21,7 +21,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     LoadOptions load = options.choice.view.load;
     load.albedo_textures = true;
     const Scene scene = load_with_warnings(options.choice.scene, load);
-    const View view = one_view(scene, options.choice.view);
+    const View view = one_view(scene, options.choice.view, options.size);
     const CameraFrame frame(view.camera, options.size.width, options.size.height);
     ScreenRenderer renderer;
     renderer.set_scene(scene);

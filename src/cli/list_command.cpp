@@ -2,10 +2,10 @@
 #include "cli/shared_options.h"
 #include "core/files.h"
 #include "experiment/plan.h"
+#include "experiment/scene_views.h"
 #include "experiment/view_description.h"
 #include "metrics/metric.h"
 #include "scene/scene.h"
-#include "scene/view_choice.h"
 #include "screen/method.h"
 
 #include <fmt/format.h>
@@ -54,13 +54,16 @@ void list_builtin_views() {
 
 void list_views(const std::string& scene_name, const ViewChoice& choice) {
     if (scene_name.empty()) return list_builtin_views();
+    constexpr double kListedAspect = 16.0 / 9;
+    const MeasurementStore store(MeasurementStore::folder_in(default_cache_dir()));
     const Scene scene = load_with_warnings(scene_name, choice.load);
     std::vector<View> views;
     for (const std::string& id : choice.views.empty() ? std::vector<std::string>{"all"} : choice.views) {
-        for (View& view : choose_views(scene, id)) views.push_back(std::move(view));
+        for (View& view : wanted_views(scene, id, kListedAspect, store)) views.push_back(std::move(view));
     }
     for (const View& view : views) {
-        log_info(fmt::format("{}: from {}{}", view.id, view.source, view.note.empty() ? "" : ", " + view.note));
+        log_info(
+            fmt::format("{}: from {}{}", view.id, view.source, view.note.empty() ? "" : ", " + view.note));
     }
     fmt::print("{}\n", view_file_text(scene, views));
 }

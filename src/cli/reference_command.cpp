@@ -28,7 +28,7 @@ struct Options {
 
 ExitCode run(const Options& options, const GlobalOptions& global) {
     const Scene scene = load_with_warnings(options.choice.scene, options.choice.view.load);
-    const View view = one_view(scene, options.choice.view);
+    const View view = one_view(scene, options.choice.view, options.size, options.truth_cache);
     std::vector<TruthQuery> queries;
     for (const double radius : options.radii) queries.push_back({Falloff::binary, radius, 0});
     if (queries.empty()) {

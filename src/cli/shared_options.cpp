@@ -1,6 +1,7 @@
 #include "cli/shared_options.h"
 
 #include "core/error.h"
+#include "experiment/scene_views.h"
 #include "reference/cache/truth_cache.h"
 #include "scene/scene_frame.h"
 #include "scene/view_choice.h"
@@ -192,9 +193,12 @@ Scene load_with_warnings(const std::string& name_or_path, const LoadOptions& opt
     return scene;
 }
 
-View one_view(const Scene& scene, const ViewChoice& choice) {
+View one_view(const Scene& scene, const ViewChoice& choice, const ImageSize& size,
+              const std::filesystem::path& cache) {
     if (choice.views.size() > 1) throw usage_error("several views", "--view", "one");
-    const std::vector<View> views = choose_views(scene, planned_views(choice).front());
+    const std::vector<View> views =
+        wanted_views(scene, planned_views(choice).front(), static_cast<double>(size.width) / size.height,
+                     MeasurementStore(MeasurementStore::folder_in(cache)));
     if (views.size() > 1) {
         log_info(fmt::format("{} has {} such views; taking {} (choose with --view)", scene.id, views.size(),
                              views.front().id));

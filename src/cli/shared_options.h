@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/log.h"
+#include "reference/cache/truth_cache.h"
 #include "reference/truth.h"
 #include "scene/scene.h"
 
@@ -57,7 +58,8 @@ void add_scene_options(CLI::App& app, SceneChoice& choice);
 /// Loads the scene and prints its warnings.
 Scene load_with_warnings(const std::string& name_or_path, const LoadOptions& options = {});
 
-/// The chosen view, or the scene's first (said on standard error where there are several).
-View one_view(const Scene& scene, const ViewChoice& choice);
+/// The chosen view for pictures of this size, or the first (said on standard error where there are several).
+View one_view(const Scene& scene, const ViewChoice& choice, const ImageSize& size,
+              const std::filesystem::path& cache = default_cache_dir());
 
 }  // namespace aoscore

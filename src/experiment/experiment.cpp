@@ -10,6 +10,7 @@
 #include "experiment/claims/judge.h"
 #include "experiment/live_output.h"
 #include "experiment/rankings.h"
+#include "experiment/scene_views.h"
 #include "experiment/view_run.h"
 #include "experiment/view_stock.h"
 #include "experiment/work_plan.h"
@@ -22,6 +23,7 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <span>
 #include <utility>
 
 namespace aoscore {
@@ -60,7 +62,8 @@ class PlannedScenes {
 
 // Looks up and loads everything before any work is done or file is written, so that a wrong name costs
 // nothing.
-std::vector<PreparedView> prepare(const ExperimentPlan& plan, const Registry& registry) {
+std::vector<PreparedView> prepare(const ExperimentPlan& plan, const Registry& registry,
+                                  const MeasurementStore& store) {
     PlannedScenes scenes;
     std::vector<std::vector<ResolvedCell>> cells;
     for (const ViewPlan& view : plan.views) {
@@ -71,7 +74,8 @@ std::vector<PreparedView> prepare(const ExperimentPlan& plan, const Registry& re
     for (std::size_t i = 0; i < plan.views.size(); ++i) {
         const ViewPlan& wanted = plan.views[i];
         const std::shared_ptr<const Scene> scene = scenes.of(wanted);
-        for (View& view : choose_views(*scene, wanted.view)) {
+        const double aspect = static_cast<double>(wanted.width) / wanted.height;
+        for (View& view : wanted_views(*scene, wanted.view, aspect, store)) {
             CameraFrame(view.camera, wanted.width, wanted.height);
             prepared.push_back({&wanted, i, scene, std::move(view), cells[i]});
         }
@@ -138,7 +142,8 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
                        const std::function<void(const std::filesystem::path&)>& finish) {
     const auto start = std::chrono::steady_clock::now();
     const Registry registry = load_registry(plan.methods_dir);
-    const std::vector<PreparedView> prepared = prepare(plan, registry);
+    const MeasurementStore store(MeasurementStore::folder_in(plan.truth_cache));
+    const std::vector<PreparedView> prepared = prepare(plan, registry, store);
     const std::vector<ClaimList> claims = planned_claims(plan);
     // Opened before the work begins: a path that cannot be written fails at once.
     StagedFolder staged(target);
@@ -157,7 +162,6 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
     SceneTools tools;
     results.gl_renderer = tools.renderer().renderer();
     results.gl_version = tools.renderer().version();
-    const MeasurementStore store(MeasurementStore::folder_in(plan.truth_cache));
     std::map<std::string, CameraFrame> frames;
     std::vector<std::string> keys;
     std::vector<ViewRun> runs;
@@ -170,7 +174,8 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
                         plan.command, gbuffer_inputs_of(registry), folder});
         stocks.push_back(take_stock(runs.back(), store));
     }
-    log_info(plan_work(runs, stocks, store).text());
+    WorkPlan work = plan_work(runs, stocks, store);
+    log_info(work.text());
     CellIds cell_ids(plan.views.size());
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const ViewRun& run = runs[i];
@@ -183,6 +188,10 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
         ViewOutcome outcome = run_view(run, store, stocks[i]);
         const std::chrono::duration<double> view_time = std::chrono::steady_clock::now() - view_start;
         learn_pace(store, run, outcome, view_time.count());
+        if (!work.seconds && i + 1 < runs.size()) {
+            work = plan_work(std::span(runs).subspan(i + 1), std::span(stocks).subspan(i + 1), store);
+            if (work.seconds) log_info(work.rest_text());
+        }
         results.work.rays += outcome.rays;
         results.work.cells_measured += outcome.measured;
         results.work.cells_reused += run.cells.size() - outcome.measured;

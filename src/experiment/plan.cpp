@@ -72,8 +72,8 @@ std::pair<int, int> read_size(StrictObject& object) {
 }
 
 bool same_picture(const ViewPlan& a, const ViewPlan& b) {
-    return a.scene == b.scene && a.load == b.load && a.view == b.view && a.width == b.width && a.height == b.height &&
-           a.radius_m == b.radius_m;
+    return a.scene == b.scene && a.load == b.load && a.view == b.view && a.width == b.width &&
+           a.height == b.height && a.radius_m == b.radius_m;
 }
 
 void scale_size(ViewPlan& view, double scale) {

@@ -1,6 +1,7 @@
 #include "experiment/view_description.h"
 
 #include "results/view_piece.h"
+#include "scene/view_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -57,7 +58,8 @@ std::string view_file_text(const Scene& scene, const std::vector<View>& views) {
     constexpr double kTolerance = 1e-3;
     nlohmann::ordered_json file;
     file["title"] = scene.id;
-    file["verified"] = std::ranges::all_of(views, [](const View& view) { return view.note.empty(); });
+    file["verified"] =
+        std::ranges::none_of(views, [](const View& view) { return view.note.starts_with(kUnverified); });
     file["bounds"] = {{"low", numbers(scene.bounds.low + scene.origin)},
                       {"high", numbers(scene.bounds.high + scene.origin)},
                       {"tolerance_m", kTolerance * scene.bounds.diagonal()}};

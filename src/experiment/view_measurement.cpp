@@ -84,8 +84,7 @@ void ViewMeasurement::obtain_truth() {
     TruthRequest again = traced.made_for;
     again.queries = request.queries;
     std::erase_if(again.queries, [](const TruthQuery& query) { return query.falloff != Falloff::binary; });
-    view_.truth_command =
-        reference_command(run_.scene, run_.view, again, file_name(run_.key) + "-truth.exr");
+    view_.truth_command = reference_command(run_.scene, run_.view, again, file_name(run_.key) + "-truth.exr");
     if (traced.made_for.settings.max_error > 0) view_.max_error = traced.made_for.settings.max_error;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "core/log.h"
 #include "core/progress.h"
 #include "core/stopwatch.h"
 #include "experiment/cell_timing.h"
@@ -42,6 +43,7 @@ class Runner {
         if (!view_reused) make_view();
         measure_cells(measured_before);
         record_times(timed_before);
+        warn_of_small_radius();
         outcome_.rays = measurement_.rays();
         return std::move(outcome_);
     }
@@ -56,6 +58,19 @@ class Runner {
         outcome_.view.radius_m =
             ranking_radius(run_.plan.radius_m, run_.view, run_.scene, outcome_.view.warnings);
         for (const ResolvedCell& cell : run_.cells) outcome_.cells.push_back(describe_cell(cell));
+    }
+
+    // Who chose the camera himself knows what it shows.
+    void warn_of_small_radius() {
+        constexpr double kLeast_px = 15;
+        ViewRecord& view = outcome_.view;
+        const bool small = view.valid_pixels > 0 && view.radius_px_median < kLeast_px;
+        if (!small || run_.view.kind != View::Kind::automatic) return;
+        view.warnings.push_back(fmt::format(
+            "the radius is {:.1f} pixels in the median of this automatic view, fewer than {:g}: most "
+            "of what is compared lies at edges; a larger --size, or --eye from nearer by, shows more",
+            view.radius_px_median, kLeast_px));
+        log_warning(fmt::format("{}: {}", view.key, view.warnings.back()));
     }
 
     CellRecord describe_cell(const ResolvedCell& cell) const {

@@ -50,7 +50,12 @@ std::string WorkPlan::text() const {
     return text + (seconds ? ", about " + duration_text(*seconds) : std::string(", time not known yet"));
 }
 
-WorkPlan plan_work(const std::vector<ViewRun>& runs, const std::vector<ViewStock>& stocks,
+std::string WorkPlan::rest_text() const {
+    return fmt::format("{} more {}, about {}", views, views == 1 ? "view" : "views",
+                       duration_text(seconds.value_or(0)));
+}
+
+WorkPlan plan_work(std::span<const ViewRun> runs, std::span<const ViewStock> stocks,
                    const MeasurementStore& store) {
     WorkPlan plan;
     const std::optional<Pace> pace = find_pace(store);

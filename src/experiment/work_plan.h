@@ -4,8 +4,8 @@
 #include "experiment/view_stock.h"
 
 #include <optional>
+#include <span>
 #include <string>
-#include <vector>
 
 namespace aoscore {
 
@@ -17,9 +17,11 @@ struct WorkPlan {
 
     /// "80 cells on 2 views: 60 cells and 2 views measured before, 20 to do, about 3 min".
     std::string text() const;
+    /// "2 more views, about 3 min": of what follows views that were needed to know.
+    std::string rest_text() const;
 };
 
-WorkPlan plan_work(const std::vector<ViewRun>& runs, const std::vector<ViewStock>& stocks,
+WorkPlan plan_work(std::span<const ViewRun> runs, std::span<const ViewStock> stocks,
                    const MeasurementStore& store);
 
 /// Remembers how long a view took on this machine, for the next estimate.

@@ -61,6 +61,10 @@ glm::dmat3 cofactors(const glm::dmat3& m) {
     return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
 }
 
+bool mirrors(const glm::dmat4& m) {
+    return glm::determinant(glm::dmat3(m)) < 0;
+}
+
 /// The matrix that Embree gets: rounded to float32, then read back.
 glm::dmat4 rounded(const glm::dmat4& m) {
     return glm::dmat4(glm::mat4(m));
@@ -115,7 +119,7 @@ EmbreeScene::EmbreeScene(const Scene& scene, const TraceBuild& build, const std:
         const glm::dmat4 transform = to_trace_space * instance.scene_from_mesh;
         if (baked) {
             const TraceGeometry& geometry = add_triangles(scene_.get(), mesh, transform);
-            placements_.push_back({&geometry, glm::dmat4(1), false, number});
+            placements_.push_back({&geometry, glm::dmat4(1), false, number, mirrors(transform)});
             continue;
         }
         Shared& s = shared[index];
@@ -192,7 +196,7 @@ void EmbreeScene::add_instance(const TraceGeometry& geometry, RTCScene shared, c
     rtcCommitGeometry(handle.get());
     rtcAttachGeometry(scene_.get(), handle.get());
     check_embree(device_.get(), "adding an instance");
-    placements_.push_back({&geometry, rounded(transform), true, number});
+    placements_.push_back({&geometry, rounded(transform), true, number, mirrors(transform)});
 }
 
 RTCIntersectContext EmbreeScene::packet_context() const {
@@ -325,6 +329,7 @@ bool EmbreeScene::first_hit(const CameraFrame::Ray& ray, double near, double far
     if (hit.normal == glm::dvec3(0)) hit.normal = -glm::normalize(ray.direction);
     const double facing = glm::dot(hit.normal, ray.direction);
     if (facing > 0) hit.normal = -hit.normal;
+    hit.front = (facing > 0) == placement.mirrors;
 
     // The plane of the triangle in double precision puts the point exactly under the pixel; at grazing
     // angles, where that is ill-conditioned, the barycentric point stays inside the triangle.

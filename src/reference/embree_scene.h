@@ -34,6 +34,7 @@ struct SurfaceHit {
     glm::dvec3 normal;          ///< geometric, unit, turned to the camera
     glm::dvec3 shading_normal;  ///< smooth, unit, on the same side
     double depth = 0;           ///< view depth -z, metres
+    bool front = false;         ///< seen from the side that the triangle's winding calls the front (glTF 2.0)
     /// How far along the normal a ray must start so that rounding cannot make it meet the surface it leaves.
     double offset_m = 0;
 };
@@ -81,6 +82,7 @@ class EmbreeScene {
         glm::dmat4 trace_from_geometry{1.0};
         bool is_instance = false;
         std::size_t number = 0;  ///< of its instance in the Scene
+        bool mirrors = false;    ///< that instance turns the winding round (glTF 2.0, "Instantiation")
     };
     TraceTriangle triangle(const Placement& placement, unsigned index) const;
     /// Those that are solid, in trace space and no instance's: they can be asked for by themselves.

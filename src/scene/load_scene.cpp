@@ -1,6 +1,5 @@
 #include "core/error.h"
 #include "core/shell.h"
-#include "scene/automatic_view.h"
 #include "scene/depth_range.h"
 #include "scene/load_file.h"
 #include "scene/scene.h"
@@ -140,7 +139,6 @@ Scene finish(Scene scene, const LoadOptions& options) {
     scene.views = stated_views(scene, options);
     warn_of_unknown_unit(scene, options);
     move_origin(scene, suitable_origin(scene.bounds));
-    if (scene.views.empty()) scene.views.push_back(automatic_view(scene));
     for (View& view : scene.views) name_options(view, options);
     scene.digest = scene_digest(scene);
     return scene;
@@ -175,16 +173,6 @@ Scene load_scene(const std::string& name_or_path, const LoadOptions& options) {
     Scene scene = load_file(name_or_path, options);
     scene.id = fs::path(name_or_path).stem().string();
     return finish(std::move(scene), options);
-}
-
-const View& find_view(const Scene& scene, std::string_view id) {
-    std::vector<std::string_view> ids;
-    for (const View& view : scene.views) {
-        if (view.id == id) return view;
-        ids.push_back(view.id);
-    }
-    throw usage_error(fmt::format("scene {} has no view \"{}\"", scene.id, id), "--view",
-                      fmt::format("{}", fmt::join(ids, ", ")));
 }
 
 }  // namespace aoscore

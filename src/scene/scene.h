@@ -85,7 +85,7 @@ struct Scene {
     std::vector<Material> materials;  ///< at least one
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
-    std::vector<View> views;            ///< by kind; automatic ones only where there is no other
+    std::vector<View> views;            ///< by kind, the preferred ones first; none is automatic
     glm::dvec3 origin{0};               ///< world coordinates of this struct's zero
     Bounds bounds;                      ///< of all instances, relative to origin
     std::size_t triangle_count = 0;     ///< over instances
@@ -113,11 +113,12 @@ struct LoadOptions {
     bool operator==(const LoadOptions&) const = default;
 };
 
-/// A built-in scene by id, or a file (.gltf, .glb, .obj, .fbx, .ply, .stl) by path. Views come from the first view
-/// file that there is for these bounds, which may also tell the file's unit: LoadOptions::view_file, NAME.views.json
-/// beside the file NAME.glb, scenes/<id>/views.json for the id, the file's stem or one of the view file's own; then from the file's cameras; one is automatic where
-/// there are none. Throws usage_error for an unknown name (listing the known ones) and for a camera that
-/// cannot be used on this scene, file_error for a bad file.
+/// A built-in scene by id, or a file (.gltf, .glb, .obj, .fbx, .ply, .stl) by path. Views come from the first
+/// view file that there is for these bounds, which may also tell the file's unit: LoadOptions::view_file,
+/// NAME.views.json beside the file NAME.glb, scenes/<id>/views.json for the id, the file's stem or one of the
+/// view file's own; then from the file's cameras. None is automatic: the room framing makes those. Throws
+/// usage_error for an unknown name (listing the known ones) and for a camera that cannot be used on this
+/// scene, file_error for a bad file.
 Scene load_scene(const std::string& name_or_path, const LoadOptions& options = {});
 
 /// The view of that id. Throws usage_error listing the scene's views.

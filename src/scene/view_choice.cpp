@@ -3,6 +3,7 @@
 #include "core/error.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -14,35 +15,51 @@ namespace {
 constexpr std::array<std::pair<std::string_view, View::Kind>, 3> kKindWords{
     {{"file", View::Kind::filed}, {"nodes", View::Kind::node}, {"auto", View::Kind::automatic}}};
 
-std::vector<View> of_kind(const Scene& scene, View::Kind kind) {
-    std::vector<View> views;
-    std::ranges::copy_if(scene.views, std::back_inserter(views),
+std::vector<View> of_kind(const std::vector<View>& views, View::Kind kind) {
+    std::vector<View> chosen;
+    std::ranges::copy_if(views, std::back_inserter(chosen),
                          [&](const View& view) { return view.kind == kind; });
-    return views;
+    return chosen;
+}
+
+const View& named(std::string_view scene_id, const std::vector<View>& views, std::string_view id) {
+    std::vector<std::string_view> ids;
+    for (const View& view : views) {
+        if (view.id == id) return view;
+        ids.push_back(view.id);
+    }
+    throw usage_error(fmt::format("scene {} has no view \"{}\"", scene_id, id), "--view",
+                      fmt::format("{}", fmt::join(ids, ", ")));
 }
 
 }  // namespace
 
-std::vector<View> choose_views(const Scene& scene, std::string_view choice) {
-    if (choice.empty()) return of_kind(scene, scene.views.front().kind);
-    const bool is_id =
-        std::ranges::any_of(scene.views, [&](const View& view) { return view.id == choice; });
-    if (!is_id && choice == "all") return scene.views;
+const View& find_view(const Scene& scene, std::string_view id) {
+    return named(scene.id, scene.views, id);
+}
+
+std::vector<View> choose_views(std::string_view scene_id, const std::vector<View>& views,
+                               std::string_view choice) {
+    if (choice.empty() && !views.empty()) return of_kind(views, views.front().kind);
+    const bool is_id = std::ranges::any_of(views, [&](const View& view) { return view.id == choice; });
+    if (!is_id && choice == "all" && !views.empty()) return views;
     for (const auto& [word, kind] : kKindWords) {
         if (is_id || word != choice) continue;
-        std::vector<View> views = of_kind(scene, kind);
-        if (!views.empty()) return views;
+        std::vector<View> chosen = of_kind(views, kind);
+        if (!chosen.empty()) return chosen;
     }
-    return {find_view(scene, choice)};
+    return {named(scene_id, views, choice)};
 }
 
 std::string left_out_text(const Scene& scene) {
-    const std::size_t nodes = of_kind(scene, View::Kind::node).size();
-    const std::vector<View> taken = choose_views(scene, "");
+    const std::size_t nodes = of_kind(scene.views, View::Kind::node).size();
+    if (scene.views.empty()) return "";
+    const std::vector<View> taken = choose_views(scene.id, scene.views, "");
     if (taken.front().kind != View::Kind::filed || nodes == 0) return "";
-    return fmt::format("{}: taking {} {} of {}, not its {} camera {} (--view nodes for {}, --view all for all)",
-                       scene.id, taken.size(), taken.size() == 1 ? "view" : "views", taken.front().source, nodes,
-                       nodes == 1 ? "node" : "nodes", nodes == 1 ? "it" : "these");
+    return fmt::format(
+        "{}: taking {} {} of {}, not its {} camera {} (--view nodes for {}, --view all for all)", scene.id,
+        taken.size(), taken.size() == 1 ? "view" : "views", taken.front().source, nodes,
+        nodes == 1 ? "node" : "nodes", nodes == 1 ? "it" : "these");
 }
 
 }  // namespace aoscore

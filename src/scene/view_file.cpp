@@ -123,8 +123,9 @@ ViewFile read_view_file(const fs::path& path) {
         View view = read_view(object);
         if (!ids.insert(view.id).second) throw file_error("is there twice", object.where("id"), "unique ids");
         view.source = name;
-        view.note =
-            verified ? note : "unverified: " + (note.empty() ? "nobody rendered this view yet" : note);
+        if (!note.empty()) view.note = note;
+        if (!verified)
+            view.note = std::string(kUnverified) + (note.empty() ? "nobody rendered this view yet" : note);
         file.views.push_back(std::move(view));
     }
     if (file.views.empty()) throw file_error("is empty", root.where("views"), "at least one view");

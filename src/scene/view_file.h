@@ -4,9 +4,13 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace aoscore {
+
+/// What the note of a view begins with that nobody verified.
+inline constexpr std::string_view kUnverified = "unverified: ";
 
 /// The content of a view file, scenes/<id>/views.json: cameras by name for a scene that everybody has as the
 /// same file. Coordinates are the scene's own (before any change of origin).

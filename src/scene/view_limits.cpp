@@ -32,7 +32,8 @@ std::string view_fault(const Camera& camera, const Bounds& bounds) {
     const auto is_near = [&](const glm::dvec3& p) { return glm::distance(p, bounds.centre()) <= furthest; };
     if (!(diagonal > 0) || (is_near(camera.position) && is_near(camera.target))) return "";
     return fmt::format(
-        "its camera or target is {:.3g} m from the middle of the scene; at most {:g} times the scene's diagonal "
+        "its camera or target is {:.3g} m from the middle of the scene; at most {:g} times the scene's "
+        "diagonal "
         "are possible, {:.3g} m",
         std::max(glm::distance(camera.position, bounds.centre()),
                  glm::distance(camera.target, bounds.centre())),

@@ -39,8 +39,12 @@ void write_floor(const fs::path& file, const std::vector<std::vector<double>>& c
          {{{"buffer", 0}, {"byteLength", sizeof corners}},
           {{"buffer", 0}, {"byteOffset", sizeof corners}, {"byteLength", sizeof indices}}}},
         {"accessors",
-         {{{"bufferView", 0}, {"componentType", 5126}, {"count", 4}, {"type", "VEC3"},
-           {"min", {-2, 0, -2}}, {"max", {2, 0, 2}}},
+         {{{"bufferView", 0},
+           {"componentType", 5126},
+           {"count", 4},
+           {"type", "VEC3"},
+           {"min", {-2, 0, -2}},
+           {"max", {2, 0, 2}}},
           {{"bufferView", 1}, {"componentType", 5123}, {"count", 6}, {"type", "SCALAR"}}}},
         {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}}}, {"indices", 1}}}}}}},
         {"nodes", {{{"mesh", 0}}}},
@@ -59,8 +63,13 @@ json view_file(const std::vector<std::string>& ids) {
                  {"bounds", {{"low", {-2, 0, -2}}, {"high", {2, 0, 2}}, {"tolerance_m", 0.01}}},
                  {"views", json::array()}};
     for (const std::string& id : ids) {
-        file["views"].push_back({{"id", id}, {"position", {0, 3, 3}}, {"target", {0, 0, 0}},
-                                 {"fovy_deg", 50}, {"near_m", 0.1}, {"far_m", 20}, {"radius_m", 0.5}});
+        file["views"].push_back({{"id", id},
+                                 {"position", {0, 3, 3}},
+                                 {"target", {0, 0, 0}},
+                                 {"fovy_deg", 50},
+                                 {"near_m", 0.1},
+                                 {"far_m", 20},
+                                 {"radius_m", 0.5}});
     }
     return file;
 }
@@ -101,8 +110,8 @@ TEST(OwnViews, OfANamedFileReplaceThoseThatAreFound) {
     write_floor(folder / "floor.gltf");
     std::ofstream(folder / "floor.views.json") << view_file({"found"});
     std::ofstream(folder / "mine.json") << view_file({"mine"});
-    const auto run = run_aoscore(
-        "reference floor.gltf --views mine.json --size 48x32 --samples 4 --out t.exr", folder);
+    const auto run =
+        run_aoscore("reference floor.gltf --views mine.json --size 48x32 --samples 4 --out t.exr", folder);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const ImageFile truth = read_image(folder / "t.exr");
     EXPECT_EQ(truth.attributes.at("aoscore:view"), "mine");
@@ -139,7 +148,8 @@ TEST(OwnViews, OneOnTheCommandLineSeesWhatAFileWithItsNumbersShows) {
     EXPECT_EQ(a.channel("mask.Y")->pixels, b.channel("mask.Y")->pixels);
     EXPECT_EQ(a.attributes.at("worldToCamera"), b.attributes.at("worldToCamera"));
     EXPECT_THAT(a.attributes.at("comments"), HasSubstr(" --eye -0.5,2,2.5 --target 0,0,0.25 --fovy 40 "));
-    const auto down = run_aoscore("gbuffer floor.gltf --eye 0,4,0 --target 0,0,0 --size 8x8 --out d.exr", folder);
+    const auto down =
+        run_aoscore("gbuffer floor.gltf --eye 0,4,0 --target 0,0,0 --size 8x8 --out d.exr", folder);
     EXPECT_EQ(down.exit_code, 0) << "straight down: " << down.err;
 }
 
@@ -147,11 +157,13 @@ TEST(OwnViews, WithNumbersThatNoPictureCanBeMadeOfAreRefused) {
     const fs::path folder = output_dir();
     write_floor(folder / "floor.gltf");
     for (const char* camera :
-         {"--eye 1,2 --target 0,0,0", "--eye 1,2,3", "--target 1,2,3", "--fovy 40", "--eye 1,2,3 --target 1,2,3",
-          "--eye 1,2,x --target 0,0,0", "--eye 1,2,3, --target 0,0,0", "--eye nan,2,3 --target 0,0,0",
-          "--eye 1e39,2,3 --target 0,0,0", "--eye 3e38,2,3 --target 0,0,0", "--eye 1,2,3 --target 0,0,1e9",
-          "--eye 1,2,3 --target 0,0,0 --fovy 180", "--eye 1,2,3 --target 0,0,0 --view eye"}) {
-        const auto run = run_aoscore("gbuffer floor.gltf --size 8x8 --out g.exr " + std::string(camera), folder);
+         {"--eye 1,2 --target 0,0,0", "--eye 1,2,3", "--target 1,2,3", "--fovy 40",
+          "--eye 1,2,3 --target 1,2,3", "--eye 1,2,x --target 0,0,0", "--eye 1,2,3, --target 0,0,0",
+          "--eye nan,2,3 --target 0,0,0", "--eye 1e39,2,3 --target 0,0,0", "--eye 3e38,2,3 --target 0,0,0",
+          "--eye 1,2,3 --target 0,0,1e9", "--eye 1,2,3 --target 0,0,0 --fovy 180",
+          "--eye 1,2,3 --target 0,0,0 --view eye"}) {
+        const auto run =
+            run_aoscore("gbuffer floor.gltf --size 8x8 --out g.exr " + std::string(camera), folder);
         EXPECT_EQ(run.exit_code, 64) << camera << "\n" << run.err;
     }
     for (const double far_away : {-1e308, 1.8446744073709552e19, 3.5e38, 1e39, 1e9}) {
@@ -226,7 +238,8 @@ TEST(Score, OfACameraThatSeesNothingEndsWith2AndSaysSo) {
         EXPECT_THAT(run.err, HasSubstr("floor/eye: the camera sees no surface")) << when;
     }
     EXPECT_THAT(read_file(folder / "o/index.html"), HasSubstr("the camera sees no surface"));
-    const auto some = run_aoscore("score floor.gltf --eye 0,1,3 --target 0,0,0" + std::string(kQuick) + "p", folder);
+    const auto some =
+        run_aoscore("score floor.gltf --eye 0,1,3 --target 0,0,0" + std::string(kQuick) + "p", folder);
     EXPECT_EQ(some.exit_code, 0) << some.err;
     EXPECT_THAT(some.err, Not(HasSubstr("sees no surface")));
 }
