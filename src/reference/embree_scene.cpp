@@ -172,6 +172,7 @@ TraceGeometry& EmbreeScene::add_triangles(RTCScene target, const Mesh& mesh, con
     const Material& material = cutouts_.materials[static_cast<std::size_t>(mesh.material)];
     if (material.is_cutout()) {
         geometry.texcoords = mesh.texcoords;
+        geometry.alphas = mesh.alphas;
         geometry.material = &material;
         geometry.cutouts = &cutouts_;
         rtcSetGeometryUserData(handle.get(), &geometry);

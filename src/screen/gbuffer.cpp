@@ -103,6 +103,7 @@ const ShaderProgram& GBuffer::program(bool cutout) {
     if (found != programs_.end()) return found->second;
     const auto folder = home_dir() / "shaders" / "gbuffer";
     ShaderSource vertex, fragment;
+    vertex.add_block("(G-buffer's macros)", macros);
     vertex.add_file(folder / "scene.vert", folder);
     fragment.add_block("(G-buffer's macros)", macros);
     fragment.add_file(folder / "scene.frag", folder);

@@ -1,6 +1,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "scene/scene.h"
+#include "support/spoilt.h"
 #include "support/support.h"
 
 #include <gtest/gtest.h>
@@ -15,43 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Spoils a file in one of the ways in which files get spoiled.
-std::string mutate(std::string bytes, std::mt19937& random) {
-    const auto below = [&](std::size_t n) {
-        return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
-    };
-    const std::size_t edits = 1 + below(4);
-    for (std::size_t edit = 0; edit < edits && bytes.size() > 8; ++edit) {
-        const std::size_t at = below(bytes.size());
-        switch (below(6)) {
-            case 0:
-                bytes[at] = static_cast<char>(below(256));
-                break;
-            case 1:
-                bytes[at] = static_cast<char>(bytes[at] ^ (1 << below(8)));
-                break;
-            case 2:
-                bytes.resize(at);
-                break;
-            case 3:
-                bytes.erase(at, 1 + below(16));
-                break;
-            case 4:
-                bytes.insert(at, bytes.substr(below(bytes.size()), 1 + below(16)));
-                break;
-            default: {
-                // Numbers are where the meaning is: replace a digit by another, or by a few.
-                const std::size_t digit = bytes.find_first_of("0123456789", at);
-                if (digit != std::string::npos)
-                    bytes.replace(
-                        digit, 1,
-                        std::vector<std::string>{"0", "9", "-1", "4294967295", "1e9", "0.5"}[below(6)]);
-            }
-        }
-    }
-    return bytes;
-}
-
 TEST(MutatedFiles, LoadOrAreRefusedButNeverCrash) {
     REQUIRE_SHARED_INPUTS();
     const fs::path crafted = aoscore::testing::shared_dir() / "hostile" / "crafted";
@@ -65,7 +29,7 @@ TEST(MutatedFiles, LoadOrAreRefusedButNeverCrash) {
         for (int i = 0; i < 1200; ++i) {
             // A name of its own: a file system may wait for the disk when a file is written over.
             const fs::path file = folder / (std::to_string(i) + fs::path(seed).extension().string());
-            std::ofstream(file, std::ios::binary) << mutate(original, random);
+            std::ofstream(file, std::ios::binary) << aoscore::testing::spoilt(original, random);
             try {
                 const aoscore::Scene scene = aoscore::load_scene(file.string());
                 ASSERT_FALSE(scene.views.empty());

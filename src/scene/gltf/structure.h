@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,9 +26,14 @@ struct Counts {
 void check_structure(nlohmann::json& root, const std::string& where, std::vector<std::string>& warnings);
 
 /// Parts of check_structure(), each in a file of its own.
-void check_asset_and_extensions(CheckedObject& root, std::vector<std::string>& warnings);
+void check_asset_and_extensions(CheckedObject& root, const std::set<std::string>& carried,
+                                std::vector<std::string>& warnings);
 void check_buffers_and_accessors(CheckedObject& root, const Counts& counts,
                                  std::vector<std::string>& warnings);
+/// The members of EXT_meshopt_compression or KHR_meshopt_compression in a buffer view of `bytes`, where there
+/// are any.
+void check_compressed_view(CheckedObject& view, std::int64_t bytes,
+                           const std::vector<std::int64_t>& buffer_bytes);
 void check_meshes(CheckedObject& root, const Counts& counts, std::vector<std::string>& warnings);
 void check_nodes_and_scenes(CheckedObject& root, const Counts& counts, std::vector<std::string>& warnings);
 void check_cameras(CheckedObject& root, std::vector<std::string>& warnings);
