@@ -18,6 +18,11 @@ struct Counts {
         cameras, skins, scenes;
 };
 
+/// What all offsets, lengths and counts may be, so that no product of two below overflows 64 bits: a stride
+/// is at most 256.
+inline constexpr std::int64_t kMaxBytes = std::int64_t{1} << 40;
+inline constexpr std::int64_t kMaxCount = std::int64_t{1} << 32;
+
 /// Proves that the document is sound wherever this program or tinygltf reads it: types, ranges, indices, the
 /// extents of views and accessors. tinygltf itself checks little of that. Meaning that depends on the binary
 /// data (index values, positions) is checked where it is decoded. Throws file_error with the place; legal or

@@ -9,9 +9,6 @@
 namespace aoscore::gltf {
 namespace {
 
-/// As for buffer views: no product of two overflows 64 bits.
-constexpr std::int64_t kMaxBytes = std::int64_t{1} << 40;
-constexpr std::int64_t kMaxCount = std::int64_t{1} << 32;
 constexpr std::int64_t kMaxStride = 256;
 
 void check_layout(CheckedObject& compressed, const std::string& mode, const std::string& filter,

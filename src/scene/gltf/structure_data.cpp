@@ -7,11 +7,6 @@
 namespace aoscore::gltf {
 namespace {
 
-/// What all offsets, lengths and counts may be, so that no product of two below overflows 64 bits: a stride
-/// is at most 252.
-constexpr std::int64_t kMaxBytes = std::int64_t{1} << 40;
-constexpr std::int64_t kMaxCount = std::int64_t{1} << 32;
-
 struct ViewExtent {
     std::int64_t bytes = 0;
     std::int64_t stride = 0;  // 0: tightly packed

@@ -1,6 +1,7 @@
 #include "scene/gltf/vertex_reader.h"
 
 #include "core/error.h"
+#include "scene/cofactors.h"
 
 #include <fmt/format.h>
 #include <tiny_gltf.h>
@@ -11,11 +12,6 @@
 
 namespace aoscore::gltf {
 namespace {
-
-/// Takes normals along with `m`, up to length and sign; unlike the inverse it exists for every matrix.
-glm::dmat3 cofactors(const glm::dmat3& m) {
-    return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
-}
 
 bool is_finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
