@@ -1,4 +1,4 @@
-# Everything comes from Debian's packages; run.sh installs them (see setup/packages.txt).
+# Everything comes from Debian's packages; run.sh installs them (see .ci/packages.txt).
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(embree 3.13 REQUIRED)
@@ -8,6 +8,8 @@ find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(assimp 5.2 REQUIRED)
 find_package(TinyGLTF REQUIRED)
+find_package(draco REQUIRED)
+find_package(meshoptimizer REQUIRED)
 find_package(OpenEXR REQUIRED)
 find_package(TBB REQUIRED)
 find_package(PNG REQUIRED)

@@ -1,5 +1,5 @@
-// Base colour of a glTF material: factor x texture, level 0, bilinear, glTF's wrap modes. The twin of
-// scene/scene.h alpha_at(), step by step, so that both paths cut the same holes: change both or none.
+// Base colour of a glTF material: factor x texture, level 0, bilinear, glTF's wrap modes; its alpha x the vertices'. The
+// twin of scene/scene.h alpha_at(), step by step, so that both paths cut the same holes: change both or none.
 uniform sampler2D u_base_color_texture;
 uniform vec4 u_base_color_factor;
 uniform int u_has_texture;  // 0: the factor alone
@@ -48,12 +48,12 @@ BilinearTexels base_color_texels(vec2 uv) {
 float linear_mix(float a, float b, float f) { return a + (b - a) * f; }
 
 // In [0,1].
-float alpha_at(vec2 uv) {
-    if (u_has_texture == 0) return u_base_color_factor.a;
+float alpha_at(vec2 uv, float vertex_alpha) {
+    if (u_has_texture == 0) return u_base_color_factor.a * vertex_alpha;
     BilinearTexels b = base_color_texels(uv);
     vec4 bytes = round(255.0 * vec4(b.t00.a, b.t10.a, b.t01.a, b.t11.a));
     float top = linear_mix(bytes.x, bytes.y, b.fraction.x), bottom = linear_mix(bytes.z, bytes.w, b.fraction.x);
-    return linear_mix(top, bottom, b.fraction.y) / 255.0 * u_base_color_factor.a;
+    return linear_mix(top, bottom, b.fraction.y) / 255.0 * u_base_color_factor.a * vertex_alpha;
 }
 
 vec3 linear_of_srgb(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c)); }

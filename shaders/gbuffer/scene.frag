@@ -10,6 +10,9 @@ uniform float u_alpha_cutoff;
 
 in vec3 v_normal;
 in vec2 v_texcoord;
+#ifdef CUTOUT
+in float v_alpha;
+#endif
 
 layout(location = 0) out float o_linear_depth;
 #ifdef OUTPUT_NORMAL_GEOMETRIC
@@ -30,7 +33,7 @@ vec3 geometric_normal(vec3 view_ray) {
 
 void main() {
 #ifdef CUTOUT
-    if (alpha_at(v_texcoord) < u_alpha_cutoff) discard;
+    if (alpha_at(v_texcoord, v_alpha) < u_alpha_cutoff) discard;
 #endif
 #if ORTHOGRAPHIC
     float depth = u_near + gl_FragCoord.z * (u_far - u_near);

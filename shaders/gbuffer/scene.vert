@@ -7,12 +7,21 @@ uniform mat3 u_normal_from_mesh;
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
 layout(location = 2) in vec2 a_texcoord;
+#ifdef CUTOUT
+layout(location = 3) in float a_alpha;  // 1 where the scene has none
+#endif
 
 out vec3 v_normal;
 out vec2 v_texcoord;
+#ifdef CUTOUT
+out float v_alpha;
+#endif
 
 void main() {
     v_normal = u_normal_from_mesh * a_normal;
     v_texcoord = a_texcoord;
+#ifdef CUTOUT
+    v_alpha = a_alpha;
+#endif
     gl_Position = u_clip_from_view * (u_view_from_mesh * vec4(a_position, 1.0));
 }

@@ -15,6 +15,8 @@ unsigned add_between(Mesh& mesh, unsigned a, unsigned b, double part) {
     }
     if (!mesh.texcoords.empty())
         mesh.texcoords.push_back(glm::mix(mesh.texcoords[a], mesh.texcoords[b], static_cast<float>(part)));
+    if (!mesh.alphas.empty())
+        mesh.alphas.push_back(glm::mix(mesh.alphas[a], mesh.alphas[b], static_cast<float>(part)));
     return static_cast<unsigned>(mesh.positions.size()) - 1;
 }
 

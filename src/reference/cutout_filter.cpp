@@ -3,13 +3,18 @@
 namespace aoscore {
 namespace {
 
+template <class T>
+T interpolated(const std::vector<T>& values, const T& without, const glm::uvec3& corner, float u, float v) {
+    if (values.empty()) return without;
+    return (1 - u - v) * values[corner.x] + u * values[corner.y] + v * values[corner.z];
+}
+
 bool is_hole(const TraceGeometry& geometry, unsigned triangle, float u, float v) {
     const glm::uvec3 corner = geometry.triangles[triangle];
-    const glm::vec2 uv = geometry.texcoords.empty()
-                             ? glm::vec2(0)
-                             : (1 - u - v) * geometry.texcoords[corner.x] + u * geometry.texcoords[corner.y] +
-                                   v * geometry.texcoords[corner.z];
-    return alpha_at(*geometry.cutouts, *geometry.material, uv) < geometry.material->alpha_cutoff;
+    const glm::vec2 uv = interpolated(geometry.texcoords, glm::vec2(0), corner, u, v);
+    const float vertex_alpha = interpolated(geometry.alphas, 1.0f, corner, u, v);
+    return alpha_at(*geometry.cutouts, *geometry.material, uv, vertex_alpha) <
+           geometry.material->alpha_cutoff;
 }
 
 void reject_holes(const RTCFilterFunctionNArguments* args) {

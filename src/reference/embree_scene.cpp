@@ -1,6 +1,7 @@
 #include "reference/embree_scene.h"
 
 #include "reference/cutout_filter.h"
+#include "scene/cofactors.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -54,11 +55,6 @@ glm::dvec3 centre_of(const Mesh& mesh) {
     Box box;
     for (const glm::vec3& p : mesh.positions) box.include(p);
     return box.centre();
-}
-
-/// Takes normals along with `m`, up to length and sign; unlike the inverse it exists for every matrix.
-glm::dmat3 cofactors(const glm::dmat3& m) {
-    return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
 }
 
 bool mirrors(const glm::dmat4& m) {
@@ -176,6 +172,7 @@ TraceGeometry& EmbreeScene::add_triangles(RTCScene target, const Mesh& mesh, con
     const Material& material = cutouts_.materials[static_cast<std::size_t>(mesh.material)];
     if (material.is_cutout()) {
         geometry.texcoords = mesh.texcoords;
+        geometry.alphas = mesh.alphas;
         geometry.material = &material;
         geometry.cutouts = &cutouts_;
         rtcSetGeometryUserData(handle.get(), &geometry);

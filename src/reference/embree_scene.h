@@ -24,6 +24,7 @@ struct TraceGeometry {
     unsigned triangle_count = 0;
     std::vector<glm::vec3> normals;      ///< smooth, unit, one a vertex; empty: flat
     std::vector<glm::vec2> texcoords;    ///< one a vertex; cut-outs only
+    std::vector<float> alphas;           ///< one a vertex; cut-outs only, empty: 1
     const Material* material = nullptr;  ///< cut-outs only
     const Scene* cutouts = nullptr;      ///< textures of the cut-outs
 };

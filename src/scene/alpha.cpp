@@ -16,7 +16,7 @@ namespace {
 //   texels i and i + 1, brought back into [0, size - 1]: repeat adds or subtracts size once, the others clamp
 //   (a mirrored texel beyond the edge is the edge texel itself)
 //   per row a + (b - a) * f along u, the two rows likewise along v, over bytes 0 to 255; then / 255, times
-//   factor
+//   factor, times the vertices' alpha
 struct Tap {
     int first;
     int second;
@@ -55,15 +55,15 @@ float mix(float a, float b, float f) {
 
 }  // namespace
 
-float alpha_at(const Scene& scene, const Material& material, const glm::vec2& uv) {
-    if (material.texture < 0) return material.base_color.a;
+float alpha_at(const Scene& scene, const Material& material, const glm::vec2& uv, float vertex_alpha) {
+    if (material.texture < 0) return material.base_color.a * vertex_alpha;
     const Texture& texture = scene.textures[static_cast<std::size_t>(material.texture)];
     const Tap s = tap_at(uv.x, texture.texels.width, texture.wrap_s);
     const Tap t = tap_at(uv.y, texture.texels.height, texture.wrap_t);
     const auto alpha = [&](int x, int y) { return static_cast<float>(texture.texels.at(x, y).a); };
     const float top = mix(alpha(s.first, t.first), alpha(s.second, t.first), s.fraction);
     const float bottom = mix(alpha(s.first, t.second), alpha(s.second, t.second), s.fraction);
-    return mix(top, bottom, t.fraction) / 255.0f * material.base_color.a;
+    return mix(top, bottom, t.fraction) / 255.0f * material.base_color.a * vertex_alpha;
 }
 
 }  // namespace aoscore

@@ -28,8 +28,8 @@ struct Material {
     std::string name;
     glm::vec4 base_color{1};  ///< linear factor
     int texture = -1;         ///< into Scene::textures, -1 for none (also when it was not needed)
-    /// Points whose alpha (factor x texture) is below this are holes, in both paths alike; 0 for solid
-    /// surfaces. MASK uses its alphaCutoff, BLEND 0.5.
+    /// Points whose alpha (factor x texture x vertices) is below this are holes, in both paths alike; 0 for
+    /// solid surfaces. MASK uses its alphaCutoff, BLEND 0.5.
     float alpha_cutoff = 0;
     bool is_cutout() const { return alpha_cutoff > 0; }
 };
@@ -39,6 +39,7 @@ struct Mesh {
     std::vector<glm::vec3> positions;   ///< finite
     std::vector<glm::vec3> normals;     ///< unit, one a position; empty: flat, the geometric normal counts
     std::vector<glm::vec2> texcoords;   ///< one a position; empty unless the material needs them
+    std::vector<float> alphas;          ///< in [0,1], one a position; empty: 1, or not a cut-out
     std::vector<glm::uvec3> triangles;  ///< into positions, in range
     int material = 0;                   ///< into Scene::materials
 };
@@ -105,7 +106,8 @@ struct LoadOptions {
     /// A camera of the user's own, in world coordinates; near and far are chosen for the scene.
     std::optional<Camera> camera;
 
-    /// Metres for one unit of the file; empty: what a view file recognises, else what the file states, else 1.
+    /// Metres for one unit of the file; empty: what a view file recognises, else what the file states,
+    /// else 1.
     std::optional<double> metres_per_unit;
     /// Which of the file's axes is up; empty: what a view file recognises, else what the file states, else y.
     std::optional<UpAxis> up;
@@ -132,9 +134,9 @@ struct BuiltinScene {
 /// The one table of built-in scenes.
 const std::vector<BuiltinScene>& builtin_scenes();
 
-/// Alpha (factor x texture: level 0, bilinear, glTF wrap modes) at `uv`, in [0,1]. The cut-out of both paths:
-/// shaders/contract/ holds the same function for the rasteriser.
-float alpha_at(const Scene& scene, const Material& material, const glm::vec2& uv);
+/// Alpha (factor x texture: level 0, bilinear, glTF wrap modes; x the vertices', interpolated) at `uv`, in
+/// [0,1]. The cut-out of both paths: shaders/contract/ holds the same function for the rasteriser.
+float alpha_at(const Scene& scene, const Material& material, const glm::vec2& uv, float vertex_alpha = 1);
 
 /// The geometric normal of a triangle in scene space: unit, by its winding; zero for a degenerate triangle.
 glm::dvec3 triangle_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);

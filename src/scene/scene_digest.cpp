@@ -33,6 +33,7 @@ std::string scene_digest(const Scene& scene) {
         digest.array(all(mesh.positions)).array(all(mesh.normals)).array(all(mesh.triangles));
         if (scene.materials[static_cast<std::size_t>(mesh.material)].is_cutout())
             digest.array(all(mesh.texcoords));
+        if (!mesh.alphas.empty()) digest.text("alphas").array(all(mesh.alphas));
     }
     digest.value(scene.instances.size());
     for (const Instance& instance : scene.instances) {

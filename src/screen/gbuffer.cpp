@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/hash.h"
+#include "scene/cofactors.h"
 #include "screen/texture.h"
 
 #include <fmt/format.h>
@@ -37,14 +38,13 @@ const InputFormat& colour_input(const std::string& name) {
 // Normals transform by the cofactor matrix, which exists for flattened instances too. Its sign does not
 // matter: normals are turned to the camera. Scaled to keep float in range.
 glm::mat3 normal_matrix(const glm::dmat4& view_from_mesh) {
-    const glm::dvec3 x(view_from_mesh[0]), y(view_from_mesh[1]), z(view_from_mesh[2]);
-    glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
+    glm::dmat3 matrix = cofactors(glm::dmat3(view_from_mesh));
     double largest = 0;
     for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(cofactors[column][row]));
+        for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(matrix[column][row]));
     }
-    if (largest > 0) cofactors /= largest;
-    return glm::mat3(cofactors);
+    if (largest > 0) matrix /= largest;
+    return glm::mat3(matrix);
 }
 
 GLint wrap_mode(Texture::Wrap wrap) {
@@ -103,6 +103,7 @@ const ShaderProgram& GBuffer::program(bool cutout) {
     if (found != programs_.end()) return found->second;
     const auto folder = home_dir() / "shaders" / "gbuffer";
     ShaderSource vertex, fragment;
+    vertex.add_block("(G-buffer's macros)", macros);
     vertex.add_file(folder / "scene.vert", folder);
     fragment.add_block("(G-buffer's macros)", macros);
     fragment.add_file(folder / "scene.frag", folder);

@@ -63,6 +63,7 @@
     X(UNIFORMMATRIX3FV, UniformMatrix3fv)               \
     X(UNIFORMMATRIX4FV, UniformMatrix4fv)               \
     X(USEPROGRAM, UseProgram)                           \
+    X(VERTEXATTRIB1F, VertexAttrib1f)                   \
     X(VERTEXATTRIBPOINTER, VertexAttribPointer)         \
     X(VIEWPORT, Viewport)
 

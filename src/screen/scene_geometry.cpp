@@ -3,6 +3,7 @@
 #include "core/error.h"
 
 #include <fmt/format.h>
+#include <glm/ext/vector_float1.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -11,11 +12,12 @@ namespace aoscore {
 namespace {
 
 // Attribute places of shaders/gbuffer/scene.vert.
-constexpr GLuint kPosition = 0, kNormal = 1, kTexcoord = 2;
+constexpr GLuint kPosition = 0, kNormal = 1, kTexcoord = 2, kAlpha = 3;
 
 struct Vertices {
     std::vector<glm::vec3> positions, normals;
     std::vector<glm::vec2> texcoords;
+    std::vector<glm::vec1> alphas;  // empty where no mesh has any
     std::vector<glm::uvec3> triangles;
     std::vector<glm::vec4> triangle_normals;
 };
@@ -28,6 +30,10 @@ void append(Vertices& all, const Mesh& mesh) {
     // A mesh without normals is drawn flat: the shader takes a zero normal for that.
     all.normals.resize(end, glm::vec3(0));
     all.texcoords.resize(end, glm::vec2(0));
+    if (!mesh.alphas.empty()) {
+        all.alphas.resize(end - mesh.positions.size(), glm::vec1(1));
+        for (const float alpha : mesh.alphas) all.alphas.emplace_back(alpha);
+    }
     all.triangles.insert(all.triangles.end(), mesh.triangles.begin(), mesh.triangles.end());
     for (const glm::uvec3& t : mesh.triangles) {
         const glm::dvec3 normal =
@@ -95,6 +101,12 @@ SceneGeometry::SceneGeometry(const Scene& scene) : materials_(scene.materials) {
     positions_ = upload_attribute(kPosition, all.positions);
     normals_ = upload_attribute(kNormal, all.normals);
     texcoords_ = upload_attribute(kTexcoord, all.texcoords);
+    if (all.alphas.empty()) {
+        gl::VertexAttrib1f(kAlpha, 1.0F);
+    } else {
+        all.alphas.resize(all.positions.size(), glm::vec1(1));
+        alphas_ = upload_attribute(kAlpha, all.alphas);
+    }
     indices_ = upload(GL_ELEMENT_ARRAY_BUFFER, all.triangles);
     gl::BindVertexArray(0);
 

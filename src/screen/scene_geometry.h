@@ -37,7 +37,7 @@ class SceneGeometry {
 
   private:
     gl::VertexArray vertex_array_;
-    gl::Buffer positions_, normals_, texcoords_, indices_, normal_texels_;
+    gl::Buffer positions_, normals_, texcoords_, alphas_, indices_, normal_texels_;
     gl::Texture triangle_normals_;
     std::vector<gl::Texture> textures_;
     std::vector<Texture> texture_infos_;  // sizes and wrap modes; no texels

@@ -31,8 +31,10 @@ void PrintTo(const Case& c, std::ostream* out) {
     *out << c.file << " " << c.expectation;
 }
 
-/// Valid files that the manifest lets a tool refuse, and that this one reads in full: nothing to warn about.
-const std::set<std::string> kReadInFull = {"node_deep_chain_60000.gltf", "ext_quantization_required.gltf"};
+/// Valid files that the manifest lets a tool refuse (or asks to where it does not know an extension), and
+/// that this one reads in full: nothing to warn about.
+const std::set<std::string> kReadInFull = {"node_deep_chain_60000.gltf", "ext_quantization_required.gltf",
+                                           "ext_gpu_instancing_required.gltf"};
 
 std::vector<Case> crafted_cases() {
     std::vector<Case> cases;
@@ -46,11 +48,12 @@ std::vector<Case> crafted_cases() {
     return cases;
 }
 
-/// The files that the README names as refused whatever the validator says of them.
+/// The files that the README names as refused whatever the validator says of them; but for assimp/issue_3269,
+/// whose sets of texture coordinates are numbered with a gap: every viewer shows it, and a warning names it.
 bool named_refusal(const std::string& file) {
-    for (const char* part : {"assimp/RecursiveNodes", "assimp/IndexOutOfRange", "assimp/BoxWithInfinites",
-                             "assimp/MissingBin", "assimp/issue_3269", "tinygltf/BoundsChecking",
-                             "tinygltf/issue-416", "validator/node/node_loop", "validator/glb/"}) {
+    for (const char* part :
+         {"assimp/RecursiveNodes", "assimp/IndexOutOfRange", "assimp/BoxWithInfinites", "assimp/MissingBin",
+          "tinygltf/BoundsChecking", "tinygltf/issue-416", "validator/node/node_loop", "validator/glb/"}) {
         if (file.starts_with(part)) return true;
     }
     return false;

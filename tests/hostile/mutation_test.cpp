@@ -2,6 +2,7 @@
 #include "core/files.h"
 #include "mutate.h"
 #include "scene/scene.h"
+#include "support/spoilt.h"
 #include "support/support.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ TEST(MutatedFiles, LoadOrAreRefusedButNeverCrash) {
         for (int i = 0; i < 1200; ++i) {
             // A name of its own: a file system may wait for the disk when a file is written over.
             const fs::path file = folder / (std::to_string(i) + fs::path(seed).extension().string());
-            std::ofstream(file, std::ios::binary) << mutate(original, random);
+            std::ofstream(file, std::ios::binary) << aoscore::testing::spoilt(original, random);
             try {
                 const aoscore::Scene scene = aoscore::load_scene(file.string());
                 ASSERT_FALSE(scene.views.empty());

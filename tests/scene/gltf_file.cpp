@@ -4,6 +4,7 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <fstream>
 
 namespace aoscore::testing {
@@ -84,6 +85,7 @@ int GltfFile::add_texture(const Image<glm::u8vec4>& texels, const nlohmann::json
 
 std::filesystem::path GltfFile::write(const std::filesystem::path& folder, const std::string& name) {
     if (!buffer_.empty()) document["buffers"] = {{{"byteLength", buffer_.size()}, {"uri", name + ".bin"}}};
+    if (!fallback.is_null()) document["buffers"].push_back(fallback);
     std::ofstream(folder / (name + ".bin"), std::ios::binary)
         .write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
     std::ofstream(folder / (name + ".gltf")) << document.dump(1);
@@ -101,6 +103,11 @@ std::string GltfFile::refusal(const std::filesystem::path& folder) {
     } catch (const Error& error) {
         return error.exit_code() == ExitCode::file_error ? error.what() : "another exit code";
     }
+}
+
+bool has_warning(const Scene& scene, const std::string& part) {
+    return std::any_of(scene.warnings.begin(), scene.warnings.end(),
+                       [&](const std::string& warning) { return warning.find(part) != std::string::npos; });
 }
 
 std::vector<glm::dvec3> corners(const Scene& scene, const Instance& instance, std::size_t i) {

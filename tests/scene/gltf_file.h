@@ -19,6 +19,7 @@ class GltfFile {
     GltfFile();
 
     nlohmann::json document;
+    nlohmann::json fallback;  ///< a second buffer, as it stands in the document; null: none
 
     /// Appends the values, 4-byte aligned, and returns the index of their accessor.
     template <class T>
@@ -64,6 +65,8 @@ class GltfFile {
 
 /// A PNG file of these texels.
 std::string png_bytes(const Image<glm::u8vec4>& texels);
+/// Whether a warning holds this text.
+bool has_warning(const Scene& scene, const std::string& part);
 
 /// The three corners of triangle `i` of an instance, in scene space.
 std::vector<glm::dvec3> corners(const Scene& scene, const Instance& instance, std::size_t i);

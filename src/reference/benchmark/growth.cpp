@@ -23,6 +23,7 @@ Scene refined(Scene scene) {
                 fine.positions.push_back((mesh.positions[i] + mesh.positions[j]) * 0.5f);
                 if (!mesh.texcoords.empty())
                     fine.texcoords.push_back((mesh.texcoords[i] + mesh.texcoords[j]) * 0.5f);
+                if (!mesh.alphas.empty()) fine.alphas.push_back((mesh.alphas[i] + mesh.alphas[j]) * 0.5f);
             };
             add(t.x, t.x), add(t.y, t.y), add(t.z, t.z), add(t.x, t.y), add(t.y, t.z), add(t.z, t.x);
             for (const glm::uvec3& part :

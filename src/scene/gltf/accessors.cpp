@@ -44,22 +44,42 @@ float load_integer(const char* bytes, bool normalized) {
 
 }  // namespace
 
-Accessor::Accessor(const Document& document, int index) : name_(fmt::format("accessors[{}]", index)) {
+void Accessor::set_layout(const Document& document, int index) {
     const tinygltf::Accessor& source = document.model->accessors.at(static_cast<std::size_t>(index));
+    name_ = fmt::format("accessors[{}]", index);
     count_ = source.count;
     component_type_ = source.componentType;
     components_ = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(source.type));
     normalized_ = source.normalized;
     element_bytes_ = component_bytes(component_type_) * static_cast<std::size_t>(components_);
     stride_ = element_bytes_;
+}
+
+Accessor::Accessor(const Document& document, int index, std::string_view packed, std::size_t count) {
+    set_layout(document, index);
+    assert(packed.size() == count * element_bytes_);
+    bytes_ = packed;
+    count_ = count;
+}
+
+Accessor::Accessor(Document& document, int index) {
+    set_layout(document, index);
+    const tinygltf::Accessor& source = document.model->accessors.at(static_cast<std::size_t>(index));
+    if (source.count == 0) {
+        throw file_error("is 0: there is nothing in it", fmt::format("{}: {}.count", document.where, name_),
+                         "1 or more");
+    }
     if (source.bufferView >= 0) {
         const std::size_t stride =
             document.model->bufferViews.at(static_cast<std::size_t>(source.bufferView)).byteStride;
         if (stride != 0) stride_ = stride;
         bytes_ = document.view_bytes(source.bufferView).substr(source.byteOffset);
     }
-    if (!source.sparse.isSparse) return;
+    if (source.sparse.isSparse) read_sparse(document, index);
+}
 
+void Accessor::read_sparse(Document& document, int index) {
+    const tinygltf::Accessor& source = document.model->accessors.at(static_cast<std::size_t>(index));
     const auto& indices = source.sparse.indices;
     const std::string_view index_bytes =
         document.view_bytes(indices.bufferView).substr(static_cast<std::size_t>(indices.byteOffset));

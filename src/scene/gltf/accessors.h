@@ -17,7 +17,9 @@ namespace aoscore::gltf {
 /// replacements. The document must outlive it; its extents were checked when it was opened.
 class Accessor {
   public:
-    Accessor(const Document& document, int index);
+    Accessor(Document& document, int index);
+    /// The accessor's layout over `count` elements of other data, tightly packed, which must outlive it.
+    Accessor(const Document& document, int index, std::string_view packed, std::size_t count);
 
     std::size_t count() const { return count_; }
     int component_type() const { return component_type_; }
@@ -36,10 +38,21 @@ class Accessor {
         for (int c = 0; c < N; ++c) value[c] = component(element, c);
         return value;
     }
+    /// All components of element `i`, likewise; `N` must be components().
+    template <std::size_t N>
+    std::array<float, N> elements(std::size_t i) const {
+        std::array<float, N> values{};
+        const char* element = element_at(i);
+        for (std::size_t c = 0; element != nullptr && c < N; ++c)
+            values[c] = component(element, static_cast<int>(c));
+        return values;
+    }
     /// Element `i` of an accessor of unsigned integers.
     std::uint32_t unsigned_integer(std::size_t i) const;
 
   private:
+    void set_layout(const Document& document, int index);
+    void read_sparse(Document& document, int index);
     /// Null where there is no data: such elements are zero.
     const char* element_at(std::size_t i) const;
     float component(const char* element, int c) const;

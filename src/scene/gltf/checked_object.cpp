@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace aoscore::gltf {
@@ -129,10 +130,24 @@ std::vector<double> CheckedObject::numbers(std::string_view key, std::size_t siz
     if (array->size() != size) {
         fail(key, fmt::format("has {} elements", array->size()), fmt::format("{} numbers", size));
     }
+    return number_list(key);
+}
+
+std::vector<double> CheckedObject::number_list(std::string_view key) {
+    const json* array = find_array(key);
+    if (array == nullptr) return {};
     const Place place(place_, key);
     std::vector<double> result;
     for (const json& value : *array) result.push_back(finite_number(value, Place(place, result.size())));
     return result;
+}
+
+bool CheckedObject::holds_numbers(std::string_view key, std::size_t size) {
+    const json* array = find(key);
+    return array != nullptr && array->is_array() && array->size() == size &&
+           std::all_of(array->begin(), array->end(), [](const json& value) {
+               return value.is_number() && std::isfinite(value.get<double>());
+           });
 }
 
 std::vector<std::string> CheckedObject::texts(std::string_view key) {

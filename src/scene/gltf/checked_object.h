@@ -39,6 +39,10 @@ class CheckedObject {
     std::string required_text(std::string_view key);
     /// Exactly `size` finite numbers; empty when absent.
     std::vector<double> numbers(std::string_view key, std::size_t size);
+    /// Any number of finite numbers; empty when absent.
+    std::vector<double> number_list(std::string_view key);
+    /// Whether the member is an array of exactly `size` finite numbers.
+    bool holds_numbers(std::string_view key, std::size_t size);
     std::vector<std::string> texts(std::string_view key);
     /// Indices into an array of `count` elements; empty when absent.
     std::vector<std::size_t> indices(std::string_view key, std::size_t count);

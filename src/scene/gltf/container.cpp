@@ -14,6 +14,7 @@ constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
 constexpr std::uint32_t kBinaryChunk = 0x004E4942;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::string_view kBeforeJson = "\xEF\xBB\xBF \t\r\n";
 
 /// Little endian, whatever the machine.
 std::uint32_t uint32_at(std::string_view bytes, std::size_t offset) {
@@ -73,14 +74,18 @@ std::unique_ptr<const Container> read_container(const std::filesystem::path& fil
     container->bytes = read_file(file, kMaxFileBytes);
     const std::string_view bytes = container->bytes;
     if (bytes.empty()) throw file_error("is empty", where, "a glTF 2.0 file (.gltf, .glb)");
-    if (bytes.starts_with("glTF")) {
+    const bool is_glb = bytes.starts_with("glTF");
+    if (is_glb) {
         split_glb(where, *container, warnings);
-    } else if (file.extension() == ".glb") {
-        throw file_error("is no GLB: it does not begin with \"glTF\"", where,
+    } else if (bytes.find_first_not_of(kBeforeJson) == std::string_view::npos ||
+               bytes[bytes.find_first_not_of(kBeforeJson)] != '{') {
+        throw file_error("is no glTF: it begins neither with \"glTF\" nor as JSON", where,
                          "a glTF 2.0 file (.gltf, .glb)");
     } else {
         container->json = bytes;
     }
+    if (is_glb && file.extension() == ".gltf") warnings.push_back("is a GLB, though its name ends in .gltf");
+    if (!is_glb && file.extension() == ".glb") warnings.push_back("is JSON, though its name ends in .glb");
     if (container->json.starts_with(kByteOrderMark)) {
         container->json.remove_prefix(kByteOrderMark.size());
         warnings.push_back("the byte order mark before the JSON is ignored");

@@ -1,6 +1,7 @@
 #include "scene/gltf/document.h"
 
 #include "core/error.h"
+#include "scene/gltf/buffers.h"
 #include "scene/gltf/json_text.h"
 #include "scene/gltf/place.h"
 #include "scene/gltf/structure.h"
@@ -17,54 +18,6 @@ namespace {
 
 using nlohmann::json;
 
-/// Takes the buffers out of the JSON and reads them.
-void load_buffers(json& root, Document& document) {
-    const json buffers = std::exchange(root["buffers"], json::array());
-    document.loaded_buffers.resize(buffers.size());
-    for (std::size_t i = 0; i < buffers.size(); ++i) {
-        const json& buffer = buffers[i];
-        const std::string place = fmt::format("{}: buffers[{}]", document.where, i);
-        const auto stated = buffer.at("byteLength").get<std::size_t>();
-        std::string_view bytes;
-        // Data within the file is coded in whole 4-byte units; only a file beside it may be longer with
-        // reason.
-        std::size_t padding = 0;
-        if (!buffer.contains("uri")) {
-            // Without a chunk the buffer is one that an extension fills: legal as long as nothing reads it.
-            if (i == 0 && document.container->binary_chunk) bytes = *document.container->binary_chunk;
-            if (bytes.empty()) {
-                document.buffers.emplace_back();
-                continue;
-            }
-            padding = 3;
-        } else {
-            const auto& uri = buffer.at("uri").get_ref<const std::string&>();
-            std::string& loaded = document.loaded_buffers[i];
-            loaded = is_data_uri(uri) ? decode_data_uri(uri, place + ".uri")
-                                      : document.folder.read(uri, place + ".uri");
-            document.budget.take(loaded.size(), place);
-            if (is_data_uri(uri) && !uri.starts_with("data:application/octet-stream;") &&
-                !uri.starts_with("data:application/gltf-buffer;")) {
-                document.warn(fmt::format("buffers[{}].uri has another media type than glTF's", i));
-            }
-            if (is_data_uri(uri) && loaded.size() != stated) {
-                throw file_error(fmt::format("states {} bytes, its data URI has {}", stated, loaded.size()),
-                                 place + ".byteLength");
-            }
-            bytes = loaded;
-        }
-        if (bytes.size() < stated) {
-            throw file_error(fmt::format("states {} bytes, {} are there", stated, bytes.size()),
-                             place + ".byteLength");
-        }
-        if (bytes.size() > stated + padding) {
-            document.warn(fmt::format("buffers[{}]: {} bytes beyond its byteLength are ignored", i,
-                                      bytes.size() - stated));
-        }
-        document.buffers.push_back(bytes.substr(0, stated));
-    }
-}
-
 /// Takes the images out of the JSON; textures go on counting them.
 void take_images(json& root, Document& document) {
     json images = std::exchange(root["images"], json::array());
@@ -76,9 +29,18 @@ void take_images(json& root, Document& document) {
     }
 }
 
+/// Takes the skins out of the JSON.
+void take_skins(json& root, Document& document) {
+    const json skins = std::exchange(root["skins"], json::array());
+    for (const json& skin : skins) {
+        document.skins.push_back(
+            {skin.at("joints").get<std::vector<int>>(), skin.value("inverseBindMatrices", -1)});
+    }
+}
+
 /// tinygltf on what is left of the JSON, which it consumes; it has nothing to open, and could not.
 std::unique_ptr<tinygltf::Model> map_to_model(json& root, const std::string& where) {
-    for (const char* unread : {"buffers", "images", "animations", "skins", "extensions", "extras"})
+    for (const char* unread : {"buffers", "images", "skins", "animations", "extensions", "extras"})
         root.erase(unread);
     tinygltf::FsCallbacks no_files{};
     no_files.FileExists = [](const std::string&, void*) { return false; };
@@ -113,14 +75,35 @@ Document::Document(const std::filesystem::path& file, std::string where_text)
     : where(std::move(where_text)), folder(file) {}
 Document::~Document() = default;
 
-std::string_view Document::view_bytes(int buffer_view) const {
+std::string_view Document::view_bytes(int buffer_view) {
+    const auto found = compressed.find(buffer_view);
+    if (found != compressed.end()) return decoded_bytes(buffer_view, found->second);
     const tinygltf::BufferView& view = model->bufferViews.at(static_cast<std::size_t>(buffer_view));
-    const std::string_view bytes = buffers.at(static_cast<std::size_t>(view.buffer));
+    fallback_bytes(*this, view.buffer);
+    return stored_bytes(view.buffer, view.byteOffset, view.byteLength);
+}
+
+std::string_view Document::stored_bytes(int buffer, std::size_t offset, std::size_t count) const {
+    const std::string_view bytes = buffers.at(static_cast<std::size_t>(buffer));
     if (bytes.empty()) {
-        throw file_error("has neither a uri nor a BIN chunk",
-                         fmt::format("{}: buffers[{}]", where, view.buffer));
+        throw file_error("has neither a uri nor a BIN chunk", fmt::format("{}: buffers[{}]", where, buffer));
     }
-    return bytes.substr(view.byteOffset, view.byteLength);
+    return bytes.substr(offset, count);
+}
+
+std::string_view Document::decoded_bytes(int buffer_view, const CompressedView& view) {
+    if (const auto known = decoded_.find(buffer_view); known != decoded_.end()) return known->second;
+    const std::string place = fmt::format("{}: bufferViews[{}]", where, buffer_view);
+    const std::string_view stream = stored_bytes(view.buffer, view.offset, view.bytes);
+    if (is_unknown_version(view, stream)) {
+        const tinygltf::BufferView& plain = model->bufferViews.at(static_cast<std::size_t>(buffer_view));
+        if (!fallback_bytes(*this, plain.buffer).empty()) {
+            warn("compressed bufferViews of a newer coding are not decoded: the fallback buffer's are taken");
+            return stored_bytes(plain.buffer, plain.byteOffset, plain.byteLength);
+        }
+    }
+    if (can_hold(view)) budget.take(view.count * view.stride, place);
+    return decoded_.emplace(buffer_view, decode_view(view, stream, place)).first->second;
 }
 
 void Document::warn(std::string text) {
@@ -136,6 +119,8 @@ std::unique_ptr<Document> open_document(const std::filesystem::path& file) {
     check_structure(root, document->where, document->warnings);
     load_buffers(root, *document);
     take_images(root, *document);
+    take_skins(root, *document);
+    document->compressed = compressed_views(root);
     document->model = map_to_model(root, document->where);
     return document;
 }

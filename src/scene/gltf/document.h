@@ -1,13 +1,16 @@
 #pragma once
 
 #include "scene/gltf/asset_folder.h"
+#include "scene/gltf/compressed_view.h"
 #include "scene/gltf/container.h"
 #include "scene/gltf/memory_budget.h"
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace tinygltf {
@@ -22,9 +25,16 @@ struct ImageSource {
     int buffer_view = -1;
 };
 
+/// The nodes that move a mesh's vertices, and what takes a vertex to each of them.
+struct SkinSource {
+    std::vector<int> joints;
+    int inverse_bind_matrices = -1;  ///< accessor; -1: identities
+};
+
 /// A sound glTF document: every index, type and extent is checked, every buffer is there with the bytes it
 /// states. tinygltf maps the checked JSON to its structs and supplies the defaults; buffers and images are
-/// taken out of the JSON before, so that it neither opens a file nor decodes anything.
+/// taken out of the JSON before, so that it neither opens a file nor decodes anything; what its structs leave
+/// out is beside them.
 struct Document {
     Document(const std::filesystem::path& file, std::string where_text);
     ~Document();
@@ -34,15 +44,26 @@ struct Document {
     std::unique_ptr<const Container> container;
     std::vector<std::string> loaded_buffers;  ///< those that are not the GLB's chunk
     std::vector<std::string_view> buffers;    ///< the bytes of buffers[i]; empty for one without data
+    std::map<int, std::pair<std::string, std::size_t>> fallbacks;  ///< buffers not read: URI, bytes stated
     std::vector<ImageSource> images;
-    std::unique_ptr<tinygltf::Model> model;  ///< without buffers and images
+    std::vector<SkinSource> skins;
+    std::map<int, CompressedView> compressed;  ///< by buffer view
+    std::unique_ptr<tinygltf::Model> model;    ///< without buffers, images and skins
     MemoryBudget budget;
     std::vector<std::string> warnings;
 
-    /// The bytes of a buffer view. Throws file_error when its buffer has no data.
-    std::string_view view_bytes(int buffer_view) const;
+    /// The bytes of a buffer view, decoded where it is compressed (once). Throws file_error when its buffer
+    /// has no data, and for a broken stream. Where a stream is of a coding that is not known, and the buffer
+    /// view holds its data without compression as well, a warning says that these are taken.
+    std::string_view view_bytes(int buffer_view);
     /// Adds a warning unless it is there already.
     void warn(std::string text);
+
+  private:
+    std::string_view stored_bytes(int buffer, std::size_t offset, std::size_t count) const;
+    std::string_view decoded_bytes(int buffer_view, const CompressedView& view);
+
+    std::map<int, std::string> decoded_;  // by buffer view
 };
 
 /// Reads and checks a file. Throws file_error that names file and place.

@@ -24,6 +24,14 @@ std::string_view format_of(std::string_view bytes) {
     return {};
 }
 
+/// What glTF's extensions allow and nothing here decodes, by name.
+std::string_view undecoded_format(std::string_view bytes) {
+    if (bytes.starts_with("\xABKTX 20\xBB\r\n\x1A\n")) return "KTX2 (Basis Universal)";
+    if (bytes.starts_with("DDS ")) return "DDS";
+    if (bytes.size() >= 12 && bytes.substr(4, 8) == "ftypavif") return "AVIF";
+    return {};
+}
+
 bool fits(std::int64_t width, std::int64_t height, int channels, MemoryBudget& budget, std::string& reason) {
     if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide || channels < 1 || channels > 4) {
         reason = fmt::format("has {} x {} pixels of {} channels, more than the {} x {} of 4 that are read",
@@ -98,8 +106,13 @@ std::optional<Image<glm::u8vec4>> decode_image_as(const char* format, std::strin
 std::optional<Image<glm::u8vec4>> decode_image(std::string_view bytes, MemoryBudget& budget,
                                                std::string& reason) {
     const std::string_view format = format_of(bytes);
-    reason = format.empty() ? "is no PNG, JPEG or WebP" : "is broken";
-    if (format.empty()) return std::nullopt;
+    const std::string_view other = undecoded_format(bytes);
+    if (format.empty()) {
+        reason = other.empty() ? "is no PNG, JPEG or WebP"
+                               : fmt::format("is {}, which is not decoded here", other);
+        return std::nullopt;
+    }
+    reason = "is broken";
     return format == "png" ? decode_png(bytes, budget, reason)
                            : decode_image_as(format.data(), bytes, budget, reason);
 }

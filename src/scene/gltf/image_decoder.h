@@ -12,9 +12,9 @@
 namespace aoscore::gltf {
 
 /// Decodes a PNG, JPEG or WebP image to 8-bit RGBA as stored: no colour conversion, alpha not multiplied in,
-/// 255 where the file has none. Nothing when the bytes are no such image, are broken, or state more than 8192
-/// x 8192 pixels; `reason` then says why. Takes its memory from the budget, and says so when that is not
-/// enough.
+/// 255 where the file has none. Nothing when the bytes are no such image (KTX2, DDS and AVIF are named), are
+/// broken, or state more than 8192 x 8192 pixels; `reason` then says why. Takes its memory from the budget,
+/// and says so when that is not enough.
 std::optional<Image<glm::u8vec4>> decode_image(std::string_view bytes, MemoryBudget& budget,
                                                std::string& reason);
 

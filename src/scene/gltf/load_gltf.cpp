@@ -3,9 +3,11 @@
 #include "core/error.h"
 #include "scene/gltf/cameras.h"
 #include "scene/gltf/document.h"
+#include "scene/gltf/instancing.h"
 #include "scene/gltf/materials.h"
 #include "scene/gltf/meshes.h"
 #include "scene/gltf/nodes.h"
+#include "scene/gltf/solid_cutouts.h"
 #include "scene/mesh_repair.h"
 #include "scene/scene_bounds.h"
 
@@ -36,21 +38,21 @@ class InstanceBuilder {
     InstanceBuilder(Document& document, MeshReader& reader, Scene& scene)
         : document_(document), reader_(reader), scene_(scene) {}
 
-    void add(int gltf_mesh, const glm::dmat4& world_from_node) {
-        const auto [known, is_new] = decoded_.try_emplace(gltf_mesh);
-        if (is_new) {
-            for (DecodedMesh& decoded : reader_.read(gltf_mesh)) {
-                known->second.push_back({static_cast<int>(scene_.meshes.size()), decoded.centre});
-                scene_.meshes.push_back(std::move(decoded.mesh));
-            }
+    void add(const PlacedNode& placed) {
+        const tinygltf::Node& node = document_.model->nodes[static_cast<std::size_t>(placed.node)];
+        if (node.mesh < 0 || !placed.is_visible) return;
+        const Pose pose = pose_of(document_, node);
+        const std::vector<PlacedMesh>& meshes = decoded(node.mesh, pose);
+        const std::string place = fmt::format("{}: nodes[{}]", document_.where, placed.node);
+        const std::vector<glm::dmat4> instances = node_from_instances(document_, node, place);
+        if (pose.skin >= 0) {
+            if (instances.size() > 1)
+                document_.warn("instances of skinned meshes (not defined by glTF) are drawn once");
+            for (const PlacedMesh& mesh : meshes) add(mesh, glm::dmat4(1.0));
+            return;
         }
-        for (const auto& [mesh, centre] : known->second) {
-            const glm::dmat4 world_from_mesh = glm::translate(world_from_node, centre);
-            if (flattens(world_from_mesh)) {
-                add_flattened(mesh, world_from_mesh);
-            } else {
-                scene_.instances.push_back({mesh, world_from_mesh});
-            }
+        for (const glm::dmat4& node_from_instance : instances) {
+            for (const PlacedMesh& mesh : meshes) add(mesh, placed.world_from_node * node_from_instance);
         }
     }
 
@@ -60,16 +62,38 @@ class InstanceBuilder {
         glm::dvec3 centre;
     };
 
+    const std::vector<PlacedMesh>& decoded(int gltf_mesh, const Pose& pose) {
+        const auto [known, is_new] = decoded_.try_emplace({gltf_mesh, pose});
+        if (is_new) {
+            for (DecodedMesh& decoded : reader_.read(gltf_mesh, pose)) {
+                known->second.push_back({static_cast<int>(scene_.meshes.size()), decoded.centre});
+                scene_.meshes.push_back(std::move(decoded.mesh));
+            }
+        }
+        return known->second;
+    }
+
+    void add(const PlacedMesh& placed, const glm::dmat4& world_from_node) {
+        const glm::dmat4 world_from_mesh = glm::translate(world_from_node, placed.centre);
+        if (flattens(world_from_mesh)) {
+            add_flattened(placed.mesh, world_from_mesh);
+        } else {
+            scene_.instances.push_back({placed.mesh, world_from_mesh});
+        }
+    }
+
     /// A flattened mesh becomes one of its own, with what is left of its triangles and no normals.
     void add_flattened(int mesh_index, const glm::dmat4& world_from_mesh) {
         document_.warn(
             "nodes with a scale of 0 flatten their meshes: drawn with flat normals where any area is left");
+        if (glm::dmat3(world_from_mesh) == glm::dmat3(0.0)) return;
         const Mesh& source = scene_.meshes[static_cast<std::size_t>(mesh_index)];
         document_.budget.take(
             source.positions.size() * sizeof(glm::vec3) + source.triangles.size() * sizeof(glm::uvec3),
             document_.where + ": nodes");
         Mesh flat;
         flat.texcoords = source.texcoords;
+        flat.alphas = source.alphas;
         flat.triangles = source.triangles;
         flat.material = source.material;
         const glm::dvec3 place(world_from_mesh[3]);
@@ -86,7 +110,7 @@ class InstanceBuilder {
     Document& document_;
     MeshReader& reader_;
     Scene& scene_;
-    std::map<int, std::vector<PlacedMesh>> decoded_;
+    std::map<std::pair<int, Pose>, std::vector<PlacedMesh>> decoded_;
 };
 
 }  // namespace
@@ -98,12 +122,10 @@ Scene load_gltf(const std::filesystem::path& file, const LoadOptions& options) {
 
     Scene scene;
     scene.file = file;
-    MeshReader reader(*document, materials);
+    Skins skins(*document, nodes);
+    MeshReader reader(*document, materials, skins);
     InstanceBuilder instances(*document, reader, scene);
-    for (const PlacedNode& placed : nodes) {
-        const int mesh = document->model->nodes[static_cast<std::size_t>(placed.node)].mesh;
-        if (mesh >= 0) instances.add(mesh, placed.world_from_node);
-    }
+    for (const PlacedNode& placed : nodes) instances.add(placed);
     if (reader.degenerate_triangles() > 0) {
         document->warn(fmt::format("{} triangles without area are left out", reader.degenerate_triangles()));
     }
@@ -116,6 +138,7 @@ Scene load_gltf(const std::filesystem::path& file, const LoadOptions& options) {
     }
     scene.materials = std::move(materials.materials);
     scene.textures = std::move(materials.textures);
+    make_uncut_solid(scene, options.albedo_textures);
     measure_scene(scene, document->where);
     scene.views = read_cameras(*document, nodes, scene.bounds);
     scene.warnings = std::move(document->warnings);

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "scene/gltf/image_decoder.h"
+#include "scene/gltf/texture_extensions.h"
 
 #include <fmt/format.h>
 #include <tiny_gltf.h>
@@ -30,23 +31,19 @@ Texture::Wrap wrap_of(int gltf_wrap) {
     }
 }
 
+/// glTF's own image where there is one, but for WebP, which is decoded; else that of an extension, to be
+/// named.
 int image_of(const tinygltf::Texture& texture) {
-    const auto webp = texture.extensions.find("EXT_texture_webp");
-    if (webp != texture.extensions.end() && webp->second.Has("source")) {
-        return webp->second.Get("source").GetNumberAsInt();
+    const auto source = [&](std::string_view extension) {
+        const auto found = texture.extensions.find(std::string(extension));
+        return found == texture.extensions.end() ? -1 : found->second.Get("source").GetNumberAsInt();
+    };
+    if (const int webp = source(kImageExtensions.front()); webp >= 0) return webp;
+    if (texture.source >= 0) return texture.source;
+    for (const std::string_view extension : kImageExtensions) {
+        if (const int other = source(extension); other >= 0) return other;
     }
-    return texture.source;
-}
-
-/// Whether no point of the material is ever cut: no tracer or rasteriser need ask then.
-bool is_solid(const Material& material, const std::vector<Texture>& textures) {
-    std::uint8_t least = 255;
-    if (material.texture >= 0) {
-        for (const glm::u8vec4& texel : textures[static_cast<std::size_t>(material.texture)].texels.pixels) {
-            least = std::min(least, texel.a);
-        }
-    }
-    return static_cast<float>(least) / 255.0f * material.base_color.a >= material.alpha_cutoff;
+    return -1;
 }
 
 /// Textures of the document that were asked for, decoded once each.
@@ -133,42 +130,96 @@ TexcoordSource texcoord_source(const tinygltf::TextureInfo& info) {
 }
 
 float cutoff_of(const tinygltf::Material& material) {
-    if (material.alphaMode == "MASK") return static_cast<float>(material.alphaCutoff);
+    if (material.alphaMode == "MASK") return std::max(static_cast<float>(material.alphaCutoff), 0.0f);
     return material.alphaMode == "BLEND" ? kBlendCutoff : 0.0f;
+}
+
+struct BaseColor {
+    glm::vec4 factor{1};
+    tinygltf::TextureInfo texture;
+};
+
+/// The diffuse colour of the specular-glossiness model counts before the base colour of the other (Khronos
+/// Group, KHR_materials_pbrSpecularGlossiness, best practices).
+BaseColor diffuse_of(const tinygltf::Value& model) {
+    BaseColor result;
+    for (int c = 0; c < 4; ++c)
+        result.factor[c] = static_cast<float>(number_in(model, "diffuseFactor", c, 1));
+    if (!model.Has("diffuseTexture")) return result;
+    const tinygltf::Value& info = model.Get("diffuseTexture");
+    result.texture.index = info.Get("index").GetNumberAsInt();
+    if (info.Has("texCoord")) result.texture.texCoord = info.Get("texCoord").GetNumberAsInt();
+    if (info.Has("extensions")) {
+        const tinygltf::Value& all = info.Get("extensions");
+        for (const std::string& name : all.Keys()) result.texture.extensions[name] = all.Get(name);
+    }
+    return result;
+}
+
+BaseColor base_color_of(const tinygltf::Material& material) {
+    BaseColor result;
+    const auto specular = material.extensions.find("KHR_materials_pbrSpecularGlossiness");
+    if (specular != material.extensions.end()) {
+        result = diffuse_of(specular->second);
+    } else {
+        const auto& pbr = material.pbrMetallicRoughness;
+        for (int c = 0; c < 4; ++c)
+            result.factor[c] = static_cast<float>(pbr.baseColorFactor[static_cast<std::size_t>(c)]);
+        result.texture = pbr.baseColorTexture;
+    }
+    result.factor = glm::clamp(result.factor, glm::vec4(0), glm::vec4(1));
+    return result;
+}
+
+bool is_cut(const Document& document, int material) {
+    const auto& all = document.model->materials;
+    return material >= 0 && static_cast<std::size_t>(material) < all.size() &&
+           cutoff_of(all[static_cast<std::size_t>(material)]) > 0;
+}
+
+/// Primitives keep their own materials; whoever shows a variant may see other holes.
+void warn_of_cut_variants(Document& document) {
+    for (const tinygltf::Mesh& mesh : document.model->meshes) {
+        for (const tinygltf::Primitive& primitive : mesh.primitives) {
+            const auto variants = primitive.extensions.find("KHR_materials_variants");
+            if (variants == primitive.extensions.end() || !variants->second.Has("mappings")) continue;
+            const tinygltf::Value& mappings = variants->second.Get("mappings");
+            for (std::size_t i = 0; i < mappings.ArrayLen(); ++i) {
+                const tinygltf::Value& mapping = mappings.Get(static_cast<int>(i));
+                const int other = mapping.Has("material") ? mapping.Get("material").GetNumberAsInt() : -1;
+                if (!is_cut(document, primitive.material) && !is_cut(document, other)) continue;
+                document.warn(
+                    "variants (KHR_materials_variants) are not chosen: primitives have their own "
+                    "materials, and a variant may cut other holes");
+                return;
+            }
+        }
+    }
 }
 
 }  // namespace
 
 MaterialTable read_materials(Document& document, bool albedo) {
+    warn_of_cut_variants(document);
     MaterialTable table;
     TextureLoader loader(document);
     const std::vector<tinygltf::Material>& sources = document.model->materials;
     for (std::size_t i = 0; i < sources.size(); ++i) {
         const tinygltf::Material& source = sources[i];
-        const auto& pbr = source.pbrMetallicRoughness;
+        const BaseColor color = base_color_of(source);
         Material material;
         material.name = source.name.empty() ? fmt::format("materials[{}]", i) : source.name;
-        for (int c = 0; c < 4; ++c) {
-            material.base_color[c] = static_cast<float>(pbr.baseColorFactor[static_cast<std::size_t>(c)]);
-        }
+        material.base_color = color.factor;
         material.alpha_cutoff = cutoff_of(source);
         TexcoordSource texcoords;
-        const bool textured = pbr.baseColorTexture.index >= 0 && (material.is_cutout() || albedo);
-        if (textured) {
+        if (color.texture.index >= 0 && (material.is_cutout() || albedo)) {
             const std::string consequence = fmt::format(
                 "materials[{}] is drawn {}", i, material.is_cutout() ? "solid" : "without its texture");
-            if (const auto texture = loader.load(pbr.baseColorTexture.index, consequence)) {
+            if (const auto texture = loader.load(color.texture.index, consequence)) {
                 material.texture = *texture;
-                texcoords = texcoord_source(pbr.baseColorTexture);
+                texcoords = texcoord_source(color.texture);
             } else {
                 material.alpha_cutoff = 0;
-            }
-        }
-        if (material.is_cutout() && is_solid(material, loader.textures())) {
-            material.alpha_cutoff = 0;
-            if (!albedo) {
-                material.texture = -1;
-                texcoords = {};
             }
         }
         table.materials.push_back(std::move(material));

@@ -30,8 +30,9 @@ struct MaterialTable {
 };
 
 /// Reads factors and cut-outs, and decodes the base-colour textures of cut-outs (of all materials with
-/// `albedo`). An image that is missing or broken is a warning, and its cut-out becomes solid; an image whose
-/// URI leaves the folder was an error before.
+/// `albedo`). What the vertices' alpha may cut is left to make_uncut_solid(). An image that is missing or
+/// broken is a warning, and its cut-out becomes solid; an image whose URI leaves the folder was an error
+/// before.
 MaterialTable read_materials(Document& document, bool albedo);
 
 }  // namespace aoscore::gltf

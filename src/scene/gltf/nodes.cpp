@@ -32,34 +32,32 @@ bool has_shear(const glm::dmat4& m) {
 }
 
 glm::dmat4 matrix_of(const tinygltf::Node& node, const std::string& place, Document& document) {
+    constexpr double kRounding = 1e-6;
     glm::dmat4 matrix(1.0);
     for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
-    if (glm::transpose(matrix)[3] != glm::dvec4(0, 0, 0, 1)) {
+    const glm::dvec4 off = glm::transpose(matrix)[3] - glm::dvec4(0, 0, 0, 1);
+    if (!(glm::length(off) <= kRounding))
         throw file_error("is not affine: its last row is not 0 0 0 1", place + ".matrix");
-    }
+    for (int column = 0; column < 4; ++column) matrix[column][3] = column == 3 ? 1 : 0;
     if (has_shear(matrix)) document.warn("node matrices with shear (not legal in glTF) are used as they are");
     return matrix;
 }
 
 glm::dmat4 parent_from_node(const tinygltf::Node& node, const std::string& place, Document& document) {
     if (!node.matrix.empty()) return matrix_of(node, place, document);
-    glm::dmat4 result(1.0);
-    if (!node.translation.empty()) {
-        result = glm::translate(result, {node.translation[0], node.translation[1], node.translation[2]});
-    }
-    if (!node.rotation.empty()) {
-        const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
-        const double length = glm::length(rotation);
-        if (!(length > 1e-9) || !std::isfinite(length)) {
-            throw file_error("is no rotation: its length is 0", place + ".rotation", "a unit quaternion");
-        }
-        // Exporters round to a few digits; more than that is worth a word.
-        if (std::abs(length - 1) > 1e-2)
-            document.warn("node rotations that are not unit quaternions are normalised");
-        result *= glm::mat4_cast(rotation / length);
-    }
-    if (!node.scale.empty()) result = glm::scale(result, {node.scale[0], node.scale[1], node.scale[2]});
-    return result;
+    const auto part = [](const std::vector<double>& values, double otherwise) {
+        return values.empty() ? glm::dvec3(otherwise) : glm::dvec3(values[0], values[1], values[2]);
+    };
+    const glm::dvec4 rotation = node.rotation.empty() ? glm::dvec4(0, 0, 0, 1)
+                                                      : glm::dvec4(node.rotation[0], node.rotation[1],
+                                                                   node.rotation[2], node.rotation[3]);
+    return matrix_of_parts(part(node.translation, 0), rotation, part(node.scale, 1), document);
+}
+
+bool is_visible(const tinygltf::Node& node) {
+    const auto found = node.extensions.find("KHR_node_visibility");
+    return found == node.extensions.end() || !found->second.Has("visible") ||
+           found->second.Get("visible").Get<bool>();
 }
 
 std::vector<int> root_nodes(Document& document) {
@@ -97,24 +95,57 @@ std::vector<PlacedNode> place_nodes(Document& document) {
     const std::vector<tinygltf::Node>& nodes = document.model->nodes;
     std::vector<bool> reached(nodes.size(), false);
     std::vector<PlacedNode> placed;
-    const auto reach = [&](int node, const glm::dmat4& world_from_parent) {
+    const auto reach = [&](int node, const glm::dmat4& world_from_parent, bool parent_is_visible) {
         const std::string place = fmt::format("{}: nodes[{}]", document.where, node);
         const auto i = static_cast<std::size_t>(node);
         if (reached[i]) throw file_error("is reached twice: a cycle, or a second parent", place);
         reached[i] = true;
         const glm::dmat4 world = world_from_parent * parent_from_node(nodes[i], place, document);
         if (!is_finite(world)) throw file_error("its transform is not finite", place);
-        placed.push_back({node, world});
+        placed.push_back({node, world, parent_is_visible && is_visible(nodes[i])});
     };
-    for (const int root : root_nodes(document)) reach(root, glm::dmat4(1.0));
+    for (const int root : root_nodes(document)) reach(root, glm::dmat4(1.0), true);
     // `placed` is the queue as well: breadth first.
     for (std::size_t i = 0; i < placed.size(); ++i) {
         const PlacedNode parent = placed[i];
         for (const int child : nodes[static_cast<std::size_t>(parent.node)].children) {
-            reach(child, parent.world_from_node);
+            reach(child, parent.world_from_node, parent.is_visible);
         }
     }
     return placed;
+}
+
+glm::dmat4 world_from_detached(Document& document, int node) {
+    const std::vector<tinygltf::Node>& nodes = document.model->nodes;
+    std::vector<int> parents(nodes.size(), -1);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        for (const int child : nodes[i].children)
+            parents[static_cast<std::size_t>(child)] = static_cast<int>(i);
+    }
+    glm::dmat4 world(1.0);
+    std::size_t steps = 0;
+    for (int at = node; at >= 0; at = parents[static_cast<std::size_t>(at)]) {
+        const std::string place = fmt::format("{}: nodes[{}]", document.where, at);
+        if (++steps > nodes.size()) throw file_error("is its own ancestor: a cycle", place);
+        world = parent_from_node(nodes[static_cast<std::size_t>(at)], place, document) * world;
+    }
+    return world;
+}
+
+glm::dmat4 matrix_of_parts(const glm::dvec3& translation, const glm::dvec4& rotation, const glm::dvec3& scale,
+                           Document& document) {
+    const glm::dquat quaternion(rotation.w, rotation.x, rotation.y, rotation.z);
+    const double length = glm::length(quaternion);
+    glm::dmat4 result = glm::translate(glm::dmat4(1.0), translation);
+    if (length > 1e-9 && std::isfinite(length)) {
+        // Exporters round to a few digits; more than that is worth a word.
+        if (std::abs(length - 1) > 1e-2)
+            document.warn("rotations that are not unit quaternions are normalised");
+        result *= glm::mat4_cast(quaternion / length);
+    } else {
+        document.warn("rotations of length 0 are taken as none");
+    }
+    return glm::scale(result, scale);
 }
 
 }  // namespace aoscore::gltf

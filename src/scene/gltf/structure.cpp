@@ -1,39 +1,13 @@
 #include "scene/gltf/structure.h"
 
+#include "scene/gltf/extensions.h"
+
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 
 namespace aoscore::gltf {
 namespace {
-
-/// Extensions a file may require. The second group only changes colours and lights, which occlusion never
-/// sees.
-constexpr std::array<std::string_view, 20> kSupported = {"KHR_mesh_quantization",
-                                                         "KHR_texture_transform",
-                                                         "EXT_texture_webp",
-                                                         "KHR_lights_punctual",
-                                                         "KHR_materials_anisotropy",
-                                                         "KHR_materials_clearcoat",
-                                                         "KHR_materials_dispersion",
-                                                         "KHR_materials_emissive_strength",
-                                                         "KHR_materials_ior",
-                                                         "KHR_materials_iridescence",
-                                                         "KHR_materials_sheen",
-                                                         "KHR_materials_specular",
-                                                         "KHR_materials_transmission",
-                                                         "KHR_materials_unlit",
-                                                         "KHR_materials_variants",
-                                                         "KHR_materials_volume",
-                                                         "KHR_xmp",
-                                                         "KHR_xmp_json_ld",
-                                                         "KHR_animation_pointer",
-                                                         "EXT_lights_image_based"};
-
-/// Optional extensions whose neglect changes the geometry that is seen.
-constexpr std::array<std::string_view, 2> kMissed = {"EXT_mesh_gpu_instancing", "KHR_node_visibility"};
 
 /// "2.0" to 20; -1 when it is no version.
 int version_number(const std::string& text) {
@@ -48,9 +22,22 @@ int version_number(const std::string& text) {
     return std::stoi(major) * 1000 + std::stoi(minor);
 }
 
+/// A few names for messages.
+std::string honoured_geometry() {
+    std::string names;
+    for (const Extension& extension : extensions()) {
+        const std::string_view name = extension.name;
+        if (extension.effect != Extension::Effect::read || name.find("texture") != std::string_view::npos)
+            continue;
+        names += (names.empty() ? "" : ", ") + std::string(name);
+    }
+    return names;
+}
+
 }  // namespace
 
-void check_asset_and_extensions(CheckedObject& root, std::vector<std::string>& warnings) {
+void check_asset_and_extensions(CheckedObject& root, const std::set<std::string>& carried,
+                                std::vector<std::string>& warnings) {
     root.required_object("asset", [&](CheckedObject& asset) {
         const int version = version_number(asset.required_text("version"));
         if (version / 1000 != 2 || version < 0) asset.fail("version", "is another version of glTF", "2.x");
@@ -63,26 +50,27 @@ void check_asset_and_extensions(CheckedObject& root, std::vector<std::string>& w
     const std::vector<std::string> required = root.texts("extensionsRequired");
     const std::vector<std::string> used = root.texts("extensionsUsed");
     for (const std::string& name : required) {
-        if (std::find(kSupported.begin(), kSupported.end(), name) == kSupported.end()) {
+        if (!is_honoured(name)) {
             root.fail("extensionsRequired", "needs " + printable(name) + ", which is not supported",
-                      fmt::format("{}", fmt::join(kSupported.begin(), kSupported.begin() + 3, ", ")));
+                      "extensions that are read, such as " + honoured_geometry());
         }
         if (std::find(used.begin(), used.end(), name) == used.end()) {
             warnings.push_back("extensionsRequired names " + printable(name) +
                                ", which extensionsUsed lacks");
         }
     }
-    for (const std::string_view name : kMissed) {
-        if (std::find(used.begin(), used.end(), name) != used.end()) {
-            warnings.push_back(std::string(name) + " is not read: the picture lacks what it adds or hides");
-        }
+    std::set<std::string> all = carried;
+    all.insert(used.begin(), used.end());
+    for (const std::string& name : all) {
+        const std::string loss = loss_without(name);
+        if (!loss.empty()) warnings.push_back(loss);
     }
 }
 
 void check_structure(nlohmann::json& json, const std::string& where, std::vector<std::string>& warnings) {
     const Place file(where);
     CheckedObject root(json, file);
-    check_asset_and_extensions(root, warnings);
+    check_asset_and_extensions(root, extensions_carried(json), warnings);
     const Counts counts{root.count("buffers"), root.count("bufferViews"), root.count("accessors"),
                         root.count("meshes"),  root.count("materials"),   root.count("textures"),
                         root.count("images"),  root.count("samplers"),    root.count("nodes"),

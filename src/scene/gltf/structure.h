@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,11 @@ struct Counts {
         cameras, skins, scenes;
 };
 
+/// What all offsets, lengths and counts may be, so that no product of two below overflows 64 bits: a stride
+/// is at most 256.
+inline constexpr std::int64_t kMaxBytes = std::int64_t{1} << 40;
+inline constexpr std::int64_t kMaxCount = std::int64_t{1} << 32;
+
 /// Proves that the document is sound wherever this program or tinygltf reads it: types, ranges, indices, the
 /// extents of views and accessors. tinygltf itself checks little of that. Meaning that depends on the binary
 /// data (index values, positions) is checked where it is decoded. Throws file_error with the place; legal or
@@ -25,9 +31,14 @@ struct Counts {
 void check_structure(nlohmann::json& root, const std::string& where, std::vector<std::string>& warnings);
 
 /// Parts of check_structure(), each in a file of its own.
-void check_asset_and_extensions(CheckedObject& root, std::vector<std::string>& warnings);
+void check_asset_and_extensions(CheckedObject& root, const std::set<std::string>& carried,
+                                std::vector<std::string>& warnings);
 void check_buffers_and_accessors(CheckedObject& root, const Counts& counts,
                                  std::vector<std::string>& warnings);
+/// The members of EXT_meshopt_compression or KHR_meshopt_compression in a buffer view of `bytes`, where there
+/// are any.
+void check_compressed_view(CheckedObject& view, std::int64_t bytes,
+                           const std::vector<std::int64_t>& buffer_bytes);
 void check_meshes(CheckedObject& root, const Counts& counts, std::vector<std::string>& warnings);
 void check_nodes_and_scenes(CheckedObject& root, const Counts& counts, std::vector<std::string>& warnings);
 void check_cameras(CheckedObject& root, std::vector<std::string>& warnings);

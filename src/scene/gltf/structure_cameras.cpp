@@ -22,8 +22,12 @@ void check_perspective(CheckedObject& lens, std::vector<std::string>& warnings) 
     }
     const auto far = lens.number("zfar");
     if (far && !(*far > *near)) lens.fail("zfar", fmt::format("is {} m", *far), "more than znear");
+    // The picture has the shape that the user asks for.
     const auto aspect = lens.number("aspectRatio");
-    if (aspect && !(*aspect > 0)) lens.fail("aspectRatio", fmt::format("is {}", *aspect), "more than 0");
+    if (aspect && !(*aspect > 0)) {
+        warnings.push_back(
+            fmt::format("{} is {}: not used", Place(lens.place(), "aspectRatio").text(), *aspect));
+    }
 }
 
 void check_orthographic(CheckedObject& lens) {

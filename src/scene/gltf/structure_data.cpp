@@ -7,11 +7,6 @@
 namespace aoscore::gltf {
 namespace {
 
-/// What all offsets, lengths and counts may be, so that no product of two below overflows 64 bits: a stride
-/// is at most 252.
-constexpr std::int64_t kMaxBytes = std::int64_t{1} << 40;
-constexpr std::int64_t kMaxCount = std::int64_t{1} << 32;
-
 struct ViewExtent {
     std::int64_t bytes = 0;
     std::int64_t stride = 0;  // 0: tightly packed
@@ -31,6 +26,7 @@ void check_span(CheckedObject& owner, const ViewExtent& view, std::int64_t offse
         owner.fail("bufferView", fmt::format("its byteStride {} is less than an element's {} bytes", stride,
                                              layout.element_bytes));
     }
+    if (layout.count == 0) return;
     const std::int64_t end = offset + stride * (layout.count - 1) + layout.element_bytes;
     if (end > view.bytes) {
         owner.fail("count",
@@ -59,7 +55,13 @@ void check_sparse(CheckedObject& sparse, const std::vector<ViewExtent>& views, c
     sparse.required_object("values", check_part(base.element_bytes));
 }
 
-void check_accessor(CheckedObject& accessor, const std::vector<ViewExtent>& views, bool& misaligned) {
+/// What is worth a word and harms nothing.
+struct Oddities {
+    bool misaligned = false;
+    bool bad_bounds = false;
+};
+
+void check_accessor(CheckedObject& accessor, const std::vector<ViewExtent>& views, Oddities& oddities) {
     const std::int64_t type = accessor.required_integer("componentType", 0, 0xFFFF);
     if (component_bytes(type) == 0) {
         accessor.fail("componentType", fmt::format("is {}", type), "5120, 5121, 5122, 5123, 5125, 5126");
@@ -69,14 +71,17 @@ void check_accessor(CheckedObject& accessor, const std::vector<ViewExtent>& view
     ElementLayout layout;
     layout.component_bytes = static_cast<std::int64_t>(component_bytes(type));
     layout.element_bytes = layout.component_bytes * static_cast<std::int64_t>(components);
-    layout.count = accessor.required_integer("count", 1, kMaxCount);
+    layout.count = accessor.required_integer("count", 0, kMaxCount);
     accessor.boolean("normalized");
-    if (accessor.has("min")) accessor.numbers("min", components);
-    if (accessor.has("max")) accessor.numbers("max", components);
+    for (const char* key : {"min", "max"}) {
+        if (!accessor.has(key) || accessor.holds_numbers(key, components)) continue;
+        oddities.bad_bounds = true;
+        accessor.erase(key);
+    }
     const std::int64_t offset = accessor.integer("byteOffset", 0, kMaxBytes).value_or(0);
     if (const auto view = accessor.index("bufferView", views.size())) {
         check_span(accessor, views[*view], offset, layout);
-        misaligned |= offset % layout.component_bytes != 0;
+        oddities.misaligned |= offset % layout.component_bytes != 0;
     }
     accessor.object("sparse", [&](CheckedObject& sparse) { check_sparse(sparse, views, layout); });
 }
@@ -129,13 +134,16 @@ void check_buffers_and_accessors(CheckedObject& root, const Counts& counts,
                                                 buffer_bytes[buffer]));
         }
         views.push_back({bytes, stride});
+        check_compressed_view(view, bytes, buffer_bytes);
     });
 
-    bool misaligned = false;
+    Oddities oddities;
     root.objects("accessors",
-                 [&](CheckedObject& accessor, std::size_t) { check_accessor(accessor, views, misaligned); });
-    if (misaligned)
+                 [&](CheckedObject& accessor, std::size_t) { check_accessor(accessor, views, oddities); });
+    if (oddities.misaligned)
         warnings.push_back("accessors begin at offsets that are no multiple of their component's size");
+    if (oddities.bad_bounds)
+        warnings.push_back("accessors have a min or max that is not one number a component: not used");
 }
 
 }  // namespace aoscore::gltf

@@ -1,5 +1,6 @@
 #include "scene/gltf/asset_folder.h"
 #include "scene/gltf/structure.h"
+#include "scene/gltf/texture_extensions.h"
 
 #include <fmt/format.h>
 
@@ -33,19 +34,35 @@ void check_unread_texture(CheckedObject& owner, const char* key, const Counts& c
     owner.erase(key);
 }
 
-void check_material(CheckedObject& material, const Counts& counts) {
+/// Exporters round: 1.00000012 is a 1. Clamped where it is used.
+void check_factor(CheckedObject& owner, const char* key, std::vector<std::string>& warnings) {
+    for (const double v : owner.numbers(key, 4)) {
+        if (v >= 0 && v <= 1) continue;
+        warnings.push_back(
+            fmt::format("{} holds {}: clamped to 0 to 1", Place(owner.place(), key).text(), v));
+    }
+}
+
+void check_material(CheckedObject& material, const Counts& counts, std::vector<std::string>& warnings) {
     const std::string mode = material.text("alphaMode");
     if (!mode.empty() && mode != "OPAQUE" && mode != "MASK" && mode != "BLEND") {
         material.fail("alphaMode", "is unknown", "OPAQUE, MASK, BLEND");
     }
     const auto cutoff = material.number("alphaCutoff");
-    if (cutoff && *cutoff < 0) material.fail("alphaCutoff", fmt::format("is {}", *cutoff), "0 or more");
+    if (cutoff && *cutoff < 0)
+        warnings.push_back(
+            fmt::format("{} is {}: nothing is cut", Place(material.place(), "alphaCutoff").text(), *cutoff));
     material.object("pbrMetallicRoughness", [&](CheckedObject& pbr) {
-        for (const double v : pbr.numbers("baseColorFactor", 4)) {
-            if (v < 0 || v > 1) pbr.fail("baseColorFactor", fmt::format("holds {}", v), "0 to 1");
-        }
+        check_factor(pbr, "baseColorFactor", warnings);
         pbr.object("baseColorTexture", [&](CheckedObject& info) { check_base_color_texture(info, counts); });
         check_unread_texture(pbr, "metallicRoughnessTexture", counts);
+    });
+    material.object("extensions", [&](CheckedObject& extensions) {
+        extensions.object("KHR_materials_pbrSpecularGlossiness", [&](CheckedObject& specular) {
+            check_factor(specular, "diffuseFactor", warnings);
+            specular.object("diffuseTexture",
+                            [&](CheckedObject& info) { check_base_color_texture(info, counts); });
+        });
     });
     for (const char* key : {"normalTexture", "occlusionTexture", "emissiveTexture"}) {
         check_unread_texture(material, key, counts);
@@ -55,15 +72,18 @@ void check_material(CheckedObject& material, const Counts& counts) {
 
 }  // namespace
 
-void check_materials_and_textures(CheckedObject& root, const Counts& counts, std::vector<std::string>&) {
+void check_materials_and_textures(CheckedObject& root, const Counts& counts,
+                                  std::vector<std::string>& warnings) {
     root.objects("materials",
-                 [&](CheckedObject& material, std::size_t) { check_material(material, counts); });
+                 [&](CheckedObject& material, std::size_t) { check_material(material, counts, warnings); });
     root.objects("textures", [&](CheckedObject& texture, std::size_t) {
         texture.index("source", counts.images);
         texture.index("sampler", counts.samplers);
         texture.object("extensions", [&](CheckedObject& extensions) {
-            extensions.object("EXT_texture_webp",
-                              [&](CheckedObject& webp) { webp.required_index("source", counts.images); });
+            for (const std::string_view name : kImageExtensions) {
+                extensions.object(
+                    name, [&](CheckedObject& other) { other.required_index("source", counts.images); });
+            }
         });
     });
     root.objects("samplers", [&](CheckedObject& sampler, std::size_t) {

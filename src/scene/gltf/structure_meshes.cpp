@@ -7,63 +7,114 @@ namespace aoscore::gltf {
 namespace {
 
 /// TEXCOORD_1 without TEXCOORD_0 is not legal: sets are numbered without gaps.
-void check_texcoord_sets(CheckedObject& attributes) {
+bool has_texcoord_gap(CheckedObject& attributes) {
     int sets = 0;
     attributes.members([&](const std::string& name) { sets += name.starts_with("TEXCOORD_") ? 1 : 0; });
     for (int set = 0; set < sets; ++set) {
-        const std::string name = fmt::format("TEXCOORD_{}", set);
-        if (!attributes.has(name)) attributes.fail(name, "is missing, higher sets are there");
+        if (!attributes.has(fmt::format("TEXCOORD_{}", set))) return true;
     }
+    return false;
+}
+
+/// Accessors by attribute.
+void check_attributes(CheckedObject& attributes, const Counts& counts) {
+    attributes.members([&](const std::string& name) { attributes.index(name, counts.accessors); });
+}
+
+void check_draco(CheckedObject& draco, const Counts& counts) {
+    draco.required_index("bufferView", counts.buffer_views);
+    draco.required_object("attributes", [](CheckedObject& attributes) {
+        constexpr std::int64_t kMaxId = 0x7FFFFFFF;
+        attributes.members([&](const std::string& name) { attributes.integer(name, 0, kMaxId); });
+    });
+}
+
+/// What of a mesh's primitives is worth a word.
+struct Oddities {
+    bool texcoord_gap = false, no_primitives = false;
+};
+
+void check_primitive(CheckedObject& primitive, const Counts& counts, const std::vector<bool>& has_view,
+                     Oddities& oddities) {
+    primitive.integer("mode", 0, 6);
+    bool has_draco = false;
+    primitive.object("extensions", [&](CheckedObject& extensions) {
+        extensions.object("KHR_draco_mesh_compression", [&](CheckedObject& draco) {
+            check_draco(draco, counts);
+            has_draco = true;
+        });
+    });
+    const auto indices = primitive.index("indices", counts.accessors);
+    // Draco's stream holds the triangles.
+    if (has_draco) primitive.erase("indices");
+    if (indices && !has_draco && !has_view[*indices]) {
+        // Legal for sparse indices over zeros, but nobody writes it and tinygltf refuses it.
+        primitive.fail("indices", "its accessor has no bufferView");
+    }
+    primitive.index("material", counts.materials);
+    primitive.required_object("attributes", [&](CheckedObject& attributes) {
+        check_attributes(attributes, counts);
+        oddities.texcoord_gap |= has_texcoord_gap(attributes);
+    });
+    primitive.objects("targets",
+                      [&](CheckedObject& attributes, std::size_t) { check_attributes(attributes, counts); });
+}
+
+void check_skins(CheckedObject& root, const Counts& counts) {
+    root.objects("skins", [&](CheckedObject& skin, std::size_t) {
+        if (skin.indices("joints", counts.nodes).empty())
+            skin.fail("joints", "is missing or empty", "at least one node");
+        skin.index("inverseBindMatrices", counts.accessors);
+        skin.index("skeleton", counts.nodes);
+    });
+}
+
+void check_node_extensions(CheckedObject& extensions, const Counts& counts) {
+    extensions.object("KHR_node_visibility",
+                      [](CheckedObject& visibility) { visibility.boolean("visible"); });
+    extensions.object("EXT_mesh_gpu_instancing", [&](CheckedObject& instancing) {
+        instancing.object("attributes",
+                          [&](CheckedObject& attributes) { check_attributes(attributes, counts); });
+    });
 }
 
 }  // namespace
 
 void check_meshes(CheckedObject& root, const Counts& counts, std::vector<std::string>& warnings) {
-    bool has_targets = false;
     std::vector<bool> has_view;
     root.objects("accessors", [&](CheckedObject& accessor, std::size_t) {
         has_view.push_back(accessor.has("bufferView"));
     });
+    Oddities oddities;
     root.objects("meshes", [&](CheckedObject& mesh, std::size_t) {
-        if (mesh.count("primitives") == 0)
-            mesh.fail("primitives", "is missing or empty", "at least one primitive");
+        oddities.no_primitives |= mesh.count("primitives") == 0;
         mesh.objects("primitives", [&](CheckedObject& primitive, std::size_t) {
-            primitive.integer("mode", 0, 6);
-            const auto indices = primitive.index("indices", counts.accessors);
-            if (indices && !has_view[*indices]) {
-                // Legal for sparse indices over zeros, but nobody writes it and tinygltf refuses it.
-                primitive.fail("indices", "its accessor has no bufferView");
-            }
-            primitive.index("material", counts.materials);
-            primitive.required_object("attributes", [&](CheckedObject& attributes) {
-                attributes.members(
-                    [&](const std::string& name) { attributes.index(name, counts.accessors); });
-                check_texcoord_sets(attributes);
-            });
-            has_targets |= primitive.count("targets") > 0;
-            // Not read; tinygltf would trust the indices in them.
-            primitive.erase("targets");
+            check_primitive(primitive, counts, has_view, oddities);
         });
+        mesh.number_list("weights");
     });
-    if (has_targets) warnings.push_back("morph targets are not posed: meshes are drawn in their base shape");
+    if (oddities.texcoord_gap)
+        warnings.push_back("primitives have a TEXCOORD set without the one before it (not legal in glTF)");
+    if (oddities.no_primitives) warnings.push_back("meshes without primitives are left out");
 }
 
 void check_nodes_and_scenes(CheckedObject& root, const Counts& counts, std::vector<std::string>& warnings) {
-    bool has_skin = false, has_both = false;
+    check_skins(root, counts);
+    bool has_both = false;
     root.objects("nodes", [&](CheckedObject& node, std::size_t) {
         node.indices("children", counts.nodes);
         node.index("mesh", counts.meshes);
         node.index("camera", counts.cameras);
-        has_skin |= node.index("skin", counts.skins).has_value();
+        node.index("skin", counts.skins);
         const bool has_matrix = !node.numbers("matrix", 16).empty();
         node.numbers("translation", 3);
         node.numbers("rotation", 4);
         node.numbers("scale", 3);
         has_both |= has_matrix && (node.has("translation") || node.has("rotation") || node.has("scale"));
-        node.erase("weights");
+        node.number_list("weights");
+        node.object("extensions",
+                    [&](CheckedObject& extensions) { check_node_extensions(extensions, counts); });
     });
-    if (has_skin)
-        warnings.push_back("skins are not posed: skinned meshes are drawn as modelled, at their node");
     if (has_both)
         warnings.push_back("nodes have a matrix and translation, rotation or scale: the matrix counts");
 
