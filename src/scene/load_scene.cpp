@@ -1,4 +1,5 @@
 #include "core/error.h"
+#include "core/printable.h"
 #include "scene/automatic_view.h"
 #include "scene/gltf/load_gltf.h"
 #include "scene/scene.h"
@@ -79,7 +80,8 @@ Scene load_scene(const std::string& name_or_path, const LoadOptions& options) {
                           fmt::format("{}; or a .gltf or .glb file", fmt::join(ids, ", ")));
     }
     Scene scene = gltf::load_gltf(name_or_path, options);
-    scene.id = fs::path(name_or_path).stem().string();
+    // The id names files, cells and lines: a file's name may hold what none of them can.
+    scene.id = printable(fs::path(name_or_path).stem().string());
     return finish(std::move(scene));
 }
 
