@@ -1,6 +1,7 @@
 #include "cli/command.h"
 #include "cli/shared_options.h"
 #include "core/files.h"
+#include "core/output.h"
 #include "core/stopwatch.h"
 #include "experiment/bench_compare.h"
 #include "experiment/bench_main.h"
@@ -47,14 +48,14 @@ void bench_metrics_and_page(const Options& options, const GlobalOptions& global)
     const std::filesystem::path folder =
         options.results.empty() ? home_dir() / "reports" / "out" / "main" : options.results;
     if (!std::filesystem::exists(folder / "results.json")) {
-        fmt::print("{:<30} {:>8}  no results in {}; aoscore run makes them\n", "page from results", "-",
-                   folder.string());
+        print_result("{:<30} {:>8}  no results in {}; aoscore run makes them\n", "page from results", "-",
+                     folder.string());
         return;
     }
     const Stopwatch watch;
     const std::filesystem::path page = write_report(folder);
-    fmt::print("{:<30} {:>8.1f} ms  {:.1f} MiB, {}\n", "page from results", 1000 * watch.seconds(),
-               static_cast<double>(std::filesystem::file_size(page)) / (1 << 20), page.string());
+    print_result("{:<30} {:>8.1f} ms  {:.1f} MiB, {}\n", "page from results", 1000 * watch.seconds(),
+                 static_cast<double>(std::filesystem::file_size(page)) / (1 << 20), page.string());
 }
 
 using Bench = void (*)(const Options&, const GlobalOptions&);

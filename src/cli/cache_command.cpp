@@ -1,5 +1,6 @@
 #include "cli/command.h"
 #include "core/log.h"
+#include "core/output.h"
 #include "experiment/measurement_store.h"
 #include "reference/cache/truth_cache.h"
 
@@ -51,7 +52,7 @@ std::string name_text(const CacheEntry& entry) {
 
 void print(const CacheEntry& entry) {
     if (!entry.readable) {
-        fmt::print("{}: unreadable, {}\n", name_text(entry), bytes_text(entry.bytes));
+        print_result("{}: unreadable, {}\n", name_text(entry), bytes_text(entry.bytes));
         return;
     }
     std::vector<std::string> queries;
@@ -64,9 +65,9 @@ void print(const CacheEntry& entry) {
     if (settings.extras.causes) extras += ", causes";
     if (settings.extras.one_layer_bound) extras += ", one-layer bound";
     if (settings.extras.bent_normals) extras += ", bent normals";
-    fmt::print("{} {} {}x{}: {}{}; {}; {}; {} old; {}\n", entry.label.scene, entry.label.view,
-               entry.request.width, entry.request.height, fmt::join(queries, ", "), extras, effort,
-               bytes_text(entry.bytes), age_text(entry.age_s), state_text(entry));
+    print_result("{} {} {}x{}: {}{}; {}; {}; {} old; {}\n", entry.label.scene, entry.label.view,
+                 entry.request.width, entry.request.height, fmt::join(queries, ", "), extras, effort,
+                 bytes_text(entry.bytes), age_text(entry.age_s), state_text(entry));
 }
 
 MeasurementStore measurements() {
@@ -80,18 +81,18 @@ ExitCode list(const TruthCache& cache, const Options&) {
         print(entry);
         bytes += entry.bytes;
     }
-    fmt::print("{} truths, {}, in {}\n", entries.size(), bytes_text(bytes), default_cache_dir().string());
+    print_result("{} truths, {}, in {}\n", entries.size(), bytes_text(bytes), default_cache_dir().string());
     const MeasurementStore::Size size = measurements().size();
-    fmt::print("{} measurements, {}\n", size.entries, bytes_text(size.bytes));
+    print_result("{} measurements, {}\n", size.entries, bytes_text(size.bytes));
     return ExitCode::ok;
 }
 
 ExitCode clear(const TruthCache& cache, const Options&) {
     const ClearedCache cleared = cache.clear();
-    fmt::print("{} truths removed, {} freed", cleared.files, bytes_text(cleared.bytes));
-    if (cleared.kept_in_use > 0) fmt::print("; {} kept, in use by another process", cleared.kept_in_use);
+    print_result("{} truths removed, {} freed", cleared.files, bytes_text(cleared.bytes));
+    if (cleared.kept_in_use > 0) print_result("; {} kept, in use by another process", cleared.kept_in_use);
     const MeasurementStore::Size removed = measurements().clear();
-    fmt::print("\n{} measurements removed, {} freed\n", removed.entries, bytes_text(removed.bytes));
+    print_result("\n{} measurements removed, {} freed\n", removed.entries, bytes_text(removed.bytes));
     return ExitCode::ok;
 }
 
@@ -106,14 +107,14 @@ ExitCode verify(const TruthCache& cache, const Options& options) {
                                        ? "digests only: " + verdict.not_traced
                                        : fmt::format("{} parts traced again, {} differ",
                                                      verdict.groups_compared, verdict.groups_differing);
-        fmt::print("{} {} {}: {} bytes damaged; {}\n", good ? "ok " : "BAD", name_text(entry),
-                   entry.readable ? entry.label.scene + " " + entry.label.view : "?", entry.damaged_bytes,
-                   traced);
+        print_result("{} {} {}: {} bytes damaged; {}\n", good ? "ok " : "BAD", name_text(entry),
+                     entry.readable ? entry.label.scene + " " + entry.label.view : "?", entry.damaged_bytes,
+                     traced);
     }
-    fmt::print("{} truths, {} bad\n", entries.size(), bad);
+    print_result("{} truths, {} bad\n", entries.size(), bad);
     const std::vector<std::filesystem::path> damaged = measurements().damaged();
-    for (const std::filesystem::path& file : damaged) fmt::print("BAD {}\n", file.string());
-    fmt::print("{} measurements, {} bad\n", measurements().size().entries, damaged.size());
+    for (const std::filesystem::path& file : damaged) print_result("BAD {}\n", file.string());
+    print_result("{} measurements, {} bad\n", measurements().size().entries, damaged.size());
     bad += damaged.size();
     return bad > 0 ? ExitCode::file_error : ExitCode::ok;
 }

@@ -1,6 +1,9 @@
 #include "cli/command.h"
 #include "cli/outcome_options.h"
 #include "core/files.h"
+#include "core/json_text.h"
+#include "core/log.h"
+#include "core/output.h"
 #include "experiment/comparison.h"
 
 #include <fmt/format.h>
@@ -37,7 +40,7 @@ Crop parse_crop(const std::string& text) {
 }
 
 void print_line(const std::string& name, const std::string& value, const std::string& note = {}) {
-    fmt::print("{:<16} {:>12}{}{}\n", name, value, note.empty() ? "" : "  ", note);
+    print_result("{:<16} {:>12}{}{}\n", name, value, note.empty() ? "" : "  ", note);
 }
 
 /// "[low, high]", the 95 % interval; empty where there is none.
@@ -101,15 +104,15 @@ ExitCode run(Options options, const GlobalOptions& global) {
     const std::string where = options.request.test.string();
     const Gates::Tripped tripped = outcome.gates().check(comparison.metrics);
     if (options.json == "-") {
-        fmt::print("{}\n", to_json(comparison).dump(2));
+        print_result("{}\n", json_text(to_json(comparison), 2));
     } else {
-        if (!options.json.empty()) write_atomically(options.json, to_json(comparison).dump(2) + "\n");
+        if (!options.json.empty()) write_atomically(options.json, json_text(to_json(comparison), 2) + "\n");
         print_table(comparison);
     }
     outcome.exports().write(export_table(comparison, tripped, global.command_line));
     if (!comparison.sound()) {
-        fmt::print(stderr, "aoscore: {}: {} valid pixels, {} NaN or infinite\n", where,
-                   comparison.valid_pixels, comparison.nonfinite);
+        log_error(fmt::format("aoscore: {}: {} valid pixels, {} NaN or infinite", where,
+                              comparison.valid_pixels, comparison.nonfinite));
         return ExitCode::gate_failed;
     }
     if (comparison.noise) outcome.gates().require_above_noise(comparison.noise->rmse(), where);

@@ -1,6 +1,7 @@
 #include "cli/command.h"
 #include "cli/shared_options.h"
 #include "core/files.h"
+#include "core/output.h"
 #include "experiment/image_output.h"
 #include "screen/screen.h"
 
@@ -37,7 +38,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     write_gbuffer(options.out, gbuffer, view_positions(gbuffer, frame), attributes);
     log_info(
         fmt::format("{} triangles drawn in {:.1f} ms by {}", scene.triangle_count, ms, renderer.renderer()));
-    fmt::print("{}\n", options.out.string());
+    print_path(options.out);
     return ExitCode::ok;
 }
 

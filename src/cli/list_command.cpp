@@ -1,6 +1,7 @@
 #include "cli/command.h"
 #include "cli/shared_options.h"
 #include "core/files.h"
+#include "core/output.h"
 #include "experiment/plan.h"
 #include "experiment/scene_views.h"
 #include "experiment/view_description.h"
@@ -29,7 +30,7 @@ void list_scenes() {
     std::set<std::string> builtin;
     for (const BuiltinScene& scene : builtin_scenes()) {
         builtin.emplace(scene.id);
-        fmt::print("{:<20} built in: {}\n", scene.id, scene.description);
+        print_result("{:<20} built in: {}\n", scene.id, scene.description);
     }
     std::set<std::string> known;
     for (const auto& entry : std::filesystem::directory_iterator(home_dir() / "scenes")) {
@@ -37,7 +38,7 @@ void list_scenes() {
         if (std::filesystem::exists(entry.path() / "views.json") && !builtin.contains(id)) known.insert(id);
     }
     for (const std::string& id : known) {
-        fmt::print("{:<20} views for your own {} file (see scenes/README.md)\n", id, id);
+        print_result("{:<20} views for your own {} file (see scenes/README.md)\n", id, id);
     }
 }
 
@@ -46,8 +47,8 @@ void list_builtin_views() {
         const Scene scene = load_with_warnings(std::string(builtin.id));
         for (const View& view : scene.views) {
             const std::string radius = view.radius_m ? fmt::format(", ranked at {:g} m", *view.radius_m) : "";
-            fmt::print("{:<24} {}{}{}\n", scene.id + "/" + view.id, view.source, radius,
-                       view.note.empty() ? "" : ", " + view.note);
+            print_result("{:<24} {}{}{}\n", scene.id + "/" + view.id, view.source, radius,
+                         view.note.empty() ? "" : ", " + view.note);
         }
     }
 }
@@ -65,7 +66,7 @@ void list_views(const std::string& scene_name, const ViewChoice& choice) {
         log_info(
             fmt::format("{}: from {}{}", view.id, view.source, view.note.empty() ? "" : ", " + view.note));
     }
-    fmt::print("{}\n", view_file_text(scene, views));
+    print_result("{}\n", view_file_text(scene, views));
 }
 
 void list_methods(const std::filesystem::path& methods_dir) {
@@ -77,23 +78,26 @@ void list_methods(const std::filesystem::path& methods_dir) {
             parameters.push_back(fmt::format("{}={}", p.id, p.default_value.dump()));
         std::vector<std::string> presets;
         for (const auto& [id, values] : m.presets) presets.push_back(id);
-        fmt::print("{:<20} {}{}. {}; inputs {}; parameters {}; presets {}\n", m.id, kind, m.paper, m.summary,
-                   fmt::join(inputs, ", "), fmt::join(parameters, ", "), fmt::join(presets, ", "));
+        print_result("{:<20} {}{}. {}; inputs {}; parameters {}; presets {}\n", m.id, kind, m.paper,
+                     m.summary, fmt::join(inputs, ", "), fmt::join(parameters, ", "),
+                     fmt::join(presets, ", "));
     };
-    for (const MethodDescriptor& method : load_methods(methods_dir)) print(method, "");
+    std::vector<std::string> warnings;
+    for (const MethodDescriptor& method : load_asked_methods(methods_dir, {}, warnings)) print(method, "");
+    for (const std::string& warning : warnings) log_warning(warning);
     for (const MethodDescriptor& filter : load_filters()) print(filter, "filter: ");
 }
 
 void list_metrics() {
     for (const Metric& metric : metrics()) {
-        fmt::print("{:<16} {}: {}{}\n", metric.id, metric.label, metric.meaning,
-                   metric.paper.empty() ? "" : fmt::format(" ({})", metric.paper));
+        print_result("{:<16} {}: {}{}\n", metric.id, metric.label, metric.meaning,
+                     metric.paper.empty() ? "" : fmt::format(" ({})", metric.paper));
     }
 }
 
 void list_report_definitions() {
     for (const ReportDefinition& report : list_reports()) {
-        fmt::print("{:<20} {} ({})\n", report.id, report.title, report.source);
+        print_result("{:<20} {} ({})\n", report.id, report.title, report.source);
     }
 }
 

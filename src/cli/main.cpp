@@ -3,14 +3,18 @@
 #include "core/files.h"
 #include "core/interrupt.h"
 #include "core/log.h"
+#include "core/output.h"
 #include "core/shell.h"
 #include "core/threads.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <array>
-#include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <sstream>
 #include <vector>
 
 namespace aoscore {
@@ -33,7 +37,17 @@ std::string command_line(int argc, char** argv) {
     return line;
 }
 
+/// A standard stream that is closed would lend its number to the first file that is opened, and what is
+/// printed would go into that. Writing to what stands in for it fails, as writing to a closed one does.
+void hold_standard_streams() {
+    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (fcntl(descriptor, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != descriptor)
+            throw internal_error("a standard stream is closed, and nothing can stand in for it");
+    }
+}
+
 ExitCode run_program(int argc, char** argv) {
+    hold_standard_streams();
     CLI::App program{
         "aoscore: how far screen-space ambient occlusion is from the ray-traced truth, where, and at what "
         "cost"};
@@ -58,7 +72,13 @@ ExitCode run_program(int argc, char** argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        return program.exit(e) == 0 ? ExitCode::ok : ExitCode::usage;
+        std::ostringstream out, err;
+        const int code = program.exit(e, out, err);
+        write_output(out.str());
+        std::string complaint = err.str();
+        if (complaint.ends_with('\n')) complaint.pop_back();
+        if (!complaint.empty()) log_error(complaint);
+        return code == 0 ? ExitCode::ok : ExitCode::usage;
     }
     set_quiet(global.quiet);
     set_thread_count(global.threads);
@@ -77,13 +97,17 @@ int main(int argc, char** argv) {
     ExitCode code = ExitCode::internal;
     try {
         code = aoscore::run_program(argc, argv);
+        aoscore::flush_output();
     } catch (const aoscore::Error& e) {
-        fmt::print(stderr, "aoscore: {}\n", e.what());
+        aoscore::log_error(fmt::format("aoscore: {}", e.what()));
         code = e.exit_code();
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "aoscore: not enough memory\n");
+        aoscore::log_error("aoscore: not enough memory");
+    } catch (const std::filesystem::filesystem_error& e) {
+        aoscore::log_error(fmt::format("aoscore: {}: {}", e.path1().string(), e.code().message()));
+        code = ExitCode::file_error;
     } catch (const std::exception& e) {
-        fmt::print(stderr, "aoscore: internal error: {}\n", e.what());
+        aoscore::log_error(fmt::format("aoscore: internal error: {}", e.what()));
     }
     return static_cast<int>(code);
 }

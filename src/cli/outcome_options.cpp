@@ -1,5 +1,6 @@
 #include "cli/outcome_options.h"
 
+#include "core/log.h"
 #include "experiment/experiment.h"
 #include "experiment/view_description.h"
 
@@ -48,8 +49,8 @@ Outcome::Outcome(const OutcomeOptions& options)
       exports_(options.exports) {}
 
 void Outcome::print(const Gates::Tripped& tripped, const std::string& where) {
-    for (const std::string& line : tripped.failures) fmt::print(stderr, "fail {}: {}\n", where, line);
-    for (const std::string& line : tripped.warnings) fmt::print(stderr, "warn {}: {}\n", where, line);
+    for (const std::string& line : tripped.failures) log_error(fmt::format("fail {}: {}", where, line));
+    for (const std::string& line : tripped.warnings) log_error(fmt::format("warn {}: {}", where, line));
 }
 
 ExitCode Outcome::conclude(const Results& results) {

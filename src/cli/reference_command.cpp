@@ -1,5 +1,6 @@
 #include "cli/command.h"
 #include "cli/shared_options.h"
+#include "core/output.h"
 #include "experiment/experiment.h"
 #include "experiment/image_output.h"
 #include "experiment/truth_provenance.h"
@@ -53,7 +54,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
         scene, traced, reference_command(scene, view, traced.made_for, options.out.string()));
     header["aoscore:view"] = view.id;
     write_truth(options.out, traced.truth, traced.truth.hits.surface, header);
-    fmt::print("{}\n", options.out.string());
+    print_path(options.out);
     return ExitCode::ok;
 }
 

@@ -1,11 +1,10 @@
 #include "cli/command.h"
 #include "cli/outcome_options.h"
+#include "core/output.h"
 #include "experiment/baseline.h"
 #include "report/report.h"
 #include "report/stress_page.h"
 #include "results/stress_results.h"
-
-#include <fmt/format.h>
 
 #include <memory>
 
@@ -20,7 +19,7 @@ struct Options {
 
 ExitCode run(const Options& options) {
     if (has_stress_results(options.results)) {
-        fmt::print("{}\n", write_stress_page(options.results).string());
+        print_path(write_stress_page(options.results));
         return ExitCode::ok;
     }
     Outcome outcome(options.outcome);
@@ -31,7 +30,7 @@ ExitCode run(const Options& options) {
         results.baseline = against_baseline(results, *outcome.baseline());
         write_results(results, folder);
     }
-    fmt::print("{}\n", write_report(folder, options.everything).string());
+    print_path(write_report(folder, options.everything));
     return outcome.conclude(results);
 }
 

@@ -1,9 +1,8 @@
 #include "cli/run_and_report.h"
 
+#include "core/output.h"
 #include "experiment/experiment.h"
 #include "report/report.h"
-
-#include <fmt/format.h>
 
 namespace aoscore {
 
@@ -16,7 +15,7 @@ ExitCode run_and_report(ExperimentPlan plan, const std::filesystem::path& folder
     const Results results = run_experiment(plan, folder, [&](const std::filesystem::path& staged) {
         page = folder / write_report(staged).filename();
     });
-    fmt::print("{}\n", page.string());
+    print_path(page);
     return outcome.conclude(results);
 }
 

@@ -26,8 +26,8 @@ struct Options {
     std::filesystem::path truth_cache;
 };
 
-std::vector<MethodDescriptor> chosen_methods(const Options& options) {
-    std::vector<MethodDescriptor> known = load_methods(options.methods_dir);
+std::vector<MethodDescriptor> chosen_methods(const Options& options, std::vector<std::string>& warnings) {
+    std::vector<MethodDescriptor> known = load_asked_methods(options.methods_dir, options.methods, warnings);
     if (options.methods.empty() || options.methods == std::vector<std::string>{"all"}) return known;
     std::vector<MethodDescriptor> chosen;
     for (const std::string& id : options.methods) chosen.push_back(find_method(known, id));
@@ -51,7 +51,8 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     view.samples = options.effort.samples;
     view.max_error = options.effort.max_error;
     if (!options.radii.empty()) view.radius_m = options.radii[0];
-    view.cells = plan_cells(chosen_methods(options), load_filters(), options.method_options, plan.warnings);
+    view.cells = plan_cells(chosen_methods(options, plan.warnings), load_filters(), options.method_options,
+                            plan.warnings);
     for (const std::string& id : planned_views(options.choice.view)) {
         view.view = id;
         shared_view(plan, view);

@@ -1,9 +1,8 @@
 #include "cli/command.h"
 #include "core/files.h"
+#include "core/output.h"
 #include "experiment/stress.h"
 #include "report/stress_page.h"
-
-#include <fmt/format.h>
 
 #include <memory>
 
@@ -28,7 +27,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     const std::filesystem::path folder =
         options.out.empty() ? home_dir() / "reports" / "out" / "stress" : options.out;
     const StressResults results = run_stress(plan, folder);
-    fmt::print("{}\n", write_stress_page(folder).string());
+    print_path(write_stress_page(folder));
     return failed_cells(results) > 0 ? ExitCode::cells_failed : ExitCode::ok;
 }
 

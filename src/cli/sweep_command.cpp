@@ -76,7 +76,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     view.extras = {};  // they say more of one picture than curves can show
     view.timing_goal = TimingGoal();
     view.lit = true;
-    const Registry registry = load_registry(options.methods_dir);
+    const Registry registry = load_registry(options.methods_dir, options.methods, plan.warnings);
     const SweepRequest request = request_of(options, registry);
     SweepPlan sweep;
     sweep.title = fmt::format("Sweep of {}", fmt::join(options.scenes, ", "));

@@ -1,22 +1,24 @@
 #include "core/error.h"
 
+#include "core/printable.h"
+
 #include <utility>
 
 namespace aoscore {
 namespace {
 
-std::string one_line(const std::string& what, const std::string& where, const std::string& valid) {
+std::string message(const std::string& what, const std::string& where, const std::string& valid) {
     std::string text;
-    if (!where.empty()) text += where + ": ";
-    text += what;
-    if (!valid.empty()) text += " (valid: " + valid + ")";
+    if (!where.empty()) text += printable(where) + ": ";
+    text += printable_lines(what);  // a compiler's complaint shows lines of its source
+    if (!valid.empty()) text += " (valid: " + printable(valid) + ")";
     return text;
 }
 
 }  // namespace
 
 Error::Error(ExitCode exit_code, std::string what, std::string where, std::string valid)
-    : std::runtime_error(one_line(what, where, valid)),
+    : std::runtime_error(message(what, where, valid)),
       exit_code_(exit_code),
       where_(std::move(where)),
       valid_(std::move(valid)) {}

@@ -1,11 +1,11 @@
 #include "core/files.h"
 
 #include "core/error.h"
+#include "core/pending_file.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <atomic>
+#include <cerrno>
 #include <cstdlib>
 #include <fstream>
 #include <system_error>
@@ -42,31 +42,23 @@ std::string read_file(const fs::path& path, std::size_t max_bytes) {
 }
 
 void write_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-    static std::atomic<int> counter{0};
     std::error_code ec;
     if (path.has_parent_path()) fs::create_directories(path.parent_path(), ec);
     if (ec) throw file_error("folder cannot be made: " + ec.message(), path.parent_path().string());
-    // The extension stays last: image libraries choose the format by it.
-    fs::path temporary = path.parent_path() / fmt::format(".{}.{}-{}.tmp{}", path.stem().string(), getpid(),
-                                                          counter++, path.extension().string());
-    try {
-        write(temporary);
-        fs::rename(temporary, path);
-    } catch (const fs::filesystem_error& e) {
-        fs::remove(temporary, ec);
-        throw file_error("cannot be written: " + e.code().message(), path.string());
-    } catch (...) {
-        fs::remove(temporary, ec);
-        throw;
-    }
+    PendingFile file(path);
+    write(file.temporary());
+    file.publish();
 }
 
 void write_atomically(const fs::path& path, std::string_view content) {
-    write_atomically(path, [&](const fs::path& temporary) {
-        std::ofstream out(temporary, std::ios::binary);
-        out.write(content.data(), static_cast<std::streamsize>(content.size()));
-        if (!out.flush()) throw file_error("cannot be written", path.string());
-    });
+    write_atomically(path, [&](const fs::path& temporary) { fill_file(temporary, content, path); });
+}
+
+void fill_file(const fs::path& file, std::string_view content, const fs::path& named) {
+    std::ofstream out(file, std::ios::binary | std::ios::trunc);
+    out.write(content.data(), static_cast<std::streamsize>(content.size()));
+    if (!out.flush())
+        throw file_error("cannot be written: " + std::generic_category().message(errno), named.string());
 }
 
 }  // namespace aoscore

@@ -2,7 +2,8 @@
 
 namespace aoscore {
 
-/// From here on Ctrl-C (SIGINT) and SIGTERM only raise a flag; a second Ctrl-C ends the process at once.
+/// From here on Ctrl-C (SIGINT) and SIGTERM only raise a flag. The process ends at once with another one a
+/// second later or more, and ten seconds after the first, whatever is under way then.
 void catch_interrupts();
 
 /// True once Ctrl-C was pressed. Cheap; callable from any thread.

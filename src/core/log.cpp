@@ -1,9 +1,12 @@
 #include "core/log.h"
 
+#include "core/printable.h"
+
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <mutex>
+#include <string>
 
 namespace aoscore {
 namespace {
@@ -12,9 +15,9 @@ bool g_quiet = false;
 std::mutex g_mutex;
 
 void write_line(std::string_view prefix, std::string_view line) {
-    if (g_quiet) return;
     const std::scoped_lock lock(g_mutex);
-    fmt::print(stderr, "{}{}\n", prefix, line);
+    const std::string text = fmt::format("{}{}\n", prefix, printable_lines(line));
+    std::fputs(text.c_str(), stderr);  // a log that cannot be written ends no run
 }
 
 }  // namespace
@@ -26,10 +29,13 @@ bool quiet() {
     return g_quiet;
 }
 void log_info(std::string_view line) {
-    write_line("", line);
+    if (!g_quiet) write_line("", line);
 }
 void log_warning(std::string_view line) {
-    write_line("warning: ", line);
+    if (!g_quiet) write_line("warning: ", line);
+}
+void log_error(std::string_view line) {
+    write_line("", line);
 }
 
 }  // namespace aoscore

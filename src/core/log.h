@@ -12,5 +12,7 @@ bool quiet();
 void log_info(std::string_view line);
 /// A line on standard error that begins with "warning: ".
 void log_warning(std::string_view line);
+/// A line on standard error that even a quiet run needs: why it ends otherwise than well.
+void log_error(std::string_view line);
 
 }  // namespace aoscore

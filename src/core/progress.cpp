@@ -1,6 +1,7 @@
 #include "core/progress.h"
 
 #include "core/log.h"
+#include "core/printable.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -48,12 +49,14 @@ void Progress::draw(std::size_t done, double seconds, bool last) {
     const std::string times = last ? fmt::format("{:.1f} s", seconds)
                                    : fmt::format("{:.0f} s, about {:.0f} s left", seconds, left_s);
     if (!terminal_) {
-        fmt::print(stderr, "{}: {:.0f} %, {}\n", what_, 100 * fraction, times);
+        log_info(fmt::format("{}: {:.0f} %, {}", what_, 100 * fraction, times));
         return;
     }
     const int filled = static_cast<int>(fraction * kBarWidth);
-    fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {:.0f} %, {}{}", what_, "", filled, "",
-               kBarWidth - filled, 100 * fraction, times, last ? "\n" : "");
+    const std::string line =
+        fmt::format("\r\033[K{} [{:#<{}}{:.<{}}] {:.0f} %, {}{}", printable(what_), "", filled, "",
+                    kBarWidth - filled, 100 * fraction, times, last ? "\n" : "");
+    std::fputs(line.c_str(), stderr);
     std::fflush(stderr);
 }
 

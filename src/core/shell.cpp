@@ -1,6 +1,23 @@
 #include "core/shell.h"
 
+#include "core/printable.h"
+
+#include <fmt/format.h>
+
 namespace aoscore {
+namespace {
+
+/// $'...', in which every byte can be named.
+std::string ansi_quoted(const std::string& argument) {
+    std::string result = "$'";
+    for (const char c : argument) {
+        const bool plain = c >= 0x20 && c < 0x7F && c != '\'' && c != '\\';
+        result += plain ? std::string(1, c) : fmt::format("\\{:03o}", static_cast<unsigned char>(c));
+    }
+    return result + "'";
+}
+
+}  // namespace
 
 std::string shell_quoted(const std::string& argument) {
     const bool plain =
@@ -8,6 +25,7 @@ std::string shell_quoted(const std::string& argument) {
                                  "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
                                  "-_./,=:@%+") == std::string::npos;
     if (plain) return argument;
+    if (printable(argument) != argument) return ansi_quoted(argument);
     std::string result = "'";
     for (const char c : argument) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return result + "'";

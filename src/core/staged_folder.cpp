@@ -1,6 +1,7 @@
 #include "core/staged_folder.h"
 
 #include "core/error.h"
+#include "core/pending_file.h"
 
 #include <signal.h>
 #include <unistd.h>
@@ -59,7 +60,7 @@ void StagedFolder::publish() {
             if (entry.is_directory()) {
                 fs::create_directories(place);
             } else {
-                fs::rename(entry.path(), place);
+                move_to_place(entry.path(), place);
             }
         }
     } catch (const fs::filesystem_error& e) {

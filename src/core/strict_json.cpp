@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/json_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -46,18 +47,17 @@ std::string StrictObject::text_or(std::string_view key, std::string fallback) {
 bool StrictObject::boolean_or(std::string_view key, bool fallback) {
     if (!has(key)) return fallback;
     const json& value = take(key, "true or false");
-    if (!value.is_boolean())
-        throw file_error(fmt::format("is {}", value.dump()), where(key), "true or false");
+    if (!value.is_boolean()) throw file_error("is " + quoted_json(value), where(key), "true or false");
     return value.get<bool>();
 }
 
 double StrictObject::number(std::string_view key, double lowest, double highest) {
     const std::string valid = fmt::format("a number from {} to {}", lowest, highest);
     const json& value = take(key, valid);
-    if (!value.is_number()) throw file_error(fmt::format("is {}", value.dump()), where(key), valid);
+    if (!value.is_number()) throw file_error("is " + quoted_json(value), where(key), valid);
     const double v = value.get<double>();
     if (!std::isfinite(v) || v < lowest || v > highest) {
-        throw file_error(fmt::format("is {}", value.dump()), where(key), valid);
+        throw file_error("is " + quoted_json(value), where(key), valid);
     }
     return v;
 }
@@ -86,7 +86,7 @@ std::vector<double> StrictObject::numbers(std::string_view key, std::size_t size
     std::vector<double> result;
     for (const json& v : value) {
         if (!v.is_number() || !std::isfinite(v.get<double>())) {
-            throw file_error(fmt::format("holds {}", v.dump()), where(key), valid);
+            throw file_error("holds " + quoted_json(v), where(key), valid);
         }
         result.push_back(v.get<double>());
     }
@@ -99,8 +99,7 @@ std::vector<std::string> StrictObject::texts_or_empty(std::string_view key) {
     std::vector<std::string> result;
     if (!value.is_array()) throw file_error("has another form", where(key), "an array of texts");
     for (const json& v : value) {
-        if (!v.is_string())
-            throw file_error(fmt::format("holds {}", v.dump()), where(key), "an array of texts");
+        if (!v.is_string()) throw file_error("holds " + quoted_json(v), where(key), "an array of texts");
         result.push_back(v.get<std::string>());
     }
     return result;
@@ -142,13 +141,9 @@ void StrictObject::finish() const {
 }
 
 json parse_json_file(const std::filesystem::path& path) {
-    try {
-        json parsed = json::parse(read_file(path, std::size_t{64} << 20));
-        if (!parsed.is_object()) throw file_error("the top level is no object", path.string(), "an object");
-        return parsed;
-    } catch (const json::parse_error& e) {
-        throw file_error(e.what(), path.string(), "JSON");
-    }
+    json parsed = parse_json_text(read_file(path, std::size_t{64} << 20), path.string(), "a JSON object");
+    if (!parsed.is_object()) throw file_error("the top level is no object", path.string(), "an object");
+    return parsed;
 }
 
 }  // namespace aoscore

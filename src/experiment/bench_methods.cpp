@@ -1,6 +1,7 @@
 #include "experiment/bench_methods.h"
 
 #include "core/error.h"
+#include "core/log.h"
 #include "experiment/timing.h"
 #include "screen/screen.h"
 
@@ -29,7 +30,10 @@ struct Row {
 };
 
 std::vector<MethodDescriptor> chosen_methods(const MethodsBenchmark& benchmark) {
-    std::vector<MethodDescriptor> known = load_methods(benchmark.methods_dir);
+    std::vector<std::string> warnings;
+    std::vector<MethodDescriptor> known =
+        load_asked_methods(benchmark.methods_dir, benchmark.methods, warnings);
+    for (const std::string& warning : warnings) log_warning(warning);
     if (benchmark.methods.empty()) return known;
     std::vector<MethodDescriptor> chosen;
     for (const std::string& id : benchmark.methods) chosen.push_back(find_method(known, id));

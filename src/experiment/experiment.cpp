@@ -141,7 +141,8 @@ double ranking_radius(const std::optional<double>& asked, const View& view, cons
 Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& target,
                        const std::function<void(const std::filesystem::path&)>& finish) {
     const auto start = std::chrono::steady_clock::now();
-    const Registry registry = load_registry(plan.methods_dir);
+    std::vector<std::string> left_out;  // the plan says which: it names none of them
+    const Registry registry = load_registry(plan.methods_dir, {}, left_out);
     const MeasurementStore store(MeasurementStore::folder_in(plan.truth_cache));
     const std::vector<PreparedView> prepared = prepare(plan, registry, store);
     const std::vector<ClaimList> claims = planned_claims(plan);

@@ -1,6 +1,7 @@
 #include "experiment/live_output.h"
 
 #include "core/files.h"
+#include "core/json_text.h"
 #include "results/live_file.h"
 #include "screen/method_data.h"
 #include "screen/view_uniforms.h"
@@ -49,7 +50,7 @@ void write_live_file(const std::filesystem::path& folder, const Registry& regist
                  {"filters", descriptors(registry.filters, seed)},
                  {"views", json::object()}};
     for (const auto& [key, frame] : views) data["views"][key] = view_data(frame);
-    write_atomically(folder / kLiveFile, data.dump() + "\n");
+    write_atomically(folder / kLiveFile, json_text(data) + "\n");
 }
 
 }  // namespace aoscore

@@ -3,9 +3,12 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/hash.h"
+#include "core/json_text.h"
 #include "core/log.h"
 
 #include <fmt/format.h>
+
+#include <utility>
 
 namespace aoscore {
 namespace {
@@ -21,7 +24,7 @@ std::string digest_of(const std::string& bytes) {
 json checked_payload(const fs::path& path, const std::string& key) {
     const json entry = json::parse(read_file(path), nullptr, false);
     const bool whole = entry.is_object() && entry.value("key", "") == key && entry.contains("payload") &&
-                       entry.value("digest", "") == digest_of(entry.at("payload").dump());
+                       entry.value("digest", "") == digest_of(json_text(entry.at("payload")));
     if (!whole) throw file_error("is damaged", path.string());
     return entry.at("payload");
 }
@@ -51,8 +54,18 @@ std::optional<json> MeasurementStore::find(const std::string& key) const {
 
 void MeasurementStore::put(const std::string& key, const json& payload) const {
     if (!enabled()) return;
-    const json wrapped = {{"key", key}, {"digest", digest_of(payload.dump())}, {"payload", payload}};
-    write_atomically(entry(key, ".json"), wrapped.dump());
+    const json wrapped = {{"key", key}, {"digest", digest_of(json_text(payload))}, {"payload", payload}};
+    keep(entry(key, ".json"), json_text(wrapped));
+}
+
+void MeasurementStore::keep(const fs::path& file, const std::string& bytes) const {
+    try {
+        write_atomically(file, bytes);
+    } catch (const Error& e) {
+        if (e.exit_code() != ExitCode::file_error) throw;
+        if (!std::exchange(warned_, true))
+            log_warning(fmt::format("measurements are not kept: {}", e.what()));
+    }
 }
 
 bool MeasurementStore::fetch_file(const std::string& key, const fs::path& target) const {
@@ -76,7 +89,7 @@ void MeasurementStore::put_file(const std::string& key, const fs::path& source) 
     if (!enabled()) return;
     const std::string bytes = read_file(source);
     const std::string extension = source.extension().string();
-    write_atomically(entry(key, extension), bytes);
+    keep(entry(key, extension), bytes);
     put(key, {{"extension", extension}, {"file_digest", digest_of(bytes)}});
 }
 
@@ -103,7 +116,7 @@ std::vector<fs::path> MeasurementStore::damaged() const {
     std::vector<fs::path> paths;
     if (!enabled() || !fs::is_directory(folder_)) return paths;
     for (const auto& file : fs::recursive_directory_iterator(folder_)) {
-        if (!file.is_regular_file() || file.path().extension() != ".json") continue;
+        if (file.path().extension() != ".json") continue;
         const std::string key = file.path().stem().string();
         try {
             const json payload = checked_payload(file.path(), key);

@@ -12,7 +12,8 @@ namespace aoscore {
 
 /// Measurements that were made before, by a digest of everything that decides them. Entries are written whole
 /// or not at all, so that several processes may share a store; one that is damaged is named in a warning and
-/// counts as missing. Only the processes that write it know what its entries mean.
+/// counts as missing. Where the folder cannot be written, that is said once, and nothing is kept. Only the
+/// processes that write it know what its entries mean.
 class MeasurementStore {
   public:
     /// The part of a cache's folder that measurements are kept in; empty for an empty one.
@@ -43,8 +44,10 @@ class MeasurementStore {
 
   private:
     std::filesystem::path entry(const std::string& key, const std::string& extension) const;
+    void keep(const std::filesystem::path& file, const std::string& bytes) const;
 
     std::filesystem::path folder_;
+    mutable bool warned_ = false;
 };
 
 }  // namespace aoscore

@@ -129,7 +129,7 @@ void add_sweep_report(ExperimentPlan& plan, const ReportDefinition& report, doub
     view.extras = {};
     view.timing_goal = TimingGoal();
     view.lit = true;
-    const Registry registry = load_registry({});
+    const Registry registry = load_registry();
     std::vector<SweepRequest> requests;
     for (StrictObject& one : object.objects("sweeps")) requests.push_back(read_sweep(std::move(one)));
     for (StrictObject& one : object.objects("views")) {

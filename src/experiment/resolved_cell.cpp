@@ -7,8 +7,15 @@
 
 namespace aoscore {
 
-Registry load_registry(const std::filesystem::path& methods_dir) {
-    return {load_methods(methods_dir), load_filters(), load_fixed_pass(), load_lighting()};
+Registry load_registry(const std::filesystem::path& methods_dir, const std::vector<std::string>& asked,
+                       std::vector<std::string>& warnings) {
+    return {load_asked_methods(methods_dir, asked, warnings), load_filters(), load_fixed_pass(),
+            load_lighting()};
+}
+
+Registry load_registry() {
+    std::vector<std::string> none;
+    return load_registry({}, {}, none);
 }
 
 namespace {

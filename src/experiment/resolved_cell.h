@@ -16,7 +16,11 @@ struct Registry {
     MethodDescriptor fixed_pass;
     MethodDescriptor lighting;
 };
-Registry load_registry(const std::filesystem::path& methods_dir);
+/// Methods as load_asked_methods() has them.
+Registry load_registry(const std::filesystem::path& methods_dir, const std::vector<std::string>& asked,
+                       std::vector<std::string>& warnings);
+/// The program's own.
+Registry load_registry();
 
 /// A cell with its names looked up and its parameters complete.
 struct ResolvedCell {

@@ -100,7 +100,9 @@ StressResults described(const StressPlan& plan, const std::vector<StressSubject>
 StressResults run_stress(const StressPlan& plan, const fs::path& folder) {
     const auto start = std::chrono::steady_clock::now();
     const std::clock_t start_cpu = std::clock();
-    const Registry registry = load_registry(plan.methods_dir);
+    std::vector<std::string> warnings;
+    const Registry registry = load_registry(plan.methods_dir, plan.methods, warnings);
+    for (const std::string& warning : warnings) log_warning(warning);
     const std::vector<StressSubject> subjects = stress_subjects(registry, plan.methods);
     const std::vector<StressAxis> axes = planned_axes(plan);
 

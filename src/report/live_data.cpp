@@ -2,6 +2,9 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/json_text.h"
+#include "core/printable.h"
+#include "core/strict_json.h"
 #include "core/threads.h"
 #include "report/live_packing.h"
 #include "report/page_template.h"
@@ -160,7 +163,7 @@ LiveData read_live_data(const Results& results, const fs::path& folder) {
         return data;
     }
     try {
-        data.index = json::parse(read_file(path));
+        data.index = parse_json_file(path);
         sort_out(data);
         pack_views(data, results, folder);
     } catch (const json::exception& e) {
@@ -171,7 +174,7 @@ LiveData read_live_data(const Results& results, const fs::path& folder) {
 
 std::string live_blocks(const LiveData& data) {
     if (!data.missing.empty()) return {};
-    std::string text = data_block("live index", pack_text(data.index.dump()));
+    std::string text = data_block("live index", pack_text(printable_lines(json_text(data.index))));
     for (const auto& [name, packed] : data.blocks) text += data_block(name, packed);
     return text;
 }

@@ -1,6 +1,8 @@
 #include "report/page_template.h"
 
 #include "core/error.h"
+#include "core/json_text.h"
+#include "core/printable.h"
 
 #include <kainjow/mustache.hpp>
 
@@ -12,7 +14,7 @@ using kainjow::mustache::data;
 data mustache_data(const nlohmann::json& value) {
     switch (value.type()) {
         case nlohmann::json::value_t::string:
-            return data(value.get_ref<const std::string&>());
+            return data(printable_lines(value.get_ref<const std::string&>()));
         case nlohmann::json::value_t::boolean:
             return data(value.get<bool>());
         case nlohmann::json::value_t::array: {
@@ -26,7 +28,8 @@ data mustache_data(const nlohmann::json& value) {
             return object;
         }
         default:
-            throw internal_error("the page's model holds " + value.dump() + ", which has no text", "report");
+            throw internal_error("the page's model holds " + quoted_json(value) + ", which has no text",
+                                 "report");
     }
 }
 
@@ -44,7 +47,7 @@ std::string escaped_html(const std::string& text) {
 
 std::string script_json(const nlohmann::json& value) {
     std::string text;
-    for (const char c : value.dump()) {
+    for (const char c : printable_lines(json_text(value))) {
         if (c == '<') {
             text += "\\u003c";
         } else {

@@ -20,6 +20,13 @@ constexpr int kStripRows = 256;
 
 namespace fs = std::filesystem;
 
+/// A library's complaint may span lines, and name the file again on each.
+Error unreadable(const std::string& complaint, const std::string& where) {
+    std::string text = complaint;
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return file_error("cannot be read: " + text, where, "a whole image file");
+}
+
 void require_readable(const OIIO::ImageSpec& spec, const std::string& where) {
     if (spec.deep) throw file_error("is a deep image", where, "a flat one");
     if (spec.depth > 1) throw file_error("is a volume", where, "an image");
@@ -40,6 +47,24 @@ void require_readable(const OIIO::ImageSpec& spec, const std::string& where) {
                         spec.x, spec.y, spec.full_width, spec.full_height, spec.full_x, spec.full_y),
             where, "all pixels of the frame and no others");
     }
+}
+
+/// Refuses an EXR whose header claims more values than the file's bytes can hold, in its picture or in one of
+/// its tiles: memory would be filled with what is not there. `bytes` is the file's size.
+void require_plausible_exr(const OIIO::ImageSpec& spec, std::uintmax_t bytes, const std::string& where) {
+    // Deflate makes a byte of at most 1032 (RFC 1951), 516 values of 16 bits. DWA's keeps 2 bytes of a block
+    // of 64 equal values before that.
+    constexpr double kMostValuesAByte = 516, kMostValuesAByteOfDwa = 64.0 / 2 * 1032;
+    const bool dwa = std::string_view(spec.get_string_attribute("compression")).starts_with("dwa");
+    const double most = static_cast<double>(bytes) * (dwa ? kMostValuesAByteOfDwa : kMostValuesAByte);
+    const double picture = 1.0 * spec.width * spec.height * spec.nchannels;
+    const double tile = 1.0 * spec.tile_width * spec.tile_height * spec.tile_depth * spec.nchannels;
+    if (std::max(picture, tile) <= most) return;
+    const bool by_tile = tile > picture;
+    throw file_error(
+        fmt::format("claims {} of {}x{} pixels, more than {} bytes can hold", by_tile ? "tiles" : "a picture",
+                    by_tile ? spec.tile_width : spec.width, by_tile ? spec.tile_height : spec.height, bytes),
+        where, "a whole EXR file");
 }
 
 /// How the file's values become float: read as `type` and divided by `scale`.
@@ -73,7 +98,7 @@ void read_strips(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int subim
                                    spec.z + 1, 0, spec.nchannels, coding.type, strip.data())
                 : input.read_scanlines(subimage, 0, spec.y + y, spec.y + end, spec.z, 0, spec.nchannels,
                                        coding.type, strip.data());
-        if (!read) throw file_error("cannot be read: " + input.geterror(), where, "a whole image file");
+        if (!read) throw unreadable(input.geterror(), where);
         if (y == 0) channels.resize(first_channel + count, ImageF(spec.width, spec.height));
         for (std::size_t c = 0; c < count; ++c) {
             float* to = &channels[first_channel + c].at(0, y);
@@ -126,7 +151,8 @@ std::map<std::string, std::string> attributes_of(const OIIO::ImageSpec& spec, bo
     return attributes;
 }
 
-ImageFile read_all_parts(OIIO::ImageInput& input, const std::string& where) {
+ImageFile read_all_parts(OIIO::ImageInput& input, const fs::path& path) {
+    const std::string where = path.string();
     const OIIO::ImageSpec first = input.spec(0);
     require_readable(first, where);
     ImageFile file;
@@ -134,6 +160,8 @@ ImageFile read_all_parts(OIIO::ImageInput& input, const std::string& where) {
     file.height = first.height;
     file.integers = !first.format.is_floating_point();
     const bool exr = std::string_view(input.format_name()) == "openexr";
+    const std::uintmax_t bytes = fs::file_size(path);
+    if (exr) require_plausible_exr(first, bytes, where);
     file.attributes = attributes_of(first, exr);
     read_part(input, 0, where, file);
     // Other programs put layers into parts.
@@ -141,6 +169,7 @@ ImageFile read_all_parts(OIIO::ImageInput& input, const std::string& where) {
         const OIIO::ImageSpec spec = input.spec(subimage);
         if (spec.deep || spec.width != first.width || spec.height != first.height) continue;
         require_readable(spec, where);
+        require_plausible_exr(spec, bytes, where);
         read_part(input, subimage, where, file);
     }
     return file;
@@ -164,14 +193,14 @@ ImageFile read_image(const fs::path& path) {
     as_stored["oiio:UnassociatedAlpha"] = 1;  // Colour is not to be multiplied by alpha.
     try {
         const auto input = OIIO::ImageInput::open(where, &as_stored);
-        if (!input) throw file_error("cannot be read: " + OIIO::geterror(), where, "an image file");
-        return read_all_parts(*input, where);
+        if (!input) throw unreadable(OIIO::geterror(), where);
+        return read_all_parts(*input, path);
     } catch (const Error&) {
         throw;
     } catch (const std::bad_alloc&) {
         throw file_error("needs more memory than there is", where);
     } catch (const std::exception& e) {
-        throw file_error(std::string("cannot be read: ") + e.what(), where, "an image file");
+        throw unreadable(e.what(), where);
     }
 }
 

@@ -1,4 +1,5 @@
 #include "core/files.h"
+#include "core/json_text.h"
 #include "core/strict_json.h"
 #include "results/results.h"
 
@@ -10,9 +11,7 @@ constexpr const char* kFileName = "results.json";
 }  // namespace
 
 void write_results(const Results& results, const std::filesystem::path& folder) {
-    // Names of files may hold any bytes, JSON only UTF-8: others become U+FFFD.
-    write_atomically(folder / kFileName,
-                     to_json(results).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+    write_atomically(folder / kFileName, json_text(to_json(results), 1) + "\n");
 }
 
 Results read_results(const std::filesystem::path& path) {

@@ -1,6 +1,7 @@
 #include "results/stress_results.h"
 
 #include "core/files.h"
+#include "core/json_text.h"
 #include "results/record_json.h"
 
 #include <algorithm>
@@ -90,7 +91,7 @@ void write_record(const Record& record, const std::filesystem::path& file) {
     nlohmann::json object = record_json::written(record);
     record_json::require_finite(object, file.filename().string());
     object["schema_version"] = StressResults::kSchemaVersion;
-    write_atomically(file, object.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+    write_atomically(file, json_text(object, 1) + "\n");
 }
 
 template <class Record>

@@ -1,4 +1,5 @@
 #include "core/error.h"
+#include "core/printable.h"
 #include "core/shell.h"
 #include "scene/depth_range.h"
 #include "scene/load_file.h"
@@ -171,7 +172,8 @@ Scene load_scene(const std::string& name_or_path, const LoadOptions& options) {
                           fmt::format("{}; or {}", fmt::join(ids, ", "), kSceneFiles));
     }
     Scene scene = load_file(name_or_path, options);
-    scene.id = fs::path(name_or_path).stem().string();
+    // The id names files, cells and lines: a file's name may hold what none of them can.
+    scene.id = printable(fs::path(name_or_path).stem().string());
     return finish(std::move(scene), options);
 }
 

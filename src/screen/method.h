@@ -103,6 +103,11 @@ struct MethodDescriptor {
 /// All methods: those of shaders/methods/ and of `extra_dir` (empty: none), by id. Throws file_error for a
 /// bad descriptor and for an id that exists twice.
 std::vector<MethodDescriptor> load_methods(const std::filesystem::path& extra_dir = {});
+/// The same for a user who asked for `asked`, by id: a folder of `extra_dir` that cannot be loaded is an
+/// error where it was asked for; else it is left out, and `warnings` gets a sentence that names it.
+std::vector<MethodDescriptor> load_asked_methods(const std::filesystem::path& extra_dir,
+                                                 const std::vector<std::string>& asked,
+                                                 std::vector<std::string>& warnings);
 /// All filters of shaders/filters/. "none" is not among them.
 std::vector<MethodDescriptor> load_filters();
 /// The pass that costs are related to: sixteen neighbouring depth fetches a pixel, over the whole picture.

@@ -1,9 +1,11 @@
 #include "core/error.h"
 #include "core/files.h"
+#include "core/printable.h"
 #include "core/strict_json.h"
 #include "screen/kernel.h"
 #include "screen/line_sweep.h"
 #include "screen/method.h"
+#include "screen/method_files.h"
 #include "screen/screen.h"
 #include "screen/shader_source.h"
 
@@ -12,6 +14,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
+#include <limits>
 #include <set>
 
 namespace aoscore {
@@ -51,6 +55,14 @@ Parameter parse_parameter(const std::string& id, StrictObject object) {
         const auto range = object.numbers("range", 2);
         p.lowest = range[0];
         p.highest = range[1];
+        // What GLSL can hold.
+        constexpr double kLargestInteger = std::numeric_limits<int>::max();
+        constexpr double kLargestReal = std::numeric_limits<float>::max();
+        const double largest = p.type == Parameter::Type::integer ? kLargestInteger : kLargestReal;
+        if (p.lowest < -largest || p.highest > largest || p.lowest > p.highest) {
+            throw file_error(fmt::format("is {} to {}", p.lowest, p.highest), object.where("range"),
+                             fmt::format("lowest and highest, from {} to {}", -largest, largest));
+        }
     } else if (p.type == Parameter::Type::choice) {
         p.choices = object.texts_or_empty("choices");
         for (const std::string& choice : p.choices) check_id(choice, object.where("choices"), '_');
@@ -99,19 +111,24 @@ std::string kernel_member(StrictObject& object, const char* key, const std::stri
                      fmt::format("{}; or @ and a choice parameter of these", fmt::join(known, ", ")));
 }
 
+/// The points of a kernel may be uniforms, of which OpenGL 3.3 promises 1024 numbers and llvmpipe has 16384.
+constexpr int kMostKernelPoints = 2048;
+
 Kernel parse_kernel(const std::string& id, StrictObject object, const MethodDescriptor& method) {
     Kernel kernel;
     kernel.id = id;
     check_id(id, object.where(), '_');
     const json& size = object.raw("size");
-    if (size.is_number_unsigned() && size.get<int>() > 0) {
-        kernel.size = std::to_string(size.get<int>());
+    if (size.is_number()) {
+        kernel.size = std::to_string(object.integer("size", 1, kMostKernelPoints));
     } else if (size.is_string() && size.get<std::string>().starts_with('@')) {
         kernel.size = size.get<std::string>();
         const Parameter* p = method.find_parameter(kernel.size.substr(1));
-        if (p == nullptr || p->type != Parameter::Type::integer || p->lowest < 1) {
-            throw file_error(fmt::format("is \"{}\"", kernel.size), object.where("size"),
-                             "@ and an integer parameter of at least 1");
+        if (p == nullptr || p->type != Parameter::Type::integer || p->lowest < 1 ||
+            p->highest > kMostKernelPoints) {
+            throw file_error(
+                fmt::format("is \"{}\"", kernel.size), object.where("size"),
+                fmt::format("@ and an integer parameter in the range of 1 to {}", kMostKernelPoints));
         }
     } else {
         throw file_error(fmt::format("is {}", size.dump()), object.where("size"),
@@ -176,6 +193,7 @@ Pass parse_pass(StrictObject object, const fs::path& folder, const std::set<std:
         throw file_error(fmt::format("\"{}\" is not there", pass.fragment), object.where("fragment"),
                          "a file of the folder");
     }
+    if (pass.processor.empty()) require_own_file(folder / pass.fragment, folder, object.where("fragment"));
     pass.inputs = object.texts_or_empty("inputs");
     for (const std::string& input : pass.inputs) {
         if (!inputs.contains(input)) {
@@ -258,6 +276,7 @@ MethodDescriptor load_descriptor(const fs::path& folder, const std::set<std::str
                                  bool is_filter) {
     const fs::path file = folder / "method.json";
     const std::string where = file.string();
+    require_own_file(file, folder, where);
     const json parsed = parse_json_file(file);
     StrictObject top(parsed, where + ": ");
     MethodDescriptor method;
@@ -305,13 +324,25 @@ MethodDescriptor load_descriptor(const fs::path& folder, const std::set<std::str
     return method;
 }
 
-void load_folder(const fs::path& folder, bool is_filter, std::vector<MethodDescriptor>& result) {
+/// The folders of a folder that are not hidden, by name.
+std::vector<fs::path> folders_in(const fs::path& folder) {
     if (!fs::is_directory(folder)) throw file_error("is no folder", folder.string());
-    const std::set<std::string>& inputs = is_filter ? filter_inputs() : method_inputs();
+    std::vector<fs::path> folders;
     for (const auto& entry : fs::directory_iterator(folder)) {
-        if (!entry.is_directory() || entry.path().filename().string().starts_with('.')) continue;
-        result.push_back(load_descriptor(entry.path(), inputs, is_filter));
+        if (entry.is_directory() && !entry.path().filename().string().starts_with('.'))
+            folders.push_back(entry.path());
     }
+    std::ranges::sort(folders);
+    return folders;
+}
+
+void load_folder(const fs::path& folder, bool is_filter, std::vector<MethodDescriptor>& result) {
+    const std::set<std::string>& inputs = is_filter ? filter_inputs() : method_inputs();
+    for (const fs::path& one : folders_in(folder)) result.push_back(load_descriptor(one, inputs, is_filter));
+}
+
+bool has_id(const std::vector<MethodDescriptor>& methods, const std::string& id) {
+    return std::ranges::any_of(methods, [&](const MethodDescriptor& m) { return m.id == id; });
 }
 
 std::vector<MethodDescriptor> sorted_unique(std::vector<MethodDescriptor> all) {
@@ -331,6 +362,30 @@ std::vector<MethodDescriptor> load_methods(const fs::path& extra_dir) {
     std::vector<MethodDescriptor> all;
     load_folder(home_dir() / "shaders" / "methods", false, all);
     if (!extra_dir.empty()) load_folder(extra_dir, false, all);
+    return sorted_unique(std::move(all));
+}
+
+std::vector<MethodDescriptor> load_asked_methods(const fs::path& extra_dir,
+                                                 const std::vector<std::string>& asked,
+                                                 std::vector<std::string>& warnings) {
+    std::vector<MethodDescriptor> all = load_methods();
+    if (extra_dir.empty()) return all;
+    std::vector<MethodDescriptor> added;
+    for (const fs::path& folder : folders_in(extra_dir)) {
+        const std::string id = folder.filename().string();
+        try {
+            added.push_back(load_descriptor(folder, method_inputs(), false));
+            if (has_id(all, id)) {
+                added.pop_back();
+                throw file_error(fmt::format("\"{}\" exists twice", id), folder.string(),
+                                 "a name that no other method has");
+            }
+        } catch (const Error& e) {
+            if (std::ranges::find(asked, id) != asked.end()) throw;
+            warnings.push_back(fmt::format("method {} is left out: {}", printable(id), e.what()));
+        }
+    }
+    std::ranges::move(added, std::back_inserter(all));
     return sorted_unique(std::move(all));
 }
 

@@ -4,6 +4,8 @@
 #include "core/files.h"
 #include "core/hash.h"
 #include "screen/line_sweep.h"
+#include "screen/method_files.h"
+#include "screen/shader_trial.h"
 #include "screen/texture.h"
 
 #include <fmt/format.h>
@@ -13,6 +15,9 @@
 
 namespace aoscore {
 namespace {
+
+// In place of a count of fetches: where nothing was shaded, and what contract/ao_pass.glsl says of loops.
+constexpr float kUnshaded = -1, kLoopsCutShort = -2;
 
 int scaled_size(int size, int scale) {
     return std::max((size + scale - 1) / scale, 1);
@@ -82,6 +87,13 @@ std::vector<MethodRunner::Step> MethodRunner::following_steps(const MethodReques
     return steps;
 }
 
+// A shader that nobody here has tried may take any time and memory to compile.
+void MethodRunner::try_users_shader(const PassBuild& build, const Pass& pass, const ShaderSource& source) {
+    const std::filesystem::path& folder = build.method->folder;
+    if (!lies_in(folder, shader_library()))
+        try_shader(screen_vertex(), source, (folder / pass.fragment).string());
+}
+
 const PassProgram* MethodRunner::program(const Step& step) {
     if (!step.pass->processor.empty()) return nullptr;
     const PassBuild& build = step.build;
@@ -90,6 +102,7 @@ const PassProgram* MethodRunner::program(const Step& step) {
     const std::string key = Digest().text(source.text()).text(build.method->folder.string()).hex();
     const auto found = programs_.find(key);
     if (found != programs_.end()) return &found->second;
+    try_users_shader(build, pass, source);
     const PassProgram& made = programs_.emplace(key, PassProgram(build, pass, source)).first->second;
     ++compilations_;
     check_listed_inputs(build, pass, made);
@@ -104,7 +117,9 @@ void MethodRunner::check_listed_inputs(const PassBuild& build, const Pass& pass,
     PassBuild open = build;
     open.uniform_form = true;
     ++compilations_;
-    const PassProgram all(open, pass, pass_source(open, pass));
+    const ShaderSource source = pass_source(open, pass);
+    try_users_shader(open, pass, source);
+    const PassProgram all(open, pass, source);
     for (const std::string& input : pass.inputs) {
         if (std::find(all.samplers().begin(), all.samplers().end(), input) == all.samplers().end()) {
             throw file_error(fmt::format("lists the input \"{}\", which it never samples", input),
@@ -150,9 +165,9 @@ void MethodRunner::draw(const Step& step, std::initializer_list<GLuint> targets,
     const gl::Framebuffer framebuffer = make_framebuffer(targets);
     gl::Viewport(0, 0, scaled_size(width_, step.build.scale), scaled_size(height_, step.build.scale));
     const std::array<float, 4> open = {1, 1, 1, 1};
-    const std::array<float, 4> zero = {0, 0, 0, 0};
+    const std::array<float, 4> unshaded = {kUnshaded, 0, 0, 0};
     if (!step.build.dual) gl::ClearBufferfv(GL_COLOR, 0, open.data());
-    if (targets.size() > 1) gl::ClearBufferfv(GL_COLOR, 1, zero.data());
+    if (targets.size() > 1) gl::ClearBufferfv(GL_COLOR, 1, unshaded.data());
     compiled.program().use();
     for (std::size_t i = 0; i < textures.size(); ++i) {
         gl::ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
@@ -259,6 +274,24 @@ void MethodRunner::draw_lighting(const Frame& frame) {
     }
 }
 
+// Where a pass has shaded nothing it has fetched nothing. A pass at full resolution shades all surfaces: the
+// compiler drops what follows a loop that never ends, the result among it.
+void MethodRunner::settle_counts(const Step& step, ImageF& counted) const {
+    const bool shades_all = step.build.scale == 1 && !step.build.dual;
+    const ImageF depth = shades_all ? read(gbuffer_->texture("linear_depth")) : ImageF();
+    for (std::size_t i = 0; i < counted.size(); ++i) {
+        float& count = counted.pixels[i];
+        const bool no_result = shades_all && count == kUnshaded && depth.pixels[i] < gbuffer_->far_depth();
+        if (count == kLoopsCutShort || no_result) {
+            throw file_error(
+                "a pixel's loops turn more often than the rasteriser lets them, which ends them without a "
+                "word",
+                (step.build.method->folder / step.pass->fragment).string(), "at most 65,535 turns in all");
+        }
+        count = std::max(count, 0.0F);
+    }
+}
+
 ImageF MethodRunner::count_fetches(const MethodRequest& request) {
     allocate();
     ImageF total(width_, height_, 0.0F);
@@ -281,6 +314,7 @@ ImageF MethodRunner::count_fetches(const MethodRequest& request) {
         draw(steps[i], {target, counts.name()}, {request.normals, request.precision}, previous);
         ImageF counted(width, height);
         read_texture(counts.name(), GL_RED, counted.pixels.data());
+        settle_counts(steps[i], counted);
         // A coarse pixel's taps are shared by all those that it stands for.
         const float share = 1.0F / static_cast<float>(scale * scale);
         for (int y = 0; y < height_; ++y) {
@@ -288,11 +322,7 @@ ImageF MethodRunner::count_fetches(const MethodRequest& request) {
         }
         previous = target;
     }
-    const ImageF depth = [&] {
-        ImageF image(width_, height_);
-        read_texture(gbuffer_->texture("linear_depth"), GL_RED, image.pixels.data());
-        return image;
-    }();
+    const ImageF depth = read(gbuffer_->texture("linear_depth"));
     for (std::size_t i = 0; i < total.size(); ++i) {
         if (depth.pixels[i] >= gbuffer_->far_depth()) total.pixels[i] = 0;
     }
@@ -305,9 +335,9 @@ Image<glm::vec3> MethodRunner::lit() const {
     return image;
 }
 
-ImageF MethodRunner::read(const gl::Texture& texture) const {
+ImageF MethodRunner::read(GLuint texture) const {
     ImageF image(width_, height_);
-    read_texture(texture.name(), GL_RED, image.pixels.data());
+    read_texture(texture, GL_RED, image.pixels.data());
     return image;
 }
 

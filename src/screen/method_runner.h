@@ -39,11 +39,12 @@ class MethodRunner {
     void draw_filter(const Frame& frame);
     /// The lighting's pass over filtered(); the result is lit(). Nothing without one.
     void draw_lighting(const Frame& frame);
-    /// Taps a pixel of the AO passes, at the picture's resolution.
+    /// Taps a pixel of the AO passes, at the picture's resolution. Throws file_error for a method whose loops
+    /// the rasteriser has ended.
     ImageF count_fetches(const MethodRequest& request);
 
-    ImageF raw() const { return read(raw_); }
-    ImageF filtered() const { return read(*filtered_); }
+    ImageF raw() const { return read(raw_.name()); }
+    ImageF filtered() const { return read(filtered_->name()); }
     /// Linear RGB. draw_lighting() must have drawn it since the G-buffer was.
     Image<glm::vec3> lit() const;
 
@@ -64,6 +65,9 @@ class MethodRunner {
                                       const ParameterValues& parameters) const;
 
     const PassProgram* program(const Step& step);
+    static void try_users_shader(const PassBuild& build, const Pass& pass, const ShaderSource& source);
+    /// Throws file_error where the rasteriser has ended a pixel's loops.
+    void settle_counts(const Step& step, ImageF& counted) const;
     void check_listed_inputs(const PassBuild& build, const Pass& pass, const PassProgram& made);
 
     void allocate();
@@ -72,7 +76,8 @@ class MethodRunner {
               GLuint previous);
     void process(const Step& step, GLuint target, const InputSettings& settings);
     void upsample(GLuint coarse, int scale);
-    ImageF read(const gl::Texture& texture) const;
+    /// A one-channel texture of the picture's size.
+    ImageF read(GLuint texture) const;
 
     const GBuffer* gbuffer_;
     InputTextures inputs_;

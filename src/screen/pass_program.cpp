@@ -123,13 +123,6 @@ void add_body(ShaderSource& source, const PassBuild& build, const Pass& pass) {
     source.add_file(build.method->folder / pass.fragment, build.method->folder);
 }
 
-ShaderSource screen_vertex() {
-    ShaderSource source;
-    const auto folder = home_dir() / "shaders" / "gbuffer";
-    source.add_file(folder / "screen.vert", folder);
-    return source;
-}
-
 bool is_sampler(GLenum type) {
     return type == GL_SAMPLER_2D;
 }
@@ -175,6 +168,13 @@ std::string mirror_macros(Mirror mirror) {
             return "#define MIRROR_Y -1\n";
     }
     return "";
+}
+
+ShaderSource screen_vertex() {
+    ShaderSource source;
+    const auto folder = home_dir() / "shaders" / "gbuffer";
+    source.add_file(folder / "screen.vert", folder);
+    return source;
 }
 
 ShaderSource pass_source(const PassBuild& build, const Pass& pass) {

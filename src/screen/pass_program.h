@@ -33,6 +33,8 @@ std::map<std::string, int> pass_macros(const PassBuild& build);
 /// The definitions that mirror a shader's randomness; none where nothing is mirrored.
 std::string mirror_macros(Mirror mirror);
 
+/// The vertex shader of every pass: one triangle over the screen.
+ShaderSource screen_vertex();
 /// The fragment shader of a pass: macros, parameters, kernels, then the method's own file.
 ShaderSource pass_source(const PassBuild& build, const Pass& pass);
 /// The same without the macros, for those who put in their own.

@@ -2,6 +2,7 @@
 
 #include "core/files.h"
 #include "core/hash.h"
+#include "core/json_text.h"
 #include "screen/pass_program.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 
 void add_descriptor(Digest& digest, const MethodRequest& request, const MethodDescriptor& method,
                     const ParameterValues& parameters, bool orthographic) {
-    digest.text(nlohmann::json(parameters).dump());
+    digest.text(json_text(parameters));
     digest.text(method.depth_mips.filter).text(method.depth_mips.radius_parameter);
     for (const Pass& pass : method.passes) {
         digest.text(pass.processor).value(pass.scale);

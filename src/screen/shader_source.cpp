@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "screen/method_files.h"
 
 #include <fmt/format.h>
 
@@ -15,6 +16,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// std::regex recurses over what it matches: a longer line could overflow the stack.
+constexpr std::size_t kLongestInclude = 4096;
+
 std::vector<std::string> lines_of(std::string_view text) {
     std::vector<std::string> lines;
     std::istringstream stream{std::string(text)};
@@ -26,12 +30,13 @@ std::vector<std::string> lines_of(std::string_view text) {
 }
 
 fs::path find_include(const std::string& name, const fs::path& folder, const std::string& where) {
-    const fs::path shaders = home_dir() / "shaders";
-    for (const fs::path& candidate : {folder / name, shaders / name}) {
-        if (fs::is_regular_file(candidate)) return fs::weakly_canonical(candidate);
+    for (const fs::path& candidate : {folder / name, shader_library() / name}) {
+        if (!fs::is_regular_file(candidate)) continue;
+        require_own_file(candidate, folder, where);
+        return fs::weakly_canonical(candidate);
     }
     throw file_error(fmt::format("includes \"{}\", which is not there", name), where,
-                     fmt::format("a file in {} or {}", folder.string(), shaders.string()));
+                     fmt::format("a file in {} or {}", folder.string(), shader_library().string()));
 }
 
 // The text with comments replaced by blanks; line breaks stay.
@@ -108,7 +113,7 @@ void ShaderSource::add_file(const fs::path& file, const fs::path& folder) {
         if (line.find("#pragma unroll") != std::string::npos) {
             const std::size_t next = add_unrolled(part, i + 1);
             if (next > i + 1) i = next - 1;
-        } else if (std::regex_match(line, match, include)) {
+        } else if (line.size() <= kLongestInclude && std::regex_match(line, match, include)) {
             add_file(find_include(match[1], folder, fmt::format("{}:{}", file.string(), i + 1)), folder);
         } else {
             add_line(part, i);
@@ -117,19 +122,22 @@ void ShaderSource::add_file(const fs::path& file, const fs::path& folder) {
 }
 
 std::string ShaderSource::explain(std::string_view log) const {
-    static const std::regex place(R"(\d+:(\d+)\((\d+)\):?)");
+    static const std::regex place(R"(\d+:(\d{1,9})\((\d+)\):?)");
+    constexpr std::size_t kLongestPlace = 64;
     constexpr std::size_t kContextLines = 2, kFirst = 2;  // the first line is #version's
     std::string result;
     for (const std::string& message : lines_of(log)) {
         std::smatch match;
-        const std::size_t text_line = std::regex_search(message, match, place) ? std::stoul(match[1]) : 0;
+        const std::string begin = message.substr(0, kLongestPlace);
+        const std::size_t text_line = std::regex_search(begin, match, place) ? std::stoul(match[1]) : 0;
         if (text_line < kFirst || text_line - kFirst >= origins_.size()) {
             result += message + "\n";
             continue;
         }
         const Origin origin = origins_[text_line - kFirst];
         const Part& part = parts_[origin.part];
-        result += fmt::format("{}:{}:{}{}\n", part.name, origin.line, match[2].str(), match.suffix().str());
+        result += fmt::format("{}:{}:{}{}\n", part.name, origin.line, match[2].str(),
+                              message.substr(static_cast<std::size_t>(match.length() + match.position())));
         const std::size_t first = origin.line > kContextLines ? origin.line - kContextLines : 1;
         for (std::size_t i = first; i <= std::min(origin.line + kContextLines, part.lines.size()); ++i) {
             result += fmt::format("{} {:4} | {}\n", i == origin.line ? ">" : " ", i, part.lines[i - 1]);

@@ -158,7 +158,7 @@ TEST_F(Claims, NothingIsLitOrDrawnAsAWholeThatNoQuantityNeeds) {
 TEST_F(Claims, EveryCellThatTheClaimsAskForCanBeResolved) {
     ExperimentPlan plan;
     plan_claims(plan, load_claims());
-    const Registry registry = load_registry({});
+    const Registry registry = load_registry();
     for (const ViewPlan& view : plan.views) {
         for (const CellPlan& cell : view.cells)
             EXPECT_NO_THROW(resolve(cell, registry, 1)) << cell_name(cell);

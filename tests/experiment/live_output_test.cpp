@@ -16,7 +16,7 @@ TEST(LiveFile, HasTheWholeRegistryAndEveryCamera) {
     camera.projection = Camera::Projection::orthographic;
     camera.half_height = 2;
     const CameraFrame flat(camera, 16, 8);
-    const Registry registry = load_registry({});
+    const Registry registry = load_registry();
     const std::filesystem::path folder = testing::output_dir();
     write_live_file(folder, registry, "mine", {{"scene/wide", wide}, {"scene/flat", flat}}, 3);
 
@@ -32,7 +32,7 @@ TEST(LiveFile, HasTheWholeRegistryAndEveryCamera) {
 }
 
 TEST(LiveFile, AsksForWhatAnyMethodReadsOfTheGBuffer) {
-    const std::set<std::string> inputs = gbuffer_inputs_of(load_registry({}));
+    const std::set<std::string> inputs = gbuffer_inputs_of(load_registry());
     EXPECT_TRUE(inputs.contains("linear_depth"));
     EXPECT_TRUE(inputs.contains("normal_geometric"));
 }

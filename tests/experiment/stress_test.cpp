@@ -125,7 +125,7 @@ TEST(Stress, FindsAPlantedDefectWhereItBegins) {
 }
 
 TEST(Stress, RunsTheLargestPictureInPerformancePresetsAlone) {
-    const Registry registry = load_registry({});
+    const Registry registry = load_registry();
     const auto& axes = stress_axes();
     const auto sizes = std::find_if(axes.begin(), axes.end(), [](const auto& a) { return a.id == "size"; });
     const StressCase largest = stress_case(sizes->settings.back(), 64);
@@ -210,7 +210,7 @@ TEST(Stress, LeavesEveryMethodFiniteAndInRangeAtTheEndsOfEveryAxis) {
 }
 
 TEST(Stress, RunsEveryMethodOnPicturesOfOnePixelAndOfOddSizes) {
-    const Registry registry = load_registry({});
+    const Registry registry = load_registry();
     const auto subjects = stress_subjects(registry, {});
     const auto& axes = stress_axes();
     const auto sizes = std::find_if(axes.begin(), axes.end(), [](const auto& a) { return a.id == "size"; });

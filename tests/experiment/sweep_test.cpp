@@ -37,7 +37,7 @@ class Sweep : public ::testing::Test {
         return "";
     }
 
-    const Registry registry = load_registry({});
+    const Registry registry = load_registry();
     ExperimentPlan plan;
     SweepPlan sweep;
 };

@@ -1,5 +1,9 @@
 #include "files.h"
 
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfTiledOutputFile.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -117,6 +121,39 @@ TEST(HostileImage, HeaderThatClaimsHugeSizesIsRefusedBeforeAnythingIsAllocated) 
     }
     write_bytes(folder / "huge.exr", bytes);
     EXPECT_THAT(reading(folder / "huge.exr"), HasSubstr("huge.exr"));
+}
+
+TEST(HostileImage, ExrThatClaimsMoreValuesThanItsBytesCanHoldIsRefusedBeforeAnythingIsAllocated) {
+    const auto folder = output_dir();
+    {
+        Imf::Header header(16, 16);
+        header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+        header.setTileDescription(Imf::TileDescription(16, 16, Imf::ONE_LEVEL));
+        std::vector<float> values(256, 0.5F);
+        Imf::FrameBuffer pixels;
+        pixels.insert("Y", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), 4, 64));
+        Imf::TiledOutputFile file((folder / "tiled.exr").c_str(), header);
+        file.setFrameBuffer(pixels);
+        file.writeTile(0, 0);
+    }
+    read_image(folder / "tiled.exr");
+    std::string bytes = read_file(folder / "tiled.exr");
+    const std::size_t at = bytes.find(std::string("\x10\0\0\0\x10\0\0\0", 8), bytes.find("tiledesc"));
+    ASSERT_NE(at, std::string::npos);
+    bytes.replace(at, 8, std::string("\x10\0\0\0\0\0\0\x10", 8));  // of 16 x 2^28 pixels
+    write_bytes(folder / "huge.exr", bytes);
+    EXPECT_THAT(reading(folder / "huge.exr"), HasSubstr("claims tiles of 16x268435456 pixels"));
+}
+
+TEST(HostileImage, WhateverALibrarySaysTheErrorIsOneLine) {
+    const auto folder = output_dir();
+    const ImageF y = testing::random_visibility(64, 48, 1);
+    write_exr(folder / "whole.exr", std::vector<ChannelView>{{"Y", &y}}, {});
+    const std::string whole = read_file(folder / "whole.exr");
+    for (std::size_t size = 0; size < whole.size(); size += 97) {
+        write_bytes(folder / "cut.exr", whole.substr(0, size));
+        EXPECT_THAT(reading(folder / "cut.exr"), ::testing::Not(HasSubstr("\n")));
+    }
 }
 
 TEST(HostileImage, PictureThatCoversOnlyAPartOfItsFrameIsAnError) {

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/hash.h"
+#include "core/json_text.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -62,7 +63,7 @@ CacheFile::CacheFile(const std::filesystem::path& path, const nlohmann::json& he
     descriptor_ = open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
     if (descriptor_ < 0) throw file_error(std::strerror(errno), path.string());
     try {
-        write_block(Kind::header, 0, header.dump());
+        write_block(Kind::header, 0, json_text(header));
     } catch (...) {
         close(descriptor_);
         throw;
@@ -128,6 +129,7 @@ void CacheFile::write_block(Kind kind, std::uint32_t index, std::string_view byt
 void CacheFile::scan() {
     struct stat status {};
     if (fstat(descriptor_, &status) != 0) throw file_error(std::strerror(errno), path_.string());
+    if (!S_ISREG(status.st_mode)) throw file_error("is no file", path_.string());
     const auto total = static_cast<std::uint64_t>(status.st_size);
     std::uint64_t valid_bytes = 0;
     for (std::uint64_t at = 0; at + sizeof(BlockHead) <= total;) {

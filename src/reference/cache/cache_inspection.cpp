@@ -64,11 +64,18 @@ std::vector<fs::path> files_of(const fs::path& folder) {
     return files;
 }
 
+/// 0 for what is no file.
+std::uint64_t bytes_of(const fs::path& path) {
+    std::error_code ec;
+    const std::uintmax_t bytes = fs::file_size(path, ec);
+    return ec ? 0 : bytes;
+}
+
 CacheEntry describe(const fs::path& path) {
     CacheEntry entry;
     entry.file = path;
     std::error_code ec;
-    entry.bytes = fs::file_size(path, ec);
+    entry.bytes = bytes_of(path);
     const auto age = fs::file_time_type::clock::now() - fs::last_write_time(path, ec);
     entry.age_s = std::max(0.0, std::chrono::duration<double>(age).count());
     try {
@@ -143,8 +150,9 @@ ClearedCache TruthCache::clear() const {
             ++cleared.kept_in_use;
             continue;
         }
-        const std::uint64_t bytes = fs::file_size(path, ec);
-        if (!fs::remove(path, ec)) throw file_error("cannot be removed: " + ec.message(), path.string());
+        const std::uint64_t bytes = bytes_of(path);
+        fs::remove_all(path, ec);
+        if (ec) throw file_error("cannot be removed: " + ec.message(), path.string());
         fs::remove(fs::path(path).replace_extension(".salvage"), ec);
         ++cleared.files;
         cleared.bytes += bytes;

@@ -178,6 +178,7 @@ std::unique_ptr<CacheFile> open_partial(const fs::path& path, const json& header
             }
         } catch (const std::exception& e) {
             log_warning(fmt::format("{}: {}; it is thrown away", path.string(), e.what()));
+            if (!fs::is_regular_file(path, ec)) fs::remove_all(path, ec);
         }
     }
     return std::make_unique<CacheFile>(path, header);

@@ -1,6 +1,7 @@
 #include "reference/cache/truth_request.h"
 
 #include "core/hash.h"
+#include "core/json_text.h"
 #include "reference/sample_plan.h"
 
 #include <embree3/rtcore_config.h>
@@ -48,7 +49,7 @@ TruthQuery query_from(const json& object) {
 }
 
 std::string key_of(const json& value) {
-    return Digest().text(value.dump()).hex();
+    return Digest().text(json_text(value)).hex();
 }
 
 }  // namespace

@@ -1,7 +1,26 @@
 #include "results/export/csv_line.h"
 
+#include "core/printable.h"
+
+#include <charconv>
+#include <string_view>
+
 namespace aoscore {
 namespace {
+
+bool is_number(const std::string& text) {
+    double value = 0;
+    const auto [end, ec] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return ec != std::errc::invalid_argument && end == text.data() + text.size();
+}
+
+/// Spreadsheets compute a cell that begins like a formula, whatever file it came from: what is none gets an
+/// apostrophe in front (OWASP, CSV Injection).
+std::string no_formula(const std::string& text) {
+    constexpr std::string_view kBegins = "=+-@\t\r";
+    const bool formula = !text.empty() && kBegins.find(text[0]) != kBegins.npos && !is_number(text);
+    return formula ? "'" + text : text;
+}
 
 std::string quoted(const std::string& text) {
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
@@ -14,7 +33,8 @@ std::string quoted(const std::string& text) {
 
 std::string csv_line(const std::vector<std::string>& fields) {
     std::string text;
-    for (std::size_t i = 0; i < fields.size(); ++i) text += (i > 0 ? "," : "") + quoted(fields[i]);
+    for (std::size_t i = 0; i < fields.size(); ++i)
+        text += (i > 0 ? "," : "") + quoted(no_formula(printable_lines(fields[i])));
     return text + "\r\n";
 }
 

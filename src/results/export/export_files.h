@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/pending_file.h"
 #include "results/export/export_format.h"
 
 #include <filesystem>
@@ -13,19 +14,15 @@ class ExportFiles {
   public:
     /// Throws usage_error for an extension without a format, file_error for a path that cannot be written.
     explicit ExportFiles(const std::vector<std::filesystem::path>& paths);
-    ~ExportFiles();
-    ExportFiles(const ExportFiles&) = delete;
-    ExportFiles& operator=(const ExportFiles&) = delete;
 
     bool empty() const { return files_.empty(); }
     /// Once. Throws file_error.
     void write(const ExportTable& table);
 
   private:
-    void clear();
-
     struct File {
-        std::filesystem::path path, temporary;
+        std::filesystem::path path;
+        PendingFile pending;
         const ExportFormat* format;
     };
     std::vector<File> files_;

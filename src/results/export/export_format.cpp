@@ -1,6 +1,7 @@
 #include "results/export/export_format.h"
 
 #include "core/error.h"
+#include "core/json_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -29,7 +30,7 @@ const ExportFormat& export_format(const std::filesystem::path& path) {
 }
 
 std::string export_as::json(const ExportTable& table) {
-    return table.document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    return json_text(table.document, 1) + "\n";
 }
 
 std::string brief_number(const std::optional<double>& number, int decimals) {

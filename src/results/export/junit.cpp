@@ -1,3 +1,4 @@
+#include "core/printable.h"
 #include "results/export/export_format.h"
 
 #include <fmt/format.h>
@@ -10,19 +11,12 @@
 namespace aoscore {
 namespace {
 
-/// XML has no control characters, not even escaped ones.
-std::string printable(std::string text) {
-    for (char& c : text) {
-        if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') c = '?';
-    }
-    return text;
-}
-
+// Every text is made printable: XML has no place for some code points, not even escaped.
 void add_case(pugi::xml_node suite, const ExportTable& table, const ExportRow& row) {
     pugi::xml_node test = suite.append_child("testcase");
     const std::vector<std::string> own(row.names.begin() + 1, row.names.end());
-    test.append_attribute("classname") = printable(row.names.front()).c_str();
-    test.append_attribute("name") = printable(fmt::format("{}", fmt::join(own, "/"))).c_str();
+    test.append_attribute("classname") = printable_lines(row.names.front()).c_str();
+    test.append_attribute("name") = printable_lines(fmt::format("{}", fmt::join(own, "/"))).c_str();
     pugi::xml_node properties = test.append_child("properties");
     for (std::size_t i = 0; i < row.numbers.size(); ++i) {
         if (!row.numbers[i]) continue;
@@ -31,9 +25,9 @@ void add_case(pugi::xml_node suite, const ExportTable& table, const ExportRow& r
         property.append_attribute("value") = fmt::format("{}", *row.numbers[i]).c_str();
     }
     for (const std::string& failure : row.failures)
-        test.append_child("failure").append_attribute("message") = printable(failure).c_str();
+        test.append_child("failure").append_attribute("message") = printable_lines(failure).c_str();
     if (!row.error.empty())
-        test.append_child("error").append_attribute("message") = printable(row.error).c_str();
+        test.append_child("error").append_attribute("message") = printable_lines(row.error).c_str();
 }
 
 }  // namespace
@@ -44,14 +38,14 @@ std::string export_as::junit(const ExportTable& table) {
     declaration.append_attribute("version") = "1.0";
     declaration.append_attribute("encoding") = "UTF-8";
     pugi::xml_node suites = document.append_child("testsuites");
-    suites.append_attribute("name") = printable(table.title).c_str();
+    suites.append_attribute("name") = printable_lines(table.title).c_str();
     std::vector<std::string> groups;
     for (const ExportRow& row : table.rows) {
         if (std::ranges::find(groups, row.names.front()) == groups.end()) groups.push_back(row.names.front());
     }
     for (const std::string& group : groups) {
         pugi::xml_node suite = suites.append_child("testsuite");
-        suite.append_attribute("name") = printable(group).c_str();
+        suite.append_attribute("name") = printable_lines(group).c_str();
         int tests = 0, failures = 0, errors = 0;
         for (const ExportRow& row : table.rows) {
             if (row.names.front() != group) continue;

@@ -1,3 +1,4 @@
+#include "core/printable.h"
 #include "results/export/export_format.h"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@ std::string escaped(const std::string& text) {
                                                          {'\\', "\\textbackslash{}"},
                                                          {'\n', " "}};
     std::string result;
-    for (const char c : text) {
+    for (const char c : printable_lines(text)) {
         const auto found = kSpecial.find(c);
         result += found == kSpecial.end() ? std::string(1, c) : found->second;
     }

@@ -1,3 +1,4 @@
+#include "core/printable.h"
 #include "results/export/export_format.h"
 
 #include <fmt/format.h>
@@ -7,7 +8,7 @@ namespace {
 
 std::string escaped(const std::string& text) {
     std::string result;
-    for (const char c : text) {
+    for (const char c : printable_lines(text)) {
         if (c == '|' || c == '\\' || c == '*' || c == '_' || c == '`' || c == '<') result += '\\';
         result += c == '\n' ? ' ' : c;
     }

@@ -1,8 +1,8 @@
 #include "scene/gltf/document.h"
 
 #include "core/error.h"
+#include "core/json_text.h"
 #include "scene/gltf/buffers.h"
-#include "scene/gltf/json_text.h"
 #include "scene/gltf/place.h"
 #include "scene/gltf/structure.h"
 
@@ -115,7 +115,7 @@ std::unique_ptr<Document> open_document(const std::filesystem::path& file) {
     auto document = std::make_unique<Document>(file, printable(file.string()));
     document->container = read_container(file, document->where, document->warnings);
     document->budget.take(document->container->bytes.size(), document->where);
-    json root = parse_json_text(document->container->json, document->where);
+    json root = parse_json_text(document->container->json, document->where, "glTF 2.0");
     check_structure(root, document->where, document->warnings);
     load_buffers(root, *document);
     take_images(root, *document);

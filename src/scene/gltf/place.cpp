@@ -1,6 +1,6 @@
 #include "scene/gltf/place.h"
 
-#include <algorithm>
+#include "core/printable.h"
 
 namespace aoscore::gltf {
 
@@ -15,9 +15,7 @@ std::string printable(std::string_view name) {
     constexpr std::size_t kMaxBytes = 64;
     // A path is cut in front, where it says least.
     const bool is_long = name.size() > kMaxBytes && name.find('/') == std::string_view::npos;
-    std::string text(is_long ? name.substr(0, kMaxBytes) : name);
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 32 || c == 127; }, '?');
+    const std::string text = aoscore::printable(is_long ? name.substr(0, kMaxBytes) : name);
     return is_long ? text + "..." : text;
 }
 

@@ -26,7 +26,7 @@ class Place {
     std::size_t index_ = 0;
 };
 
-/// A name out of a file made fit for a one-line message: control characters replaced, at most 64 bytes.
+/// A name out of a file made fit for a one-line message, see core/printable.h: at most 64 bytes of it.
 std::string printable(std::string_view name);
 
 }  // namespace aoscore::gltf
