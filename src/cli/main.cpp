@@ -1,3 +1,4 @@
+#include "cli/arguments.h"
 #include "cli/command.h"
 #include "core/error.h"
 #include "core/files.h"
@@ -25,7 +26,8 @@ constexpr const char* kFooter =
     "Exit codes: 0 ok, 1 a --warn limit was tripped, 2 a --fail limit was tripped or nothing could be "
     "compared,\n"
     "3 sizes differ, 4 a file cannot be read, understood or written, 5 some cells failed, 64 wrong usage,\n"
-    "70 internal or OpenGL failure, 130 interrupted.";
+    "70 internal or OpenGL failure, 130 interrupted.\n"
+    "help COMMAND says more of a command.";
 
 std::string command_line(int argc, char** argv) {
     std::string line = "aoscore";
@@ -55,9 +57,18 @@ ExitCode run_program(int argc, char** argv) {
 
     std::vector<CommandEntry> commands;
     for (const AddCommand add : kCommands) commands.push_back(add(program, global));
+    const std::vector<std::string> words = arguments(argc, argv);
+    if (words.empty()) {
+        fmt::print(stderr, "{}", program.help());
+        return ExitCode::usage;
+    }
     try {
-        program.parse(argc, argv);
+        std::vector<std::string> last_first(words.rbegin(), words.rend());
+        program.parse(last_first);
     } catch (const CLI::ParseError& e) {
+        const bool wrong = e.get_exit_code() != 0;
+        if (const std::string unknown = wrong ? unknown_word(program, words) : ""; !unknown.empty())
+            throw usage_error(unknown);
         return program.exit(e) == 0 ? ExitCode::ok : ExitCode::usage;
     }
     set_quiet(global.quiet);

@@ -112,9 +112,11 @@ CommandEntry add_sweep_command(CLI::App& program, const GlobalOptions& global) {
            "Built-in scenes (see list scenes), or .gltf or .glb files; several have one front together")
         ->required();
     app->add_option("--view", options->views, "Views of every scene (see list views SCENE) [all]")
-        ->delimiter(',');
+        ->delimiter(',')
+        ->allow_extra_args(false);
     app->add_option("--methods", options->methods, "Methods to sweep (see list methods) [all]")
-        ->delimiter(',');
+        ->delimiter(',')
+        ->allow_extra_args(false);
     app->add_option("--vary", options->axes,
                     "PARAM=v1,v2,...: a parameter, filter.PARAM, preset, filter, size, resolution, border, "
                     "normals or precision; several make their product")

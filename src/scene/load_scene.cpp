@@ -1,4 +1,5 @@
 #include "core/error.h"
+#include "core/known_names.h"
 #include "scene/automatic_view.h"
 #include "scene/gltf/load_gltf.h"
 #include "scene/scene.h"
@@ -7,7 +8,6 @@
 #include "scene/view_file.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -73,10 +73,7 @@ Scene load_scene(const std::string& name_or_path, const LoadOptions& options) {
     if (!fs::exists(name_or_path, ec)) {
         if (looks_like_path(name_or_path))
             throw file_error("no such file", name_or_path, "a .gltf or .glb file");
-        std::vector<std::string_view> ids;
-        for (const BuiltinScene& b : builtins) ids.push_back(b.id);
-        throw usage_error(fmt::format("no scene \"{}\"", name_or_path), "SCENE",
-                          fmt::format("{}; or a .gltf or .glb file", fmt::join(ids, ", ")));
+        throw unknown_name("no scene", name_or_path, ids_of(builtins), "SCENE", "or a .gltf or .glb file");
     }
     Scene scene = gltf::load_gltf(name_or_path, options);
     scene.id = fs::path(name_or_path).stem().string();
@@ -84,13 +81,10 @@ Scene load_scene(const std::string& name_or_path, const LoadOptions& options) {
 }
 
 const View& find_view(const Scene& scene, std::string_view id) {
-    std::vector<std::string_view> ids;
     for (const View& view : scene.views) {
         if (view.id == id) return view;
-        ids.push_back(view.id);
     }
-    throw usage_error(fmt::format("scene {} has no view \"{}\"", scene.id, id), "--view",
-                      fmt::format("{}", fmt::join(ids, ", ")));
+    throw unknown_name(fmt::format("scene {} has no view", scene.id), id, ids_of(scene.views), "--view");
 }
 
 }  // namespace aoscore
