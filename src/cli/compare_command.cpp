@@ -3,6 +3,7 @@
 #include "core/files.h"
 #include "core/log.h"
 #include "experiment/comparison.h"
+#include "report/comparison_page.h"
 
 #include <fmt/format.h>
 
@@ -16,6 +17,7 @@ struct Options {
     ComparisonRequest request;
     bool srgb = false, linear = false;
     std::string json;
+    std::filesystem::path page;
     OutcomeOptions outcome;
 };
 
@@ -93,6 +95,23 @@ ExportTable export_table(const Comparison& comparison, const Gates::Tripped& tri
     return table;
 }
 
+ComparisonPage page_of(const Comparison& comparison, const Gates::Tripped& tripped,
+                       const std::string& command) {
+    ComparisonPage page;
+    page.command = command;
+    page.truth = {comparison.request.truth.string(), comparison.truth_channel, comparison.truth_channel_why,
+                  comparison.truth};
+    page.test = {comparison.request.test.string(), comparison.test_channel, comparison.test_channel_why,
+                 comparison.test};
+    page.valid = comparison.valid;
+    page.warnings = comparison.warnings;
+    page.failures = tripped.failures;
+    page.metrics = comparison.metrics;
+    page.analysis = comparison.analysis;
+    if (comparison.noise) page.noise_floor_rmse = comparison.noise->rmse();
+    return page;
+}
+
 ExitCode run(Options options, const GlobalOptions& global) {
     Outcome outcome(options.outcome);
     if (options.srgb || options.linear) {
@@ -111,6 +130,8 @@ ExitCode run(Options options, const GlobalOptions& global) {
         if (!options.json.empty()) write_atomically(options.json, to_json(comparison).dump(2) + "\n");
         print_table(comparison);
     }
+    if (!options.page.empty())
+        write_comparison_page(options.page, page_of(comparison, tripped, global.command_line));
     outcome.exports().write(export_table(comparison, tripped, global.command_line));
     if (!comparison.sound()) {
         fmt::print(stderr, "aoscore: {}: {} valid pixels, {} NaN or infinite\n", where,
@@ -161,6 +182,8 @@ CommandEntry add_compare_command(CLI::App& program, const GlobalOptions& global)
         ->capture_default_str();
     app->add_option("--json", options->json,
                     "Write one JSON object to this file, or to standard output for -");
+    app->add_option("--page", options->page,
+                    "Write one HTML page with both pictures, their error and every number");
     add_outcome_options(*app, options->outcome);
     return {app, [options, &global] { return run(*options, global); }};
 }

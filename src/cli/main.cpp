@@ -39,6 +39,7 @@ ExitCode run_program(int argc, char** argv) {
     CLI::App program{
         "aoscore: how far screen-space ambient occlusion is from the ray-traced truth, where, and at what "
         "cost"};
+    program.name("aoscore");
     program.set_version_flag("--version", std::string(version()));
     program.require_subcommand(1);
     program.fallthrough();

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace aoscore {
 namespace {
@@ -116,7 +117,7 @@ nlohmann::json json_of(const MeasuredMetric& metric) {
 }  // namespace
 
 Comparison compare_images(const ComparisonRequest& request) {
-    const Pair pair = read_pair(request);
+    Pair pair = read_pair(request);
     Comparison result;
     result.request = request;
     result.truth_channel = pair.truth.channel;
@@ -124,16 +125,17 @@ Comparison compare_images(const ComparisonRequest& request) {
     result.truth_channel_why = pair.truth.why;
     result.test_channel_why = pair.test.why;
     result.warnings = warnings_of(pair, request);
-    result.width = pair.truth.visibility.width;
-    result.height = pair.truth.visibility.height;
-    const Mask valid =
-        finite_pixels(pair.truth.visibility, pair.test.visibility, pair.candidate, result.nonfinite);
-    for (const auto pixel : valid.pixels) result.valid_pixels += pixel;
+    result.truth = std::move(pair.truth.visibility);
+    result.test = std::move(pair.test.visibility);
+    result.width = result.truth.width;
+    result.height = result.truth.height;
+    result.valid = finite_pixels(result.truth, result.test, pair.candidate, result.nonfinite);
+    for (const auto pixel : result.valid.pixels) result.valid_pixels += pixel;
     MapSums maps;
-    const MetricInput input{pair.truth.visibility, pair.test.visibility, valid,
+    const MetricInput input{result.truth, result.test, result.valid,
                             pair.truth.standard_error.empty() ? nullptr : &pair.truth.standard_error, &maps};
     result.metrics = evaluate(input);
-    if (input.standard_error != nullptr) result.noise = noise_floor(*input.standard_error, valid);
+    if (input.standard_error != nullptr) result.noise = noise_floor(*input.standard_error, result.valid);
     result.analysis = analyse(input, {}, request.mask_threshold, request.seed);
     return result;
 }

@@ -31,6 +31,8 @@ struct Comparison {
     std::string truth_channel_why, test_channel_why;  ///< how they were found, in words
     std::vector<std::string> warnings;                ///< what makes the numbers doubtful, a sentence each
     int width = 0, height = 0;
+    ImageF truth, test;  ///< as they were compared: read, turned, cropped
+    Mask valid;          ///< what was compared: within all masks, and finite in both
     std::size_t valid_pixels = 0;
     std::size_t nonfinite = 0;  ///< valid pixels that are NaN or infinite in either image
     MetricMap metrics;

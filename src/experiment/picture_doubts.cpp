@@ -16,12 +16,15 @@ namespace {
 
 // Rounding of half floats and ringing of filters stay below it.
 constexpr float kBeyondNoise = 0.002F;
-// Of the truth's variance, the share that must remain unexplained of what was before another reading is
-// suggested: a symmetric room looks alike in the mirror, and a dark method is a little more alike when it is
-// brightened.
-constexpr double kTurnedGain = 0.6, kCodedGain = 0.6;
-// Below this correlation a picture may be of another camera, or no ambient occlusion at all.
-constexpr double kHardlyAlike = 0.2;
+// Another reading is suggested where it leaves less than this share of the truth's variance unexplained that
+// the given one does. Of 240 pictures of this program's methods on five scenes, correlation .03 to .99, none
+// came below .99 when it was turned and none below .72 when its coding was changed, while 82 in a
+// hundred of them were noticed at .95 when they were upside down. A wrong coding is noticed only of pictures
+// that are close to the truth: it changes the correlation of the others by little.
+constexpr double kTurnedGain = 0.95, kCodedGain = 0.7;
+// Below this correlation a picture may be of another camera, or no ambient occlusion at all. Of those 240,
+// four of one method came below.
+constexpr double kHardlyAlike = 0.1;
 
 /// A way to read the test that may be the right one.
 struct Variant {
