@@ -85,10 +85,12 @@ CommandEntry add_bench_command(CLI::App& program, const GlobalOptions& global) {
                     "their shaders, specialised and with uniforms; "
                     "reference: the ray tracer")
         ->required()
-        ->check(CLI::IsMember(names));
+        ->check(one_of(names));
     app->add_option("scene", options->scene, "For methods, reference: a scene")->capture_default_str();
     add_view_options(*app, options->view);
-    app->add_option("--methods", options->methods, "For methods: only these [all]")->delimiter(',');
+    app->add_option("--methods", options->methods, "For methods: only these [all]")
+        ->delimiter(',')
+        ->allow_extra_args(false);
     app->add_option("--methods-dir", options->methods_dir, "For methods: a folder of methods of your own");
     app->add_option("--results", options->results,
                     "For compare: results to build the page of [reports/out/main]");

@@ -1,4 +1,5 @@
 #include "cli/command.h"
+#include "cli/shared_options.h"
 #include "core/log.h"
 #include "core/output.h"
 #include "experiment/measurement_store.h"
@@ -138,7 +139,7 @@ CommandEntry add_cache_command(CLI::App& program, const GlobalOptions&) {
                     "list: what there is; verify: check every digest, and trace some tiles of each again to "
                     "compare them bit by bit (exit code 4 when anything is wrong); clear: remove all")
         ->required()
-        ->check(CLI::IsMember(names));
+        ->check(one_of(names));
     app->add_option("--parts", options->groups, "For verify: groups of tiles traced again, of each truth")
         ->check(CLI::Range(0, 1 << 20))
         ->capture_default_str();

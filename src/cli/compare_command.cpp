@@ -5,6 +5,7 @@
 #include "core/log.h"
 #include "core/output.h"
 #include "experiment/comparison.h"
+#include "report/comparison_page.h"
 
 #include <fmt/format.h>
 
@@ -18,10 +19,11 @@ struct Options {
     ComparisonRequest request;
     bool srgb = false, linear = false;
     std::string json;
+    std::filesystem::path page;
     OutcomeOptions outcome;
 };
 
-Crop parse_crop(const std::string& text) {
+PixelRect parse_crop(const std::string& text) {
     std::vector<int> numbers;
     const char *at = text.data(), *const end = at + text.size();
     for (;;) {
@@ -51,6 +53,8 @@ std::string interval_text(const std::optional<ErrorAnalysis>& analysis, const st
 }
 
 void print_table(const Comparison& comparison) {
+    print_line("truth_channel", comparison.truth_channel, comparison.truth_channel_why);
+    print_line("test_channel", comparison.test_channel, comparison.test_channel_why);
     const std::optional<ErrorAnalysis>& analysis = comparison.analysis;
     for (const Metric& metric : metrics()) {
         const std::string id(metric.id);
@@ -93,6 +97,23 @@ ExportTable export_table(const Comparison& comparison, const Gates::Tripped& tri
     return table;
 }
 
+ComparisonPage page_of(const Comparison& comparison, const Gates::Tripped& tripped,
+                       const std::string& command) {
+    ComparisonPage page;
+    page.command = command;
+    page.truth = {comparison.request.truth.string(), comparison.truth_channel, comparison.truth_channel_why,
+                  comparison.truth};
+    page.test = {comparison.request.test.string(), comparison.test_channel, comparison.test_channel_why,
+                 comparison.test};
+    page.valid = comparison.valid;
+    page.warnings = comparison.warnings;
+    page.failures = tripped.failures;
+    page.metrics = comparison.metrics;
+    page.analysis = comparison.analysis;
+    if (comparison.noise) page.noise_floor_rmse = comparison.noise->rmse();
+    return page;
+}
+
 ExitCode run(Options options, const GlobalOptions& global) {
     Outcome outcome(options.outcome);
     if (options.srgb || options.linear) {
@@ -102,13 +123,17 @@ ExitCode run(Options options, const GlobalOptions& global) {
     options.request.seed = global.seed;
     const Comparison comparison = compare_images(options.request);
     const std::string where = options.request.test.string();
-    const Gates::Tripped tripped = outcome.gates().check(comparison.metrics);
+    for (const std::string& warning : comparison.warnings) log_warning(where + ": " + warning);
+    const Gates::Tripped tripped =
+        outcome.gates().check(limited_measures(comparison.metrics, comparison.analysis));
     if (options.json == "-") {
         print_result("{}\n", json_text(to_json(comparison), 2));
     } else {
         if (!options.json.empty()) write_atomically(options.json, json_text(to_json(comparison), 2) + "\n");
         print_table(comparison);
     }
+    if (!options.page.empty())
+        write_comparison_page(options.page, page_of(comparison, tripped, global.command_line));
     outcome.exports().write(export_table(comparison, tripped, global.command_line));
     if (!comparison.sound()) {
         log_error(fmt::format("aoscore: {}: {} valid pixels, {} NaN or infinite", where,
@@ -117,6 +142,7 @@ ExitCode run(Options options, const GlobalOptions& global) {
     }
     if (comparison.noise) outcome.gates().require_above_noise(comparison.noise->rmse(), where);
     Outcome::print(tripped, where);
+    Outcome::print_summary(tripped);
     return tripped.exit_code();
 }
 
@@ -126,8 +152,10 @@ CommandEntry add_compare_command(CLI::App& program, const GlobalOptions& global)
     CLI::App* app = program.add_subcommand("compare",
                                            "Measure how far the visibility in TEST is from TRUTH: EXR, PNG, "
                                            "TIFF, HDR, ... of any engine. Without "
-                                           "a channel's name it takes Y, the only channel, R = G = B, or the "
-                                           "layer called AO; mask.Y is honoured");
+                                           "a channel's name it takes the only layer named AO, "
+                                           "AmbientOcclusion, SSAO or the like, else the only picture "
+                                           "in grey, and says so; never depth, nor one of several. mask.Y is "
+                                           "honoured");
     const auto options = std::make_shared<Options>();
     ComparisonRequest& request = options->request;
     app->add_option("truth", request.truth, "The truth")->required();
@@ -136,21 +164,28 @@ CommandEntry add_compare_command(CLI::App& program, const GlobalOptions& global)
     app->add_option("--truth-channel", request.truth_reading.channel, "Of TRUTH, such as V1.Y [found]");
     CLI::Option* srgb = app->add_flag("--srgb", options->srgb,
                                       "8- and 16-bit files are sRGB-coded, as pictures for the screen are");
-    app->add_flag("--linear", options->linear, "8- and 16-bit files are linear; floats always are")
+    app->add_flag("--linear", options->linear, "8- and 16-bit files are linear, as floats are")
         ->excludes(srgb);
+    app->add_flag("--srgb-floats", request.test_reading.srgb_floats,
+                  "TEST is sRGB-coded although it holds floats");
     app->add_flag("--flip", request.test_reading.flip, "TEST's rows run from the bottom up");
+    app->add_flag("--mirror", request.test_reading.mirror, "TEST's columns run from right to left");
     app->add_flag("--invert", request.test_reading.invert, "TEST holds occlusion, not visibility");
     app->add_option_function<std::string>(
            "--crop", [&request](const std::string& text) { request.crop = parse_crop(text); },
-           "Compare this part of the truth alone; TEST may be cropped to it already")
+           "Compare this part of the truth alone, in pixels of EXR's display window; TEST may be cropped "
+           "to it already")
         ->type_name("X,Y,W,H");
     app->add_option("--mask", request.mask, "An image of the truth's size: pixels above 1/2 count");
+    app->add_option("--mask-channel", request.mask_channel, "Of the mask [mask.Y, or the only one]");
     app->add_option("--mask-threshold", request.mask_threshold,
                     "Of missing and false occlusion, in visibility")
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();
     app->add_option("--json", options->json,
                     "Write one JSON object to this file, or to standard output for -");
+    app->add_option("--page", options->page,
+                    "Write one HTML page with both pictures, their error and every number");
     add_outcome_options(*app, options->outcome);
     return {app, [options, &global] { return run(*options, global); }};
 }

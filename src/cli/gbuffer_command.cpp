@@ -54,7 +54,7 @@ CommandEntry add_gbuffer_command(CLI::App& program, const GlobalOptions& global)
     const auto options = std::make_shared<Options>();
     add_scene_options(*app, options->choice);
     add_size_option(*app, options->size);
-    app->add_option("--out", options->out, "EXR file to write")->required();
+    add_exr_option(*app, options->out);
     return {app, [options, &global] { return run(*options, global); }};
 }
 

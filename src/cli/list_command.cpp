@@ -101,7 +101,11 @@ void list_report_definitions() {
     }
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(const Options& options, const CLI::App& app) {
+    if (options.what.empty()) {
+        write_output(app.help());
+        return ExitCode::ok;
+    }
     const std::map<std::string, std::function<void()>> lists{
         {"scenes", list_scenes},
         {"views", [&] { list_views(options.scene, options.view); }},
@@ -119,13 +123,12 @@ CommandEntry add_list_command(CLI::App& program, const GlobalOptions&) {
     CLI::App* app = program.add_subcommand("list", "List what there is");
     const auto options = std::make_shared<Options>();
     app->add_option("what", options->what, "scenes, views, methods, metrics or reports")
-        ->required()
-        ->check(CLI::IsMember({"scenes", "views", "methods", "metrics", "reports"}));
+        ->check(one_of({"scenes", "views", "methods", "metrics", "reports"}));
     app->add_option("scene", options->scene,
                     "For views: one scene, whose views are printed as a view file [every built-in]");
     add_view_options(*app, options->view);
     app->add_option("--methods-dir", options->methods_dir, "A folder of methods of your own");
-    return {app, [options] { return run(*options); }};
+    return {app, [options, app] { return run(*options, *app); }};
 }
 
 }  // namespace aoscore

@@ -1,3 +1,4 @@
+#include "cli/arguments.h"
 #include "cli/command.h"
 #include "core/error.h"
 #include "core/files.h"
@@ -29,7 +30,8 @@ constexpr const char* kFooter =
     "Exit codes: 0 ok, 1 a --warn limit was tripped, 2 a --fail limit was tripped or nothing could be "
     "compared,\n"
     "3 sizes differ, 4 a file cannot be read, understood or written, 5 some cells failed, 64 wrong usage,\n"
-    "70 internal or OpenGL failure, 130 interrupted.";
+    "70 internal or OpenGL failure, 130 interrupted.\n"
+    "help COMMAND says more of a command.";
 
 std::string command_line(int argc, char** argv) {
     std::string line = "aoscore";
@@ -51,6 +53,7 @@ ExitCode run_program(int argc, char** argv) {
     CLI::App program{
         "aoscore: how far screen-space ambient occlusion is from the ray-traced truth, where, and at what "
         "cost"};
+    program.name("aoscore");
     program.set_version_flag("--version", std::string(version()));
     program.require_subcommand(1);
     program.fallthrough();
@@ -69,9 +72,18 @@ ExitCode run_program(int argc, char** argv) {
 
     std::vector<CommandEntry> commands;
     for (const AddCommand add : kCommands) commands.push_back(add(program, global));
+    const std::vector<std::string> words = arguments(argc, argv);
+    if (words.empty()) {
+        fmt::print(stderr, "{}", program.help());
+        return ExitCode::usage;
+    }
     try {
-        program.parse(argc, argv);
+        std::vector<std::string> last_first(words.rbegin(), words.rend());
+        program.parse(last_first);
     } catch (const CLI::ParseError& e) {
+        const bool wrong = e.get_exit_code() != 0;
+        if (const std::string unknown = wrong ? unknown_word(program, words) : ""; !unknown.empty())
+            throw usage_error(unknown);
         std::ostringstream out, err;
         const int code = program.exit(e, out, err);
         write_output(out.str());

@@ -1,6 +1,8 @@
 #include "cli/method_options.h"
 
+#include "cli/shared_options.h"
 #include "core/error.h"
+#include "core/known_names.h"
 #include "experiment/resolved_cell.h"
 #include "experiment/run_modes.h"
 
@@ -40,6 +42,22 @@ bool assign(const std::string& parameter, const nlohmann::json& value,
     return true;
 }
 
+/// Everything that can be assigned in any of the cells.
+std::vector<std::string> parameters_of(const std::vector<CellPlan>& cells,
+                                       const std::vector<MethodDescriptor>& methods,
+                                       const std::vector<MethodDescriptor>& filters) {
+    std::set<std::string> names;
+    for (const CellPlan& cell : cells) {
+        const MethodDescriptor& method = find_method(methods, cell.method);
+        for (const Parameter& p : method.parameters) names.insert(p.id);
+        const std::string filter = filter_of(cell, method);
+        if (filter == "none") continue;
+        for (const Parameter& p : find_method(filters, filter).parameters)
+            names.insert(std::string(kFilterPrefix) + p.id);
+    }
+    return {names.begin(), names.end()};
+}
+
 // The descriptor's choice of modes, where the user made none.
 void add_modes_of(const MethodDescriptor& method, const MethodOptions& options, RunModes& modes,
                   std::vector<std::string>& warnings) {
@@ -67,9 +85,10 @@ void add_method_options(CLI::App& app, MethodOptions& options) {
                    "Which preset of each method [those it is scored with, mostly default]");
     app.add_option("--filter", options.filter, "A filter (see list methods), or none [the preset's own]");
     app.add_option(
-        "--set", options.assignments,
-        "A parameter of the methods that have it, over the preset: radius=0.5; or of their filters: "
-        "filter.taps=5");
+           "--set", options.assignments,
+           "A parameter of the methods that have it, over the preset: radius=0.5; or of their filters: "
+           "filter.taps=5")
+        ->allow_extra_args(false);
     for (const RunModeOption& mode : run_mode_options()) {
         app.add_option_function<std::string>(
                fmt::format("--{}", mode.id),
@@ -78,7 +97,7 @@ void add_method_options(CLI::App& app, MethodOptions& options) {
                    options.chosen_modes.emplace(mode.id);
                },
                fmt::format("{} [{}]", mode.meaning, mode.choices.front()))
-            ->check(CLI::IsMember(mode.choices));
+            ->check(one_of(mode.choices));
     }
 }
 
@@ -102,7 +121,10 @@ std::vector<CellPlan> plan_cells(const std::vector<MethodDescriptor>& methods,
         const auto [parameter, value] = parse_assignment(text);
         bool taken = false;
         for (CellPlan& cell : cells) taken |= assign(parameter, value, methods, filters, cell);
-        if (!taken) throw usage_error("no chosen method has a parameter " + parameter, "--set " + text);
+        if (!taken) {
+            throw unknown_name("no chosen method has a parameter", parameter,
+                               parameters_of(cells, methods, filters), "--set " + text);
+        }
     }
     return cells;
 }

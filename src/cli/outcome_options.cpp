@@ -29,11 +29,13 @@ void add_outcome_options(CLI::App& app, OutcomeOptions& options) {
     std::vector<std::string_view> extensions;
     for (const ExportFormat& format : export_formats()) extensions.push_back(format.extension);
     app.add_option("--fail", options.fail,
-                   "Exit with 2 when this holds: rmse>0.02 (also without a value); may be repeated");
-    app.add_option("--warn", options.warn, "Exit with 1 when this holds: ssim<0.9");
+                   "Exit with 2 when this holds: rmse>0.02 (also without a value); may be repeated")
+        ->allow_extra_args(false);
+    app.add_option("--warn", options.warn, "Exit with 1 when this holds: ssim<0.9")->allow_extra_args(false);
     app.add_option(
-        "--export", options.exports,
-        fmt::format("Write the numbers to this file, by its extension: {}", fmt::join(extensions, ", ")));
+           "--export", options.exports,
+           fmt::format("Write the numbers to this file, by its extension: {}", fmt::join(extensions, ", ")))
+        ->allow_extra_args(false);
 }
 
 void add_baseline_option(CLI::App& app, OutcomeOptions& options) {
@@ -53,20 +55,30 @@ void Outcome::print(const Gates::Tripped& tripped, const std::string& where) {
     for (const std::string& line : tripped.warnings) log_error(fmt::format("warn {}: {}", where, line));
 }
 
+void Outcome::print_summary(const Gates::Tripped& tripped, const std::string& where) {
+    if (tripped.count() < 2) return;
+    fmt::print(stderr, "{} limits of --fail and {} of --warn tripped{}\n", tripped.failures.size(),
+               tripped.warnings.size(), where);
+}
+
 ExitCode Outcome::conclude(const Results& results) {
     std::map<std::string, Gates::Tripped> by_cell;
-    for (const CellRecord& cell : results.cells) by_cell[cell.id] = gates_.check(cell.ranked);
+    for (const CellRecord& cell : results.cells)
+        by_cell[cell.id] = gates_.check(limited_measures(cell.ranked, cell.analysis));
     if (results.baseline) {
         for (const ChangeRecord& change : results.baseline->changes)
             by_cell[change.cell_id].add(gates_.check(change));
     }
     Gates::Tripped all;
+    std::size_t cells_tripped = 0;
     std::map<std::string, std::vector<std::string>> failures;
     for (const auto& [id, tripped] : by_cell) {
         print(tripped, id);
         all.add(tripped);
+        cells_tripped += tripped.count() > 0 ? 1 : 0;
         if (!tripped.failures.empty()) failures[id] = tripped.failures;
     }
+    print_summary(all, fmt::format(" in {} of {} cells", cells_tripped, by_cell.size()));
     exports_.write(export_table(results, failures));
     for (const CellRecord& cell : results.cells)
         gates_.require_above_noise(noise_floor_of(results, cell), cell.view_key);

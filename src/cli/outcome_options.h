@@ -42,6 +42,8 @@ class Outcome {
 
     /// Says which were tripped.
     static void print(const Gates::Tripped& tripped, const std::string& where);
+    /// How many were, in one line, where they were several; `where` such as " in 3 of 8 cells".
+    static void print_summary(const Gates::Tripped& tripped, const std::string& where = {});
 
   private:
     std::shared_ptr<const Results> baseline_;

@@ -77,7 +77,7 @@ CommandEntry add_reference_command(CLI::App& program, const GlobalOptions& globa
     app->add_flag("--shading-normals", options->shading_normals, "Hemisphere about the smooth normal");
     add_extras_options(*app, options->extras);
     add_cache_option(*app, options->truth_cache);
-    app->add_option("--out", options->out, "EXR file to write")->required();
+    add_exr_option(*app, options->out);
     return {app, [options, &global] { return run(*options, global); }};
 }
 

@@ -71,7 +71,8 @@ CommandEntry add_score_command(CLI::App& program, const GlobalOptions& global) {
     const auto options = std::make_shared<Options>();
     add_scene_options(*app, options->choice);
     app->add_option("--methods", options->methods, "Methods to score (see list methods) [all]")
-        ->delimiter(',');
+        ->delimiter(',')
+        ->allow_extra_args(false);
     add_method_options(*app, options->method_options);
     add_size_option(*app, options->size);
     add_radii_option(*app, options->radii);

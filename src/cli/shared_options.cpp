@@ -1,6 +1,8 @@
 #include "cli/shared_options.h"
 
 #include "core/error.h"
+#include "core/known_names.h"
+#include "core/text.h"
 #include "experiment/scene_views.h"
 #include "reference/cache/truth_cache.h"
 #include "scene/scene_frame.h"
@@ -8,7 +10,9 @@
 #include "scene/view_limits.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -79,6 +83,23 @@ void add_size_option(CLI::App& app, ImageSize& size) {
         ->type_name("WxH");
 }
 
+CLI::Validator one_of(const std::vector<std::string>& names) {
+    return {[names](const std::string& value) -> std::string {
+                if (std::find(names.begin(), names.end(), value) != names.end()) return {};
+                return unknown_name("no such choice", value, names).what();
+            },
+            fmt::format("{{{}}}", fmt::join(names, ","))};
+}
+
+void add_exr_option(CLI::App& app, std::filesystem::path& path) {
+    app.add_option("--out", path, "EXR file to write")
+        ->required()
+        ->check([](const std::string& text) -> std::string {
+            if (lower_case(std::filesystem::path(text).extension().string()) == ".exr") return {};
+            return text + ": what is written is an EXR (valid: a name that ends in .exr)";
+        });
+}
+
 void add_radii_option(CLI::App& app, std::vector<double>& radii) {
     app.add_option_function<std::vector<std::string>>(
            "--radius",
@@ -87,6 +108,7 @@ void add_radii_option(CLI::App& app, std::vector<double>& radii) {
            },
            "Radii of the truth in metres, \"inf\" for none [the view's own]")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->type_name("R[,R...]");
 }
 

@@ -21,6 +21,12 @@ struct ImageSize {
 /// --size WxH. The option's value lands in `size` while parsing.
 void add_size_option(CLI::App& app, ImageSize& size);
 
+/// A check that a value is one of these names; says which one was meant.
+CLI::Validator one_of(const std::vector<std::string>& names);
+
+/// --out, required: an EXR file to write, by its extension.
+void add_exr_option(CLI::App& app, std::filesystem::path& path);
+
 /// --radius R[,R…]: metres, "inf" allowed.
 void add_radii_option(CLI::App& app, std::vector<double>& radii);
 

@@ -38,8 +38,11 @@ CommandEntry add_stress_command(CLI::App& program, const GlobalOptions& global) 
         "stress", "Try methods, filters and reference at extreme numbers; prints the page's path");
     const auto options = std::make_shared<Options>();
     app->add_option("--methods", options->plan.methods, "Methods to try (see list methods) [all]")
-        ->delimiter(',');
-    app->add_option("--axes", options->plan.axes, "Kinds of stress [all]")->delimiter(',');
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    app->add_option("--axes", options->plan.axes, "Kinds of stress [all]")
+        ->delimiter(',')
+        ->allow_extra_args(false);
     app->add_option("--methods-dir", options->plan.methods_dir, "A folder of methods of your own");
     app->add_flag("--quick", options->quick, "The ends of each axis alone, in 64x64 pixels");
     app->add_option("--out", options->out,

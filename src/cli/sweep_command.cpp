@@ -113,7 +113,8 @@ CommandEntry add_sweep_command(CLI::App& program, const GlobalOptions& global) {
         ->required();
     add_view_options(*app, options->view);
     app->add_option("--methods", options->methods, "Methods to sweep (see list methods) [all]")
-        ->delimiter(',');
+        ->delimiter(',')
+        ->allow_extra_args(false);
     app->add_option("--vary", options->axes,
                     "PARAM=v1,v2,...: a parameter, filter.PARAM, preset, filter, size, resolution, border, "
                     "normals or precision; several make their product")

@@ -1,10 +1,12 @@
 #include "experiment/gate.h"
 
 #include "core/error.h"
+#include "core/known_names.h"
+#include "core/text.h"
+#include "metrics/bootstrap.h"
 #include "metrics/metric.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -34,24 +36,36 @@ const MeasuredMetric* find(const MetricMap& metrics, const std::string& id) {
 
 }  // namespace
 
+std::vector<std::string> limited_ids() {
+    std::vector<std::string> ids = ids_of(metrics());
+    ids.insert(ids.end(), {kMissingArea, kFalseArea});
+    return ids;
+}
+
+MetricMap limited_measures(const MetricMap& metrics, const std::optional<ErrorAnalysis>& analysis) {
+    MetricMap measures = metrics;
+    if (!analysis) return measures;
+    measures[kMissingArea].value = analysis->missing.area;
+    measures[kFalseArea].value = analysis->false_occlusion.area;
+    return measures;
+}
+
 Gate Gate::parse(const std::string& text) {
     for (const auto& [sign, relation] : kRelations) {
         const auto at = text.find(sign);
         if (at == std::string::npos) continue;
-        Gate gate{text.substr(0, at), relation, 0, text};
-        const std::string number = text.substr(at + std::char_traits<char>::length(sign));
+        const std::string measure = trimmed(text.substr(0, at));
+        const std::string number = trimmed(text.substr(at + std::strlen(sign)));
+        Gate gate{measure, relation, 0, measure + sign + number};
         char* end = nullptr;
         gate.threshold = std::strtod(number.c_str(), &end);
         if (number.empty() || *end != '\0' || !std::isfinite(gate.threshold)) {
             throw usage_error("\"" + number + "\" is no number", text, kForm);
         }
-        std::vector<std::string_view> ids;
-        for (const Metric& metric : aoscore::metrics()) {
-            if (metric.id == gate.metric) return gate;
-            ids.push_back(metric.id);
-        }
-        throw usage_error("unknown metric \"" + gate.metric + "\"", text,
-                          fmt::format("{}", fmt::join(ids, ", ")));
+        const std::vector<std::string> known = limited_ids();
+        if (std::ranges::find(known, measure) == known.end())
+            throw unknown_name("no metric", measure, known, text);
+        return gate;
     }
     throw usage_error("no limit", text, kForm);
 }

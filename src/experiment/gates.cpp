@@ -38,13 +38,13 @@ void Gates::require_above_noise(double noise_floor_rmse, const std::string& wher
     }
 }
 
-Gates::Tripped Gates::check(const MetricMap& metrics) const {
+Gates::Tripped Gates::check(const MetricMap& measures) const {
     Tripped tripped;
     for (const Gate& gate : fail_.gates) {
-        if (gate.tripped_by(metrics)) tripped.failures.push_back(gate.explain(metrics));
+        if (gate.tripped_by(measures)) tripped.failures.push_back(gate.explain(measures));
     }
     for (const Gate& gate : warn_.gates) {
-        if (gate.tripped_by(metrics)) tripped.warnings.push_back(gate.explain(metrics));
+        if (gate.tripped_by(measures)) tripped.warnings.push_back(gate.explain(measures));
     }
     return tripped;
 }

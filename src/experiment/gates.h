@@ -26,9 +26,10 @@ class Gates {
     struct Tripped {
         std::vector<std::string> failures, warnings;
         ExitCode exit_code() const;
+        std::size_t count() const { return failures.size() + warnings.size(); }
         void add(const Tripped& other);
     };
-    Tripped check(const MetricMap& metrics) const;
+    Tripped check(const MetricMap& measures) const;  ///< limited_measures()
     Tripped check(const ChangeRecord& change) const;
 
   private:

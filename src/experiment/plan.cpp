@@ -3,12 +3,12 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/image.h"
+#include "core/known_names.h"
 #include "core/strict_json.h"
 #include "experiment/claims/judge.h"
 #include "experiment/sweep.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -251,9 +251,7 @@ ExperimentPlan plan_reports(const std::vector<std::string>& report_ids, double s
         const auto found =
             std::find_if(known.begin(), known.end(), [&](const auto& r) { return r.id == id; });
         if (found == known.end()) {
-            std::vector<std::string> ids;
-            for (const ReportDefinition& report : known) ids.push_back(report.id);
-            throw usage_error("unknown report " + id, "run", fmt::format("{}", fmt::join(ids, ", ")));
+            throw unknown_name("no report", id, ids_of(known), "run");
         }
         if (found->kind == ReportDefinition::Kind::sweep)
             add_sweep_report(plan, *found, scale);

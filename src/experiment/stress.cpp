@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/interrupt.h"
+#include "core/known_names.h"
 #include "core/log.h"
 #include "core/machine.h"
 #include "core/progress.h"
@@ -13,7 +14,6 @@
 #include "experiment/stress_run.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -27,15 +27,15 @@ namespace fs = std::filesystem;
 
 std::vector<StressAxis> chosen_axes(const StressPlan& plan) {
     std::vector<StressAxis> chosen;
-    std::vector<std::string_view> known;
+    std::vector<std::string> known;
     for (const StressAxis& axis : stress_axes()) {
-        known.push_back(axis.id);
+        known.emplace_back(axis.id);
         if (plan.axes.empty() || std::find(plan.axes.begin(), plan.axes.end(), axis.id) != plan.axes.end())
             chosen.push_back(axis);
     }
     for (const std::string& id : plan.axes) {
         if (std::find(known.begin(), known.end(), id) == known.end())
-            throw usage_error("no stress axis " + id, "--axes", fmt::format("{}", fmt::join(known, ", ")));
+            throw unknown_name("no stress axis", id, known, "--axes");
     }
     return chosen;
 }

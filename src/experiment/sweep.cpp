@@ -2,9 +2,9 @@
 
 #include "core/error.h"
 #include "core/image.h"
+#include "core/known_names.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -77,8 +77,8 @@ class Expansion {
         }
         const auto check = [&](const std::string& id) {
             if (known.contains(id)) return;
-            throw usage_error("nothing in this sweep has a parameter " + id, "vary " + id,
-                              fmt::format("{}", fmt::join(known, ", ")));
+            throw unknown_name("nothing in this sweep has a parameter", id, {known.begin(), known.end()},
+                               "vary " + id);
         };
         for (const SweepAxis& axis : request_.axes) check(axis.id);
         for (const auto& [id, value] : request_.base.overrides) check(id);
@@ -131,8 +131,7 @@ class Expansion {
         } else if (const RunModeOption* mode = find_mode(id)) {
             const std::string choice = word(value, id);
             if (std::find(mode->choices.begin(), mode->choices.end(), choice) == mode->choices.end())
-                throw usage_error("\"" + choice + "\" is no " + id, "vary " + id,
-                                  fmt::format("{}", fmt::join(mode->choices, ", ")));
+                throw unknown_name("no " + id, choice, mode->choices, "vary " + id);
             mode->choose(point.cell.modes, choice);
         } else if (id.starts_with(kFilterPrefix)) {
             const std::string filter = filter_of(point.cell, method);

@@ -1,10 +1,9 @@
 #include "metrics/evaluate.h"
 
-#include "core/error.h"
+#include "core/known_names.h"
 #include "metrics/mean_error.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -13,9 +12,7 @@ namespace aoscore {
 const Metric& metric(const std::string& id) {
     const auto found = std::ranges::find(metrics(), id, &Metric::id);
     if (found != metrics().end()) return *found;
-    std::vector<std::string_view> known;
-    for (const Metric& row : metrics()) known.push_back(row.id);
-    throw usage_error(fmt::format("unknown metric '{}'", id), {}, fmt::format("{}", fmt::join(known, ", ")));
+    throw unknown_name("no metric", id, ids_of(metrics()));
 }
 
 std::map<std::string, MetricValue> evaluate(const MetricInput& input, std::span<const std::string> ids) {

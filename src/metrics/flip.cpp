@@ -1,3 +1,4 @@
+#include "core/srgb.h"
 #include "core/threads.h"
 #include "metrics/block_errors.h"
 #include "metrics/block_grid.h"
@@ -68,10 +69,6 @@ struct Kernels {
             feature_radius_px, [&](double x) { return (x * x / (sigma_px * sigma_px) - 1) * gaussian(x); }));
     }
 };
-
-double linear_from_srgb(double coded) {
-    return coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4);
-}
 
 double lightness(double luminance) {
     constexpr double kDelta = 6.0 / 29;

@@ -1,53 +1,24 @@
 #include "core/error.h"
 #include "results/image_file.h"
+#include "results/image_frame.h"
+#include "results/image_limits.h"
+#include "results/image_strips.h"
+#include "results/subsampled_exr.h"
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <concepts>
+#include <cstdint>
 #include <map>
 #include <new>
+#include <utility>
 
 namespace aoscore {
 namespace {
 
-// What a header may claim before anything is allocated for it.
-constexpr int kMostChannels = 1024;
-constexpr std::size_t kMostSamples = std::size_t{1} << 30;
-constexpr int kStripRows = 256;
-
 namespace fs = std::filesystem;
-
-/// A library's complaint may span lines, and name the file again on each.
-Error unreadable(const std::string& complaint, const std::string& where) {
-    std::string text = complaint;
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return file_error("cannot be read: " + text, where, "a whole image file");
-}
-
-void require_readable(const OIIO::ImageSpec& spec, const std::string& where) {
-    if (spec.deep) throw file_error("is a deep image", where, "a flat one");
-    if (spec.depth > 1) throw file_error("is a volume", where, "an image");
-    if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) throw file_error("is empty", where);
-    const auto samples = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
-                         static_cast<std::size_t>(spec.nchannels);
-    if (spec.width > kLargestImageSide_px || spec.height > kLargestImageSide_px ||
-        spec.nchannels > kMostChannels || samples > kMostSamples) {
-        throw file_error(
-            fmt::format("claims {}x{} pixels of {} channels", spec.width, spec.height, spec.nchannels), where,
-            fmt::format("at most {0}x{0} pixels, {1} channels, {2} values", kLargestImageSide_px,
-                        kMostChannels, kMostSamples));
-    }
-    if (spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width ||
-        spec.height != spec.full_height) {
-        throw file_error(
-            fmt::format("holds {}x{} pixels at {}, {} of a frame of {}x{} at {}, {}", spec.width, spec.height,
-                        spec.x, spec.y, spec.full_width, spec.full_height, spec.full_x, spec.full_y),
-            where, "all pixels of the frame and no others");
-    }
-}
 
 /// Refuses an EXR whose header claims more values than the file's bytes can hold, in its picture or in one of
 /// its tiles: memory would be filled with what is not there. `bytes` is the file's size.
@@ -67,67 +38,51 @@ void require_plausible_exr(const OIIO::ImageSpec& spec, std::uintmax_t bytes, co
         where, "a whole EXR file");
 }
 
-/// How the file's values become float: read as `type` and divided by `scale`.
-struct Coding {
-    OIIO::TypeDesc type;
-    float scale;
+/// One part of a file: the frame it belongs to, and where in it its pixels are. Only EXR has frames of their
+/// own (display windows); elsewhere the pixels are the frame.
+struct Part {
+    int frame_width, frame_height;
+    PixelRect pixels;
+
+    Part(const OIIO::ImageSpec& spec, bool exr)
+        : frame_width(exr ? spec.full_width : spec.width),
+          frame_height(exr ? spec.full_height : spec.height),
+          pixels{exr ? offset(spec.x, spec.full_x) : 0, exr ? offset(spec.y, spec.full_y) : 0, spec.width,
+                 spec.height} {}
+
+    /// However far apart a header claims them to be: farther than any picture is wide is all the same.
+    static int offset(int begin, int frame_begin) {
+        constexpr std::int64_t kFar = 4 * kLargestImageSide_px;
+        return static_cast<int>(std::clamp<std::int64_t>(std::int64_t{begin} - frame_begin, -kFar, kFar));
+    }
+    bool fills_frame() const { return pixels == PixelRect{0, 0, frame_width, frame_height}; }
 };
 
-Coding coding_of(const OIIO::ImageSpec& spec) {
-    if (spec.format == OIIO::TypeUInt8) return {OIIO::TypeUInt8, 255.0F};
-    if (spec.format == OIIO::TypeUInt16) return {OIIO::TypeUInt16, 65535.0F};
-    return {OIIO::TypeFloat, 1.0F};
+void require_readable(const OIIO::ImageSpec& spec, const Part& part, const std::string& where) {
+    if (spec.depth > 1) throw file_error("is a volume", where, "an image");
+    require_allocatable(spec.width, spec.height, spec.nchannels, where);
+    require_allocatable(part.frame_width, part.frame_height, spec.nchannels, where);
+    if (!within_frame(part.pixels, part.frame_width, part.frame_height).empty()) return;
+    throw file_error(fmt::format("holds {}x{} pixels at {}, {} of a frame of {}x{}", spec.width, spec.height,
+                                 part.pixels.x, part.pixels.y, part.frame_width, part.frame_height),
+                     where, "at least a pixel of the frame");
 }
 
-/// Copies interleaved values of one strip into the channels, which are made when the first strip is there: a
-/// header alone, however large its claims, takes no memory.
-template <class Value>
-void read_strips(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int subimage, Coding coding,
-                 const std::string& where, std::vector<ImageF>& channels) {
-    const int rows =
-        spec.tile_height > 0 ? std::max(kStripRows / spec.tile_height, 1) * spec.tile_height : kStripRows;
-    const auto count = static_cast<std::size_t>(spec.nchannels);
-    const std::size_t first_channel = channels.size();
-    std::vector<Value> strip(static_cast<std::size_t>(spec.width) * count *
-                             static_cast<std::size_t>(std::min(rows, spec.height)));
-    for (int y = 0; y < spec.height; y += rows) {
-        const int end = std::min(y + rows, spec.height);
-        const bool read =
-            spec.tile_width > 0
-                ? input.read_tiles(subimage, 0, spec.x, spec.x + spec.width, spec.y + y, spec.y + end, spec.z,
-                                   spec.z + 1, 0, spec.nchannels, coding.type, strip.data())
-                : input.read_scanlines(subimage, 0, spec.y + y, spec.y + end, spec.z, 0, spec.nchannels,
-                                       coding.type, strip.data());
-        if (!read) throw unreadable(input.geterror(), where);
-        if (y == 0) channels.resize(first_channel + count, ImageF(spec.width, spec.height));
-        for (std::size_t c = 0; c < count; ++c) {
-            float* to = &channels[first_channel + c].at(0, y);
-            const auto pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(end - y);
-            for (std::size_t i = 0; i < pixels; ++i) {
-                if constexpr (std::same_as<Value, float>) {
-                    to[i] = strip[i * count + c];  // Not even a division by 1, which alters signalling NaN.
-                } else {
-                    to[i] = static_cast<float>(strip[i * count + c]) / coding.scale;
-                }
-            }
-        }
+/// Channels of a file of several parts carry the name of theirs: "<part>.<channel>".
+void read_part(OIIO::ImageInput& input, int subimage, const Part& part, const std::string& name,
+               const std::string& where, ImageFile& file) {
+    const std::size_t before = file.channels.size();
+    read_strips(input, subimage, where, file.channels);
+    const PixelRect covered = within_frame(part.pixels, part.frame_width, part.frame_height);
+    for (std::size_t c = before; c < file.channels.size(); ++c) {
+        file.covered.push_back(covered);
+        if (part.fills_frame()) continue;
+        ImageF& image = file.channels[c];
+        image = placed(image, part.pixels.x, part.pixels.y, part.frame_width, part.frame_height);
     }
-}
-
-void read_part(OIIO::ImageInput& input, int subimage, const std::string& where, ImageFile& file) {
-    const OIIO::ImageSpec spec = input.spec(subimage);
-    const Coding coding = coding_of(spec);
-    if (coding.type == OIIO::TypeUInt8) {
-        read_strips<std::uint8_t>(input, spec, subimage, coding, where, file.channels);
-    } else if (coding.type == OIIO::TypeUInt16) {
-        read_strips<std::uint16_t>(input, spec, subimage, coding, where, file.channels);
-    } else {
-        read_strips<float>(input, spec, subimage, coding, where, file.channels);
-    }
-    const std::string part(spec.get_string_attribute("oiio:subimagename"));
-    for (const std::string& name : spec.channelnames) {
-        const bool named_by_part = subimage > 0 && !part.empty() && !name.starts_with(part + ".");
-        file.channel_names.push_back(named_by_part ? part + "." + name : name);
+    for (const std::string& channel : input.spec(subimage).channelnames) {
+        const bool bare = name.empty() || channel.starts_with(name + ".");
+        file.channel_names.push_back(bare ? channel : name + "." + channel);
     }
 }
 
@@ -151,36 +106,59 @@ std::map<std::string, std::string> attributes_of(const OIIO::ImageSpec& spec, bo
     return attributes;
 }
 
+void turn_upright(ImageFile& file, const Orientation& orientation) {
+    for (ImageF& image : file.channels) image = shown(image, orientation);
+    for (PixelRect& covered : file.covered) covered = shown(covered, file.width, file.height, orientation);
+    if (orientation.transposed) std::swap(file.width, file.height);
+}
+
+/// Other programs put layers into parts of an EXR. The first flat one decides the frame.
 ImageFile read_all_parts(OIIO::ImageInput& input, const fs::path& path) {
     const std::string where = path.string();
-    const OIIO::ImageSpec first = input.spec(0);
-    require_readable(first, where);
-    ImageFile file;
-    file.width = first.width;
-    file.height = first.height;
-    file.integers = !first.format.is_floating_point();
-    const bool exr = std::string_view(input.format_name()) == "openexr";
     const std::uintmax_t bytes = fs::file_size(path);
-    if (exr) require_plausible_exr(first, bytes, where);
-    file.attributes = attributes_of(first, exr);
-    read_part(input, 0, where, file);
-    // Other programs put layers into parts.
-    for (int subimage = 1; exr && input.seek_subimage(subimage, 0); ++subimage) {
+    const bool exr = std::string_view(input.format_name()) == "openexr";
+    const bool several = exr && input.seek_subimage(1, 0);
+    ImageFile file;
+    for (int subimage = 0; subimage == 0 || (several && input.seek_subimage(subimage, 0)); ++subimage) {
+        input.seek_subimage(subimage, 0);
         const OIIO::ImageSpec spec = input.spec(subimage);
-        if (spec.deep || spec.width != first.width || spec.height != first.height) continue;
-        require_readable(spec, where);
-        require_plausible_exr(spec, bytes, where);
-        read_part(input, subimage, where, file);
+        const Part part(spec, exr);
+        const std::string name(several ? spec.get_string_attribute("oiio:subimagename") : "");
+        const bool first = file.channels.empty();
+        const bool of_frame = part.frame_width == file.width && part.frame_height == file.height;
+        if (spec.deep || (!first && !of_frame)) {
+            file.left_out.push_back(fmt::format(
+                "{} ({})", name.empty() ? fmt::format("part {}", subimage) : name,
+                spec.deep ? "deep" : fmt::format("{}x{} pixels", part.frame_width, part.frame_height)));
+            continue;
+        }
+        require_readable(spec, part, where);
+        if (exr) require_plausible_exr(spec, bytes, where);
+        if (first) {
+            file.width = part.frame_width;
+            file.height = part.frame_height;
+            file.integers = !spec.format.is_floating_point();
+            file.attributes = attributes_of(spec, exr);
+        }
+        read_part(input, subimage, part, name, where, file);
     }
+    if (file.channels.empty()) throw file_error("is a deep image", where, "a flat one");
+    const Orientation orientation = Orientation::of_tag(input.spec(0).get_int_attribute("Orientation", 1));
+    if (!orientation.upright()) turn_upright(file, orientation);
     return file;
 }
 
 }  // namespace
 
-const ImageF* ImageFile::channel(const std::string& name) const {
+std::optional<std::size_t> ImageFile::index(const std::string& name) const {
     const auto found = std::ranges::find(channel_names, name);
-    return found == channel_names.end() ? nullptr
-                                        : &channels[static_cast<std::size_t>(found - channel_names.begin())];
+    if (found == channel_names.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - channel_names.begin());
+}
+
+const ImageF* ImageFile::channel(const std::string& name) const {
+    const auto found = index(name);
+    return found ? &channels[*found] : nullptr;
 }
 
 ImageFile read_image(const fs::path& path) {
@@ -193,14 +171,18 @@ ImageFile read_image(const fs::path& path) {
     as_stored["oiio:UnassociatedAlpha"] = 1;  // Colour is not to be multiplied by alpha.
     try {
         const auto input = OIIO::ImageInput::open(where, &as_stored);
-        if (!input) throw unreadable(OIIO::geterror(), where);
+        if (!input) {
+            const std::string reason = OIIO::geterror();
+            if (is_subsampled_exr(path)) return read_subsampled_exr(path);
+            throw unreadable_image(reason, where);
+        }
         return read_all_parts(*input, path);
     } catch (const Error&) {
         throw;
     } catch (const std::bad_alloc&) {
         throw file_error("needs more memory than there is", where);
     } catch (const std::exception& e) {
-        throw unreadable(e.what(), where);
+        throw unreadable_image(e.what(), where);
     }
 }
 

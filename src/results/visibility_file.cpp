@@ -1,108 +1,16 @@
 #include "results/visibility_file.h"
 
 #include "core/error.h"
+#include "core/srgb.h"
 #include "results/image_file.h"
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include "results/image_frame.h"
+#include "results/visibility_channel.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <set>
-#include <string_view>
 
 namespace aoscore {
 namespace {
-
-/// The last part of a channel's name, or of its layer's: "ViewLayer.AO.R" is channel R of the layer "AO".
-struct ChannelName {
-    std::string layer, component;
-
-    explicit ChannelName(const std::string& name) {
-        const auto dot = name.rfind('.');
-        component = name.substr(dot == std::string::npos ? 0 : dot + 1);
-        if (dot == std::string::npos) return;
-        const auto before = name.rfind('.', dot - 1);
-        const std::size_t begin = dot == 0 || before == std::string::npos ? 0 : before + 1;
-        layer = name.substr(begin, dot - begin);
-    }
-};
-
-/// Channels that go with a picture and are none: alpha, depth (Z of Blender and this program), and layers of
-/// pbrt's GBufferFilm (P, N, Ns, Albedo, Variance, …), Blender's passes and Mitsuba's aov integrator.
-bool is_companion(const std::string& name) {
-    static const std::set<std::string, std::less<>> kComponents = {"A", "Z", "u", "v", "alpha"};
-    static const std::set<std::string, std::less<>> kLayers = {
-        "mask",   "SE",       "depth",     "Depth",     "Normal", "N",
-        "Ns",     "P",        "Position",  "albedo",    "Albedo", "Variance",
-        "Vector", "UV",       "IndexOB",   "IndexMA",   "Mist",   "RelativeVariance",
-        "uv",     "position", "sh_normal", "geo_normal"};
-    const ChannelName parts(name);
-    return kComponents.contains(parts.component) || kLayers.contains(parts.layer);
-}
-
-bool is_ambient_occlusion(const std::string& name) {
-    static const std::set<std::string, std::less<>> kNames = {"AO", "Ambient Occlusion", "ao",
-                                                              "ambientocclusion", "ambient_occlusion"};
-    const ChannelName parts(name);
-    return kNames.contains(parts.component) ||
-           (kNames.contains(parts.layer) && (parts.component == "R" || parts.component == "Y"));
-}
-
-bool same_values(const ImageF& a, const ImageF& b) {
-    return std::ranges::equal(a.pixels, b.pixels,
-                              [](float x, float y) { return x == y || (std::isnan(x) && std::isnan(y)); });
-}
-
-/// Whether `red` is the R of three equal channels.
-bool is_red_of_gray(const ImageFile& file, const std::string& red) {
-    if (!(red == "R" || red.ends_with(".R"))) return false;
-    const std::string stem = red.substr(0, red.size() - 1);
-    const ImageF *g = file.channel(stem + "G"), *b = file.channel(stem + "B");
-    const ImageF& r = *file.channel(red);
-    return g != nullptr && b != nullptr && same_values(r, *g) && same_values(r, *b);
-}
-
-std::string found_channel(const ImageFile& file, const std::string& where) {
-    if (file.channel("Y") != nullptr) return "Y";
-    std::vector<std::string> own, occlusion, gray;
-    for (const std::string& name : file.channel_names) {
-        if (is_companion(name)) continue;
-        own.push_back(name);
-        if (is_ambient_occlusion(name)) occlusion.push_back(name);
-    }
-    if (own.size() == 1) return own.front();
-    if (file.channel("R") != nullptr && is_red_of_gray(file, "R")) return "R";
-    if (occlusion.size() == 1) return occlusion.front();
-    for (const std::string& name : own) {
-        if (occlusion.empty() && is_red_of_gray(file, name)) gray.push_back(name);
-    }
-    if (gray.size() == 1) return gray.front();
-    throw file_error(
-        fmt::format("{} channel of visibility among {}",
-                    occlusion.empty() && gray.empty() ? "no" : "more than one",
-                    fmt::join(file.channel_names, ", ")),
-        where, "Y, a single channel, R = G = B, or one <layer>.AO.R; or the channel's name, by --channel");
-}
-
-std::string channel_to_read(const ImageFile& file, const std::string& asked, const std::string& where) {
-    if (asked.empty()) return found_channel(file, where);
-    if (file.channel(asked) != nullptr) return asked;
-    throw file_error("has no channel " + asked, where,
-                     fmt::format("{}", fmt::join(file.channel_names, ", ")));
-}
-
-float linear_from_srgb(float coded) {
-    return coded <= 0.04045F ? coded / 12.92F : std::pow((coded + 0.055F) / 1.055F, 2.4F);
-}
-
-template <class T>
-void turn_over(Image<T>& image) {
-    for (int y = 0; y < image.height / 2; ++y) {
-        std::swap_ranges(&image.at(0, y), &image.at(0, y) + image.width, &image.at(0, image.height - 1 - y));
-    }
-}
 
 Mask above_half(const ImageF& image) {
     Mask mask(image.width, image.height);
@@ -111,37 +19,82 @@ Mask above_half(const ImageF& image) {
     return mask;
 }
 
+/// The standard error that belongs to a channel of visibility: SE.Y to Y, SE1.Y to V1.Y.
+ImageF standard_error_of(const ImageFile& file, const std::string& channel) {
+    std::string name;
+    if (channel == "Y" || channel.ends_with(".Y")) {
+        const auto begin = channel.rfind('.', channel.size() - 3) + 1;
+        const std::string layer = channel == "Y" ? "V" : channel.substr(begin, channel.size() - 2 - begin);
+        const bool numbered = layer.find_first_not_of("0123456789", 1) == std::string::npos;
+        if (layer.starts_with('V') && numbered)
+            name = channel.substr(0, begin) + "SE" + layer.substr(1) + ".Y";
+    }
+    const ImageF* error = file.channel(name);
+    return error == nullptr ? ImageF() : *error;
+}
+
+/// Where the file has a pixel for the channel, and a surface in it if mask.Y says so.
+Mask mask_of(const ImageFile& file, std::size_t channel) {
+    const auto found = std::ranges::find_if(file.channel_names, [](const std::string& name) {
+        return name == "mask.Y" || name.ends_with(".mask.Y");
+    });
+    Mask mask = found == file.channel_names.end()
+                    ? Mask(file.width, file.height, 1)
+                    : above_half(file.channels[static_cast<std::size_t>(found - file.channel_names.begin())]);
+    const PixelRect& covered = file.covered[channel];
+    for (int y = 0; y < mask.height; ++y) {
+        for (int x = 0; x < mask.width; ++x) {
+            const bool inside = x >= covered.x && x < covered.x + covered.width && y >= covered.y &&
+                                y < covered.y + covered.height;
+            if (!inside) mask.at(x, y) = 0;
+        }
+    }
+    return mask;
+}
+
+void decode_srgb(ImageF& image) {
+    for (float& value : image.pixels)
+        value = static_cast<float>(linear_from_srgb(static_cast<double>(value)));
+}
+
+void turn(VisibilityFile& file, const Orientation& orientation) {
+    if (orientation.upright()) return;
+    file.covered = shown(file.covered, file.visibility.width, file.visibility.height, orientation);
+    file.visibility = shown(file.visibility, orientation);
+    file.mask = shown(file.mask, orientation);
+    file.standard_error = shown(file.standard_error, orientation);
+}
+
 }  // namespace
 
 VisibilityFile read_visibility(const std::filesystem::path& path, const VisibilityReading& reading) {
     const ImageFile file = read_image(path);
+    const VisibilityChannel chosen = find_visibility(file, reading.channel, path.string());
     VisibilityFile result;
-    result.channel = channel_to_read(file, reading.channel, path.string());
+    result.channel = file.channel_names[chosen.index];
+    result.why = chosen.why;
+    if (!chosen.warning.empty()) result.warnings.push_back(result.channel + ": " + chosen.warning);
+    result.covered = file.covered[chosen.index];
     result.integers = file.integers;
     if (file.integers && !reading.coding) {
         throw usage_error("holds integers, which may be sRGB-coded or linear", path.string(),
                           "--srgb, as pictures for the screen are, or --linear");
     }
-    result.visibility = *file.channel(result.channel);
-    if (file.integers && reading.coding == Coding::srgb) {
-        for (float& value : result.visibility.pixels) value = linear_from_srgb(value);
-    }
+    result.visibility = file.channels[chosen.index];
+    if (reading.srgb_floats || (file.integers && reading.coding == Coding::srgb))
+        decode_srgb(result.visibility);
     if (reading.invert) {
         for (float& value : result.visibility.pixels) value = 1 - value;
     }
-    const ImageF* mask = file.channel("mask.Y");
-    result.mask = mask != nullptr ? above_half(*mask) : Mask(file.width, file.height, 1);
-    if (const ImageF* error = file.channel("SE.Y")) result.standard_error = *error;
-    if (reading.flip) {
-        turn_over(result.visibility);
-        turn_over(result.mask);
-        turn_over(result.standard_error);
-    }
+    result.mask = mask_of(file, chosen.index);
+    result.standard_error = standard_error_of(file, result.channel);
+    turn(result, {.transposed = false, .mirrored = reading.mirror, .turned_over = reading.flip});
     return result;
 }
 
-Mask read_mask(const std::filesystem::path& path) {
-    return above_half(read_image(path).channels.front());
+Mask read_mask(const std::filesystem::path& path, const std::string& channel) {
+    const ImageFile file = read_image(path);
+    return above_half(file.channels[find_mask(file, channel, path.string())]);
 }
 
 }  // namespace aoscore

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "core/image.h"
+#include "results/pixel_rect.h"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace aoscore {
 
@@ -14,29 +16,31 @@ enum class Coding { linear, srgb };
 /// How an image file is to be read as visibility.
 struct VisibilityReading {
     std::string channel;           ///< by its name in the file; empty: found, see read_visibility()
-    std::optional<Coding> coding;  ///< of integers; floats are linear whatever it says
+    std::optional<Coding> coding;  ///< of integers alone
+    bool srgb_floats = false;      ///< floats are sRGB-coded too
     bool flip = false;             ///< the file's rows run from the bottom up
+    bool mirror = false;           ///< the file's columns run from the right to the left
     bool invert = false;           ///< the file holds occlusion, 1 - visibility
 };
 
 /// The visibility that a file holds.
 struct VisibilityFile {
     ImageF visibility;
-    Mask mask;              ///< 1 where mask.Y is above 0.5, or everywhere without one; alpha is no mask
-    ImageF standard_error;  ///< SE.Y; empty without one
+    Mask
+        mask;  ///< 1 where the file has a pixel, and mask.Y, where it has one, is above 0.5; alpha is no mask
+    PixelRect covered;      ///< the part of the picture that the file has pixels for
+    ImageF standard_error;  ///< SE.Y of Y, SE1.Y of V1.Y; empty without one
     std::string channel;
-    bool integers = false;  ///< stored as integers, so that the coding mattered
+    std::string why;                    ///< how the channel was found, in words
+    std::vector<std::string> warnings;  ///< what makes the channel doubtful
+    bool integers = false;              ///< stored as integers, so that the coding mattered
 };
 
-/// Reads any format of OpenImageIO (EXR, PNG, TIFF, HDR, PFM, …). Without a channel's name it takes Y; else
-/// the only channel that is no companion; else R of R = G = B; else the only ambient-occlusion layer (AO,
-/// <layer>.AO.R); else the only layer whose R, G and B are equal. Companions are alpha, depth, normals,
-/// positions, colours and variances by the names that Blender, pbrt, Mitsuba and this program give them.
-/// Throws file_error when no channel or more than one qualifies, naming those there are, and usage_error for
-/// integers whose coding was not said: their values mean two things.
+/// Reads any image that read_image() reads, and finds the channel as find_visibility() does. Throws their
+/// errors, and usage_error for integers whose coding was not said: their values mean two things.
 VisibilityFile read_visibility(const std::filesystem::path& path, const VisibilityReading& reading);
 
-/// 1 where the first channel of an image is above 0.5 (of integers: of their range), for a mask of its own.
-Mask read_mask(const std::filesystem::path& path);
+/// 1 where a mask of its own is above 0.5 (of integers: of their range); its channel is find_mask()'s.
+Mask read_mask(const std::filesystem::path& path, const std::string& channel = {});
 
 }  // namespace aoscore

@@ -17,7 +17,8 @@ bool finite(const glm::dvec3& v) {
 
 void check(const Camera& c, int width, int height) {
     if (width < 1 || height < 1 || width > kLargestImageSide_px || height > kLargestImageSide_px) {
-        throw usage_error(fmt::format("image size {}x{}", width, height), "size", fmt::format("1x1 to {0}x{0}", kLargestImageSide_px));
+        throw usage_error(fmt::format("image size {}x{}", width, height), "size",
+                          fmt::format("1x1 to {0}x{0}", kLargestImageSide_px));
     }
     if (!finite(c.position) || !finite(c.target) || !finite(c.up)) {
         throw usage_error("position, target or up is not finite", "camera");

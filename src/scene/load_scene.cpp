@@ -1,4 +1,5 @@
 #include "core/error.h"
+#include "core/known_names.h"
 #include "core/printable.h"
 #include "core/shell.h"
 #include "scene/depth_range.h"
@@ -11,7 +12,6 @@
 #include "scene/view_limits.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -166,10 +166,8 @@ Scene load_scene(const std::string& name_or_path, const LoadOptions& options) {
     std::error_code ec;
     if (!fs::exists(name_or_path, ec)) {
         if (looks_like_path(name_or_path)) throw file_error("no such file", name_or_path, kSceneFiles);
-        std::vector<std::string_view> ids;
-        for (const BuiltinScene& b : builtins) ids.push_back(b.id);
-        throw usage_error(fmt::format("no scene \"{}\"", name_or_path), "SCENE",
-                          fmt::format("{}; or {}", fmt::join(ids, ", "), kSceneFiles));
+        throw unknown_name("no scene", name_or_path, ids_of(builtins), "SCENE",
+                           fmt::format("or {}", kSceneFiles));
     }
     Scene scene = load_file(name_or_path, options);
     // The id names files, cells and lines: a file's name may hold what none of them can.

@@ -1,9 +1,8 @@
 #include "scene/view_choice.h"
 
-#include "core/error.h"
+#include "core/known_names.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -23,13 +22,10 @@ std::vector<View> of_kind(const std::vector<View>& views, View::Kind kind) {
 }
 
 const View& named(std::string_view scene_id, const std::vector<View>& views, std::string_view id) {
-    std::vector<std::string_view> ids;
     for (const View& view : views) {
         if (view.id == id) return view;
-        ids.push_back(view.id);
     }
-    throw usage_error(fmt::format("scene {} has no view \"{}\"", scene_id, id), "--view",
-                      fmt::format("{}", fmt::join(ids, ", ")));
+    throw unknown_name(fmt::format("scene {} has no view", scene_id), id, ids_of(views), "--view");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "screen/method.h"
 
 #include "core/error.h"
+#include "core/known_names.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -63,8 +64,7 @@ ParameterValues MethodDescriptor::values(std::string_view preset, const Paramete
     if (chosen == presets.end()) {
         std::vector<std::string> known;
         for (const auto& [name, unused] : presets) known.push_back(name);
-        throw usage_error(fmt::format("no preset \"{}\"", preset), id,
-                          fmt::format("{}", fmt::join(known, ", ")));
+        throw unknown_name("no preset", preset, known, id);
     }
     ParameterValues result;
     for (const Parameter& p : parameters) result[p.id] = p.default_value;
@@ -72,10 +72,7 @@ ParameterValues MethodDescriptor::values(std::string_view preset, const Paramete
         for (const auto& [name, value] : layer) {
             const Parameter* parameter = find_parameter(name);
             if (parameter == nullptr) {
-                std::vector<std::string> known;
-                for (const Parameter& p : parameters) known.push_back(p.id);
-                throw usage_error(fmt::format("no parameter \"{}\"", name), id,
-                                  fmt::format("{}", fmt::join(known, ", ")));
+                throw unknown_name("no parameter", name, ids_of(parameters), id);
             }
             if (!parameter->accepts(value)) {
                 throw usage_error(fmt::format("is {}", value.dump()), id + "." + name, parameter->valid());
@@ -90,10 +87,7 @@ const MethodDescriptor& find_method(const std::vector<MethodDescriptor>& methods
     const auto found =
         std::find_if(methods.begin(), methods.end(), [&](const MethodDescriptor& m) { return m.id == id; });
     if (found != methods.end()) return *found;
-    std::vector<std::string> known;
-    for (const MethodDescriptor& m : methods) known.push_back(m.id);
-    throw usage_error(fmt::format("no method or filter \"{}\"", id), {},
-                      fmt::format("{}", fmt::join(known, ", ")));
+    throw unknown_name("no method or filter", id, ids_of(methods));
 }
 
 }  // namespace aoscore

@@ -50,6 +50,32 @@ TEST(Limits, BelowTheNoiseOfTheTruthAreRefused) {
     EXPECT_EQ(run_aoscore("compare truth.exr test.exr --fail 'rmse>0.2'", folder).exit_code, 0);
 }
 
+TEST(Limits, MayHaveBlanksAndBeOnMaskAreas) {
+    const auto folder = output_dir();
+    write_pair(folder);  // a third of the pixels is brighter by 0.2
+    EXPECT_EQ(run_aoscore("compare truth.exr test.exr --fail 'rmse > 0.2' --fail ' missing_area >= 0.34 '"
+                          " --fail 'false_area>0'",
+                          folder)
+                  .exit_code,
+              0);
+    const ProgramRun failed = run_aoscore("compare truth.exr test.exr --fail 'missing_area > 0.3'", folder);
+    EXPECT_EQ(failed.exit_code, 2);
+    EXPECT_THAT(failed.err, HasSubstr("missing_area is 0.333"));
+}
+
+TEST(Limits, SeveralThatWereTrippedAreCountedInOneLine) {
+    const auto folder = output_dir();
+    write_pair(folder);
+    const ProgramRun two =
+        run_aoscore("compare truth.exr test.exr --fail 'rmse>0' --fail 'mae>0' --warn 'ssim<1'", folder);
+    EXPECT_THAT(two.err, ::testing::EndsWith("2 limits of --fail and 1 of --warn tripped\n"));
+    const ProgramRun cells = run_aoscore(std::string(kScore) + "--out o --fail 'missing_area>=0'", folder);
+    EXPECT_EQ(cells.exit_code, 2);
+    EXPECT_THAT(cells.err, HasSubstr("tripped in "));
+    EXPECT_THAT(run_aoscore("compare truth.exr test.exr --fail 'rmse>0'", folder).err,
+                ::testing::Not(HasSubstr("limits of")));
+}
+
 TEST(Limits, DecideTheExitCodeOfAScoreCellByCell) {
     const auto folder = output_dir();
     const ProgramRun failed = run_aoscore(std::string(kScore) + "--out o --fail 'ssim<0.999999'", folder);

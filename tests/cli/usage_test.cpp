@@ -64,6 +64,74 @@ TEST(Usage, UnknownNamesListTheKnownOnes) {
     EXPECT_THAT(run_aoscore("run nonsense --out o", folder).err, HasSubstr("hussain-table-3"));
 }
 
+TEST(Usage, UnknownNamesAskForTheOneThatWasMeant) {
+    const auto folder = output_dir();
+    const struct {
+        const char *arguments, *meant;
+    } mistyped[] = {{"scroe plane", "score"},
+                    {"score palne --out o", "plane"},
+                    {"score wall --view facnig --out o", "facing"},
+                    {"score plane --methods gtoa --out o", "gtao"},
+                    {"score plane --filter box-4x --out o", "box-4x4"},
+                    {"score plane --methods gtao --preset defualt --out o", "default"},
+                    {"score plane --methods hbao --set raduis=1 --out o", "radius"},
+                    {"score plane --resolution haf --out o", "half"},
+                    {"score plane --metohds gtao --out o", "--methods"},
+                    {"compare a b --fail 'rsme>0.1'", "rmse"},
+                    {"compare a b --fail 'missing_aera>0.1'", "missing_area"},
+                    {"run husain-table-3 --out o", "hussain-table-3"},
+                    {"stress --axes fov --methods gtoa --out o", "gtao"},
+                    {"list mehtods", "methods"},
+                    {"cache lst", "list"}};
+    for (const auto& [arguments, meant] : mistyped) {
+        const ProgramRun run = run_aoscore(arguments, folder);
+        EXPECT_EQ(run.exit_code, 64) << arguments << "\n" << run.err;
+        EXPECT_THAT(run.err, HasSubstr(std::string("did you mean ") + meant + "?")) << arguments;
+    }
+}
+
+TEST(Usage, HelpIsThereInEveryWayThatItIsAskedFor) {
+    const auto folder = output_dir();
+    for (const char* arguments : {"help", "--help", "-h"}) {
+        const ProgramRun run = run_aoscore(arguments, folder);
+        EXPECT_EQ(run.exit_code, 0) << arguments;
+        EXPECT_THAT(run.out, HasSubstr("compare")) << arguments;
+    }
+    for (const char* arguments : {"help compare", "compare --help"})
+        EXPECT_THAT(run_aoscore(arguments, folder).out, HasSubstr("--mask-threshold")) << arguments;
+    const ProgramRun list = run_aoscore("list", folder), nothing = run_aoscore("", folder);
+    EXPECT_EQ(list.exit_code, 0);
+    EXPECT_THAT(list.out, HasSubstr("scenes, views, methods, metrics or reports"));
+    // A script whose variable is empty must not succeed.
+    EXPECT_EQ(nothing.exit_code, 64);
+    EXPECT_THAT(nothing.err, HasSubstr("compare"));
+}
+
+TEST(Usage, ListsMayStandBeforeTheScene) {
+    const auto folder = output_dir();
+    const std::string rest = " --size 32x24 --samples 4 ";
+    for (const std::string arguments :
+         {"score --methods alchemy,hbao wall --view facing --out a",
+          "score --set radius=0.5 intensity=1 wall --view facing --methods alchemy --out b",
+          "score --fail 'rmse>2' --warn 'rmse > 2' --methods alchemy wall --view facing --out c",
+          "reference --radius 0.5,1 plane --out d.exr"}) {
+        const ProgramRun run = run_aoscore(arguments + rest, folder);
+        EXPECT_EQ(run.exit_code, 0) << arguments << "\n" << run.err;
+    }
+}
+
+TEST(Usage, WhatIsWrittenAsExrIsNotCalledOtherwise) {
+    const auto folder = output_dir();
+    for (const char* command :
+         {"gbuffer plane --size 16x16 --out g.png", "reference plane --size 16x16 --out t.png",
+          "gbuffer plane --size 16x16 --out g"}) {
+        const ProgramRun run = run_aoscore(command, folder);
+        EXPECT_EQ(run.exit_code, 64) << command;
+        EXPECT_THAT(run.err, HasSubstr(".exr")) << command;
+    }
+    EXPECT_TRUE(holds_only_captures(folder));
+}
+
 TEST(Usage, HelpNamesEveryExitCodeAndExitsWith0) {
     const ProgramRun run = run_aoscore("--help", output_dir());
     EXPECT_EQ(run.exit_code, 0);

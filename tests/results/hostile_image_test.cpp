@@ -156,16 +156,5 @@ TEST(HostileImage, WhateverALibrarySaysTheErrorIsOneLine) {
     }
 }
 
-TEST(HostileImage, PictureThatCoversOnlyAPartOfItsFrameIsAnError) {
-    const auto folder = output_dir();
-    const ImageF y(16, 16);
-    write_exr(folder / "whole.exr", std::vector<ChannelView>{{"Y", &y}}, {});
-    std::string bytes = read_file(folder / "whole.exr");
-    const std::string fifteen("\x0f\0\0\0\x0f\0\0\0", 8), larger("\x1f\0\0\0\x1f\0\0\0", 8);
-    bytes.replace(bytes.find(fifteen, bytes.find("displayWindow")), 8, larger);
-    write_bytes(folder / "part.exr", bytes);
-    EXPECT_THAT(reading(folder / "part.exr"), HasSubstr("16x16 pixels at 0, 0 of a frame of 32x32"));
-}
-
 }  // namespace
 }  // namespace aoscore

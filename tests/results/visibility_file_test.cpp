@@ -71,7 +71,7 @@ TEST(VisibilityFile, TakesRedOfGrayButRefusesColour) {
     EXPECT_THAT(testing::file_error_of([] {
                     visibility_of({{"R", &kFirst}, {"G", &kFirst}, {"B", &kSecond}});
                 }),
-                AllOf(HasSubstr("image.exr"), HasSubstr("R, G, B"), HasSubstr("valid: Y,")));
+                AllOf(HasSubstr("image.exr"), HasSubstr("R, G, B"), HasSubstr("valid: one layer named AO")));
 }
 
 TEST(VisibilityFile, FindsTheLayerThatBlenderCallsAmbientOcclusion) {
@@ -95,6 +95,106 @@ TEST(VisibilityFile, RefusesWhatIsAmbiguousAndNamesTheChannels) {
                     visibility_of({{"Z", &kFirst}, {"N.X", &kSecond}});
                 }),
                 AllOf(HasSubstr("no channel"), HasSubstr("N.X"), HasSubstr("Z")));
+}
+
+TEST(VisibilityFile, ALayerOfAmbientOcclusionGoesBeforeAGreyPicture) {
+    const VisibilityFile file = visibility_of({{"R", &kSecond},
+                                               {"G", &kSecond},
+                                               {"B", &kSecond},
+                                               {"AO.R", &kFirst},
+                                               {"AO.G", &kFirst},
+                                               {"AO.B", &kFirst}});
+    EXPECT_EQ(file.channel, "AO.R");
+    EXPECT_EQ(file.why, "named as ambient occlusion");
+    EXPECT_TRUE(file.warnings.empty());
+}
+
+TEST(VisibilityFile, AnOcclusionInColourIsReadWithAWarning) {
+    const VisibilityFile file = visibility_of({{"AO.R", &kFirst}, {"AO.G", &kSecond}, {"AO.B", &kFirst}});
+    EXPECT_EQ(file.channel, "AO.R");
+    EXPECT_THAT(file.warnings, ::testing::ElementsAre(HasSubstr("not in grey")));
+}
+
+TEST(VisibilityFile, DepthIsNeverVisibilityWhateverItsName) {
+    const ImageF depth = random_visibility(20, 10, 4);
+    const std::vector<std::vector<ChannelView>> files = {
+        {{"Z", &depth}},
+        {{"depth", &depth}},
+        {{"Y", &depth}, {"Z", &depth}},  // as this program's G-buffers are, for viewers
+        {{"R", &kFirst},
+         {"G", &kSecond},
+         {"B", &kThird},
+         {"SceneDepth.R", &depth},
+         {"SceneDepth.G", &depth},
+         {"SceneDepth.B", &depth}}};
+    for (const auto& channels : files) {
+        EXPECT_THAT(testing::file_error_of([&] { visibility_of(channels); }),
+                    HasSubstr("no channel of visibility"));
+    }
+}
+
+TEST(VisibilityFile, AGreyPictureAmongPassesOfALitOneIsNotTaken) {
+    for (const char* pass : {"Shadow.R", "Diffuse.Y", "ViewLayer.Combined.R"}) {
+        EXPECT_THAT(testing::file_error_of([&] {
+                        visibility_of({{"R", &kFirst}, {"G", &kFirst}, {"B", &kFirst}, {pass, &kSecond}});
+                    }),
+                    HasSubstr("no channel of visibility"))
+            << pass;
+    }
+    EXPECT_EQ(visibility_of({{"R", &kFirst}, {"G", &kFirst}, {"B", &kFirst}, {"Z", &kSecond}}).channel, "R");
+}
+
+TEST(VisibilityFile, OneOfSeveralUnknownPicturesIsNotTaken) {
+    EXPECT_THAT(testing::file_error_of([] {
+                    visibility_of({{"R", &kFirst}, {"G", &kFirst}, {"B", &kFirst}, {"mine", &kSecond}});
+                }),
+                AllOf(HasSubstr("more than one"), HasSubstr("R, mine")));
+}
+
+TEST(VisibilityFile, ATruthsRadiiHaveTheirOwnStandardErrors) {
+    const auto path = output_dir() / "truth.exr";
+    write_exr(path,
+              std::vector<ChannelView>{{"Y", &kFirst},
+                                       {"V0.Y", &kFirst},
+                                       {"V1.Y", &kSecond},
+                                       {"SE.Y", &kSecond},
+                                       {"SE0.Y", &kSecond},
+                                       {"SE1.Y", &kThird}},
+              {});
+    const auto error_of = [&](const char* channel) {
+        return read_visibility(path, {.channel = channel, .coding = {}}).standard_error;
+    };
+    EXPECT_TRUE(same_bits(error_of(""), kSecond));
+    EXPECT_TRUE(same_bits(error_of("V0.Y"), kSecond));
+    EXPECT_TRUE(same_bits(error_of("V1.Y"), kThird));
+    EXPECT_TRUE(error_of("SE.Y").empty());
+}
+
+TEST(VisibilityFile, RoundingDoesNotMakeAGreyPictureColoured) {
+    ImageF green = kFirst;
+    for (float& value : green.pixels) value += 1e-3F;
+    EXPECT_EQ(visibility_of({{"R", &kFirst}, {"G", &green}, {"B", &kFirst}}).channel, "R");
+}
+
+TEST(VisibilityFile, AMaskOfItsOwnIsFoundByNameOrAsTheOnlyGrey) {
+    const auto path = output_dir() / "mask.exr";
+    ImageF left(20, 10), zero(20, 10);
+    for (int y = 0; y < 10; ++y) {
+        for (int x = 0; x < 10; ++x) left.at(x, y) = 1;
+    }
+    const auto count = [&](const std::vector<ChannelView>& channels, const std::string& channel = {}) {
+        write_exr(path, channels, {});
+        const Mask mask = read_mask(path, channel);
+        return std::count(mask.pixels.begin(), mask.pixels.end(), 1) * mask.at(0, 0);
+    };
+    EXPECT_EQ(count({{"Y", &left}}), 100);
+    EXPECT_EQ(count({{"A", &zero}, {"B", &left}, {"G", &left}, {"R", &left}}), 100);
+    EXPECT_EQ(count({{"AO.Y", &zero}, {"Y", &zero}, {"mask.Y", &left}}), 100);
+    EXPECT_EQ(count({{"a", &zero}, {"b", &left}}, "b"), 100);
+    EXPECT_THAT(testing::file_error_of([&] {
+                    count({{"a1", &zero}, {"b1", &left}});
+                }),
+                HasSubstr("--mask-channel"));
 }
 
 TEST(VisibilityFile, EightBitsAreValueBy255UnlessTheyAreSrgb) {

@@ -1,11 +1,11 @@
 #include "experiment/claims/judge.h"
 
 #include "core/error.h"
+#include "core/known_names.h"
 #include "experiment/claims/quantity.h"
 #include "experiment/resolved_cell.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -268,9 +268,7 @@ std::vector<ClaimList> chosen_claims(std::vector<ClaimList> lists, const std::ve
             return std::find(ids.begin(), ids.end(), claim.id) == ids.end();
         });
     }
-    if (!missing.empty())
-        throw usage_error("there is no claim " + *missing.begin(), "claims",
-                          fmt::format("{}", fmt::join(known, ", ")));
+    if (!missing.empty()) throw unknown_name("no claim", *missing.begin(), known, "claims");
     return lists;
 }
 

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/image.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace aoscore {
+
+/// Colours from the low to the high end (0xRRGGBB), and one more for what is no number: magenta.
+using Palette = std::vector<std::uint32_t>;
+
+/// `steps` colours, at most 255, evenly along the anchors (red, green, blue, 0 to 255). An odd number gives
+/// the middle a colour of its own.
+Palette palette_between(const std::vector<std::array<double, 3>>& anchors, int steps);
+
+/// From black to white.
+Palette gray_palette(int steps);
+/// From blue over white to red: signed error, red where the picture is too bright.
+Palette blue_red_palette(int steps);
+
+/// Pictures of one size below each other as a PNG data URI: `low` has the first colour, `high` the last.
+std::string coloured_picture(const std::vector<const ImageF*>& images, double low, double high,
+                             const Palette& palette);
+
+}  // namespace aoscore

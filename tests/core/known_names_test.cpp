@@ -1,0 +1,42 @@
+#include "core/known_names.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace aoscore {
+namespace {
+
+const std::vector<std::string> kMethods = {"alchemy",   "gtao", "hbao",
+                                           "hbao-plus", "ssao", "visibility-bitmask"};
+
+TEST(KnownNames, TheNearestIsMeant) {
+    EXPECT_EQ(meant_name("gtoa", kMethods), "gtao") << "swapped letters are one mistake";
+    EXPECT_EQ(meant_name("GTAO", kMethods), "gtao");
+    EXPECT_EQ(meant_name("alchmey", kMethods), "alchemy");
+    EXPECT_EQ(meant_name("hbaoplus", kMethods), "hbao-plus");
+    EXPECT_EQ(meant_name("hbap", kMethods), "hbao");
+}
+
+TEST(KnownNames, ABeginningOrAPartThatOnlyOneHasIsMeant) {
+    EXPECT_EQ(meant_name("visi", kMethods), "visibility-bitmask");
+    EXPECT_EQ(meant_name("bitmask", kMethods), "visibility-bitmask");
+    EXPECT_EQ(meant_name("ao", kMethods), std::nullopt) << "four have it";
+}
+
+TEST(KnownNames, FarNamesAreNotMeant) {
+    for (const char* name : {"nonsense", "", "x", "radiosity"})
+        EXPECT_EQ(meant_name(name, kMethods), std::nullopt) << name;
+    EXPECT_EQ(meant_name("gtao", {}), std::nullopt);
+}
+
+TEST(KnownNames, TheErrorAsksAndListsWhatIsKnown) {
+    const Error error = unknown_name("no method", "gtoa", kMethods, "--methods");
+    EXPECT_EQ(error.exit_code(), ExitCode::usage);
+    EXPECT_THAT(error.what(),
+                ::testing::HasSubstr("--methods: no method \"gtoa\"; did you mean gtao? (valid: alchemy,"));
+    EXPECT_THAT(unknown_name("no method", "nonsense", kMethods).what(),
+                ::testing::Not(::testing::HasSubstr("did you mean")));
+}
+
+}  // namespace
+}  // namespace aoscore
