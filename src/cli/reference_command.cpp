@@ -1,7 +1,8 @@
 #include "cli/command.h"
 #include "cli/shared_options.h"
-#include "experiment/experiment.h"
+#include "core/log.h"
 #include "experiment/image_output.h"
+#include "experiment/ranking_radius.h"
 #include "experiment/truth_provenance.h"
 #include "reference/cache/truth_cache.h"
 
@@ -32,9 +33,9 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     std::vector<TruthQuery> queries;
     for (const double radius : options.radii) queries.push_back({Falloff::binary, radius, 0});
     if (queries.empty()) {
-        std::vector<std::string> warnings;
-        queries.push_back({Falloff::binary, ranking_radius({}, view, scene, warnings), 0});
-        for (const std::string& warning : warnings) log_warning(warning);
+        const RankingRadius radius = ranking_radius({}, view, scene);
+        queries.push_back({Falloff::binary, radius.metres, 0});
+        if (radius.automatic) log_warning(radius_warning(radius, view));
     }
     TruthSettings settings;
     settings.samples = options.effort.samples;

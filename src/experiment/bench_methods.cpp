@@ -1,7 +1,9 @@
 #include "experiment/bench_methods.h"
 
 #include "core/error.h"
+#include "experiment/ranking_radius.h"
 #include "experiment/timing.h"
+#include "screen/lengths.h"
 #include "screen/screen.h"
 
 #include <fmt/format.h>
@@ -42,7 +44,7 @@ bool has_shaders(const MethodDescriptor& method) {
                        [](const Pass& pass) { return pass.processor.empty(); });
 }
 
-std::vector<Row> rows_of(const std::vector<MethodDescriptor>& methods, std::uint64_t seed) {
+std::vector<Row> rows_of(const std::vector<MethodDescriptor>& methods, double radius_m, std::uint64_t seed) {
     std::vector<Row> rows;
     for (const MethodDescriptor& method : methods) {
         if (!has_shaders(method)) continue;
@@ -53,7 +55,7 @@ std::vector<Row> rows_of(const std::vector<MethodDescriptor>& methods, std::uint
             row.is_default = preset == "default";
             MethodRequest request;
             request.method = &method;
-            request.parameters = method.values(preset);
+            request.parameters = values_for_radius(method, radius_m, preset);
             request.seed = seed;
             row.forms = {request, request};
             row.forms[1].uniform_form = true;
@@ -127,7 +129,7 @@ void print_summary(const std::vector<Row>& rows) {
 
 void bench_methods(const Scene& scene, const View& view, const MethodsBenchmark& benchmark) {
     const std::vector<MethodDescriptor> methods = chosen_methods(benchmark);
-    std::vector<Row> rows = rows_of(methods, benchmark.seed);
+    std::vector<Row> rows = rows_of(methods, ranking_radius({}, view, scene).metres, benchmark.seed);
     ScreenRenderer renderer;
     renderer.set_scene(scene);
     renderer.draw_gbuffer(CameraFrame(view.camera, benchmark.width, benchmark.height), gbuffer_inputs());
