@@ -91,6 +91,7 @@ ExportTable export_table(const Comparison& comparison, const Gates::Tripped& tri
     add_measures(table);
     table.rows.push_back({{comparison.request.truth.string(), comparison.request.test.string()},
                           measures_of(comparison.metrics, comparison.analysis),
+                          {},
                           comparison.sound() ? "" : "nothing could be compared",
                           tripped.failures});
     table.document = to_json(comparison);

@@ -7,6 +7,7 @@
 #include "experiment/view_description.h"
 #include "metrics/metric.h"
 #include "scene/scene.h"
+#include "screen/lengths.h"
 #include "screen/method.h"
 
 #include <fmt/format.h>
@@ -77,9 +78,13 @@ void list_methods(const std::filesystem::path& methods_dir) {
         for (const Parameter& p : m.parameters)
             parameters.push_back(fmt::format("{}={}", p.id, p.default_value.dump()));
         std::vector<std::string> presets;
-        for (const auto& [id, values] : m.presets) presets.push_back(id);
-        print_result("{:<20} {}{}. {}; inputs {}; parameters {}; presets {}\n", m.id, kind, m.paper,
-                     m.summary, fmt::join(inputs, ", "), fmt::join(parameters, ", "),
+        for (const auto& [id, values] : m.presets)
+            presets.push_back(id + (m.absolute_presets.contains(id) ? " (keeps its lengths)" : ""));
+        const std::optional<double> radius_m = reference_radius(m, "default");
+        const std::string meant =
+            radius_m ? fmt::format(", lengths for an AO radius of {:g} m", *radius_m) : "";
+        print_result("{:<20} {}{}. {}; inputs {}; parameters {}{}; presets {}\n", m.id, kind, m.paper,
+                     m.summary, fmt::join(inputs, ", "), fmt::join(parameters, ", "), meant,
                      fmt::join(presets, ", "));
     };
     std::vector<std::string> warnings;

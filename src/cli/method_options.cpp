@@ -89,6 +89,10 @@ void add_method_options(CLI::App& app, MethodOptions& options) {
            "A parameter of the methods that have it, over the preset: radius=0.5; or of their filters: "
            "filter.taps=5")
         ->allow_extra_args(false);
+    app.add_flag(
+        "--own-parameters", options.own_parameters,
+        "Leave the lengths of methods and filters as their descriptors have them, whatever the radius "
+        "[drawn for it]");
     for (const RunModeOption& mode : run_mode_options()) {
         app.add_option_function<std::string>(
                fmt::format("--{}", mode.id),

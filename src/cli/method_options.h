@@ -16,11 +16,12 @@ struct MethodOptions {
     std::string preset;                    ///< empty: those that each method is scored with
     std::string filter;                    ///< empty: the preset's own
     std::vector<std::string> assignments;  ///< "radius=0.5"
+    bool own_parameters = false;           ///< lengths as descriptors have them, whatever the radius
     RunModes modes;
     std::set<std::string> chosen_modes;  ///< ids of the modes that the user named
 };
 
-/// --preset, --filter, --set, and one option for each of run_mode_options().
+/// --preset, --filter, --set, --own-parameters, and one option for each of run_mode_options().
 void add_method_options(CLI::App& app, MethodOptions& options);
 
 /// The cells of each method: one for the preset that was asked for, or one for each that its descriptor

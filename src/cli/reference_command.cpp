@@ -1,8 +1,9 @@
 #include "cli/command.h"
 #include "cli/shared_options.h"
+#include "core/log.h"
 #include "core/output.h"
-#include "experiment/experiment.h"
 #include "experiment/image_output.h"
+#include "experiment/ranking_radius.h"
 #include "experiment/truth_provenance.h"
 #include "reference/cache/truth_cache.h"
 
@@ -33,9 +34,9 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     std::vector<TruthQuery> queries;
     for (const double radius : options.radii) queries.push_back({Falloff::binary, radius, 0});
     if (queries.empty()) {
-        std::vector<std::string> warnings;
-        queries.push_back({Falloff::binary, ranking_radius({}, view, scene, warnings), 0});
-        for (const std::string& warning : warnings) log_warning(warning);
+        const RankingRadius radius = ranking_radius({}, view, scene);
+        queries.push_back({Falloff::binary, radius.metres, 0});
+        if (radius.automatic) log_warning(radius_warning(radius, view));
     }
     TruthSettings settings;
     settings.samples = options.effort.samples;

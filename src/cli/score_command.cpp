@@ -42,6 +42,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     plan.seed = global.seed;
     plan.methods_dir = options.methods_dir;
     plan.command = global.command_line;
+    plan.own_parameters = options.method_options.own_parameters;
     plan.truth_cache = options.truth_cache;
     ViewPlan view;
     view.scene = options.choice.scene;

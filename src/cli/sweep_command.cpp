@@ -66,6 +66,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     plan.truth_cache = options.truth_cache;
     plan.methods_dir = options.methods_dir;
     plan.command = global.command_line;
+    plan.own_parameters = options.method_options.own_parameters;
     plan.keep_gbuffer = options.keep_images;
     ViewPlan view;
     view.width = options.size.width;

@@ -2,7 +2,9 @@
 
 #include "core/error.h"
 #include "core/log.h"
+#include "experiment/ranking_radius.h"
 #include "experiment/timing.h"
+#include "screen/lengths.h"
 #include "screen/screen.h"
 
 #include <fmt/format.h>
@@ -46,7 +48,7 @@ bool has_shaders(const MethodDescriptor& method) {
                        [](const Pass& pass) { return pass.processor.empty(); });
 }
 
-std::vector<Row> rows_of(const std::vector<MethodDescriptor>& methods, std::uint64_t seed) {
+std::vector<Row> rows_of(const std::vector<MethodDescriptor>& methods, double radius_m, std::uint64_t seed) {
     std::vector<Row> rows;
     for (const MethodDescriptor& method : methods) {
         if (!has_shaders(method)) continue;
@@ -57,7 +59,7 @@ std::vector<Row> rows_of(const std::vector<MethodDescriptor>& methods, std::uint
             row.is_default = preset == "default";
             MethodRequest request;
             request.method = &method;
-            request.parameters = method.values(preset);
+            request.parameters = values_for_radius(method, radius_m, preset);
             request.seed = seed;
             row.forms = {request, request};
             row.forms[1].uniform_form = true;
@@ -131,7 +133,7 @@ void print_summary(const std::vector<Row>& rows) {
 
 void bench_methods(const Scene& scene, const View& view, const MethodsBenchmark& benchmark) {
     const std::vector<MethodDescriptor> methods = chosen_methods(benchmark);
-    std::vector<Row> rows = rows_of(methods, benchmark.seed);
+    std::vector<Row> rows = rows_of(methods, ranking_radius({}, view, scene).metres, benchmark.seed);
     ScreenRenderer renderer;
     renderer.set_scene(scene);
     renderer.draw_gbuffer(CameraFrame(view.camera, benchmark.width, benchmark.height), gbuffer_inputs());

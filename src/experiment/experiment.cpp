@@ -29,16 +29,20 @@
 namespace aoscore {
 namespace {
 
-constexpr double kAutomaticRadiusShare = 0.02;
-
 /// One picture to be measured, with everything its plan names looked up.
 struct PreparedView {
     const ViewPlan* plan;
     std::size_t plan_index;  ///< into ExperimentPlan::views
     std::shared_ptr<const Scene> scene;
     View view;
+    RankingRadius radius;
     std::vector<ResolvedCell> cells;
 };
+
+/// The radius that lengths are drawn for; empty where the plan wants them as descriptors have them.
+std::optional<double> drawn_for(const ExperimentPlan& plan, const RankingRadius& radius) {
+    return plan.own_parameters ? std::nullopt : std::optional(radius.metres);
+}
 
 /// The scenes of a plan, each read once.
 class PlannedScenes {
@@ -64,12 +68,10 @@ class PlannedScenes {
 // nothing.
 std::vector<PreparedView> prepare(const ExperimentPlan& plan, const Registry& registry,
                                   const MeasurementStore& store) {
-    PlannedScenes scenes;
-    std::vector<std::vector<ResolvedCell>> cells;
     for (const ViewPlan& view : plan.views) {
-        cells.emplace_back();
-        for (const CellPlan& cell : view.cells) cells.back().push_back(resolve(cell, registry, plan.seed));
+        for (const CellPlan& cell : view.cells) resolve(cell, registry, plan.seed, std::nullopt);
     }
+    PlannedScenes scenes;
     std::vector<PreparedView> prepared;
     for (std::size_t i = 0; i < plan.views.size(); ++i) {
         const ViewPlan& wanted = plan.views[i];
@@ -77,7 +79,11 @@ std::vector<PreparedView> prepare(const ExperimentPlan& plan, const Registry& re
         const double aspect = static_cast<double>(wanted.width) / wanted.height;
         for (View& view : wanted_views(*scene, wanted.view, aspect, store)) {
             CameraFrame(view.camera, wanted.width, wanted.height);
-            prepared.push_back({&wanted, i, scene, std::move(view), cells[i]});
+            PreparedView p{&wanted, i, scene, view, ranking_radius(wanted.radius_m, view, *scene), {}};
+            if (p.radius.automatic) log_warning(scene->id + ": " + radius_warning(p.radius, view));
+            for (const CellPlan& cell : wanted.cells)
+                p.cells.push_back(resolve(cell, registry, plan.seed, drawn_for(plan, p.radius)));
+            prepared.push_back(std::move(p));
         }
     }
     // A scene is built once: its views one after the other.
@@ -127,17 +133,6 @@ std::vector<ClaimList> planned_claims(const ExperimentPlan& plan) {
 
 }  // namespace
 
-double ranking_radius(const std::optional<double>& asked, const View& view, const Scene& scene,
-                      std::vector<std::string>& warnings) {
-    if (asked) return *asked;
-    if (view.radius_m) return *view.radius_m;
-    const double radius = kAutomaticRadiusShare * scene.bounds.diagonal();
-    warnings.push_back(
-        fmt::format("no radius is named for view {}; ranked at {:.4g} m, {:g} % of the scene's diagonal",
-                    view.id, radius, 100 * kAutomaticRadiusShare));
-    return radius;
-}
-
 Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& target,
                        const std::function<void(const std::filesystem::path&)>& finish) {
     const auto start = std::chrono::steady_clock::now();
@@ -163,16 +158,18 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
     SceneTools tools;
     results.gl_renderer = tools.renderer().renderer();
     results.gl_version = tools.renderer().version();
-    std::map<std::string, CameraFrame> frames;
+    std::map<std::string, LiveView> live_views;
     std::vector<std::string> keys;
     std::vector<ViewRun> runs;
     std::vector<ViewStock> stocks;
     for (const PreparedView& p : prepared) {
         keys.push_back(view_key(p, keys));
-        frames.emplace(keys.back(), CameraFrame(p.view.camera, p.plan->width, p.plan->height));
-        runs.push_back({*p.scene, p.view, tools, *p.plan, p.cells, registry.fixed_pass, registry.lighting,
-                        keys.back(), plan.seed, results.mask_threshold, plan.keep_gbuffer, plan.truth_cache,
-                        plan.command, gbuffer_inputs_of(registry), folder});
+        const std::optional<double> radius_m = drawn_for(plan, p.radius);
+        live_views.emplace(keys.back(),
+                           LiveView{CameraFrame(p.view.camera, p.plan->width, p.plan->height), radius_m});
+        runs.push_back({*p.scene, p.view, tools, *p.plan, p.radius, radius_m, p.cells, registry.fixed_pass,
+                        registry.lighting, keys.back(), plan.seed, results.mask_threshold, plan.keep_gbuffer,
+                        plan.truth_cache, plan.command, gbuffer_inputs_of(registry), folder});
         stocks.push_back(take_stock(runs.back(), store));
     }
     WorkPlan work = plan_work(runs, stocks, store);
@@ -225,7 +222,7 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
     results.total_seconds = elapsed.count();
     results.peak_memory_mib = peak_memory_mib();
     write_results(results, folder);
-    if (!pictured.empty()) write_live_file(folder, registry, plan.methods_dir, frames, plan.seed);
+    if (!pictured.empty()) write_live_file(folder, registry, plan.methods_dir, live_views, plan.seed);
     if (!results.sweeps.empty()) write_atomically(folder / "sweep.csv", sweeps_as_csv(results));
     if (finish) finish(folder);
     staged.publish();

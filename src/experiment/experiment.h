@@ -2,7 +2,6 @@
 
 #include "experiment/plan.h"
 #include "results/results.h"
-#include "scene/scene.h"
 
 #include <filesystem>
 #include <functional>
@@ -19,10 +18,5 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
 
 /// Cells with an error.
 std::size_t failed_cells(const Results& results);
-
-/// The radius that a ranking uses for a view: the plan's, else the view's, else 2 % of the scene's diagonal
-/// (said so in a warning). Metres.
-double ranking_radius(const std::optional<double>& asked, const View& view, const Scene& scene,
-                      std::vector<std::string>& warnings);
 
 }  // namespace aoscore

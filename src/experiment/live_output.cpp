@@ -1,5 +1,6 @@
 #include "experiment/live_output.h"
 
+#include "core/error.h"
 #include "core/files.h"
 #include "core/json_text.h"
 #include "results/live_file.h"
@@ -11,9 +12,37 @@ namespace {
 
 using nlohmann::json;
 
-json view_data(const CameraFrame& frame) {
-    const ViewUniforms view(frame);
-    return {{"width", view.width},
+/// Of one method or filter: the lengths by preset.
+json lengths_of(const MethodDescriptor& descriptor, std::optional<double> drawn_for_m) {
+    json lengths = json::object();
+    for (const auto& [preset, unused] : descriptor.presets) {
+        try {
+            const ParameterValues values = drawn_values(descriptor, preset, {}, drawn_for_m);
+            for (const Parameter& p : descriptor.parameters) {
+                if (p.length_power != 0) lengths[preset][p.id] = values.at(p.id);
+            }
+        } catch (const Error&) {
+            // Of a preset that the run did not measure, at a radius beyond its ranges: the sliders end there.
+        }
+    }
+    return lengths;
+}
+
+json lengths_of(const std::vector<MethodDescriptor>& all, std::optional<double> drawn_for_m) {
+    json lengths = json::object();
+    for (const MethodDescriptor& one : all) {
+        json of_one = lengths_of(one, drawn_for_m);
+        if (!of_one.empty()) lengths[one.id] = std::move(of_one);
+    }
+    return lengths;
+}
+
+json view_data(const LiveView& live, const Registry& registry) {
+    const ViewUniforms view(live.frame);
+    return {{"own_parameters", !live.drawn_for_m},
+            {"method_lengths", lengths_of(registry.methods, live.drawn_for_m)},
+            {"filter_lengths", lengths_of(registry.filters, live.drawn_for_m)},
+            {"width", view.width},
             {"height", view.height},
             {"near_m", view.near},
             {"far_m", view.far},
@@ -42,14 +71,14 @@ std::set<std::string> gbuffer_inputs_of(const Registry& registry) {
 }
 
 void write_live_file(const std::filesystem::path& folder, const Registry& registry,
-                     const std::filesystem::path& methods_dir,
-                     const std::map<std::string, CameraFrame>& views, std::uint64_t seed) {
+                     const std::filesystem::path& methods_dir, const std::map<std::string, LiveView>& views,
+                     std::uint64_t seed) {
     json data = {{"contract", contract_data(seed)},
                  {"methods_dir", methods_dir.string()},
                  {"methods", descriptors(registry.methods, seed)},
                  {"filters", descriptors(registry.filters, seed)},
                  {"views", json::object()}};
-    for (const auto& [key, frame] : views) data["views"][key] = view_data(frame);
+    for (const auto& [key, view] : views) data["views"][key] = view_data(view, registry);
     write_atomically(folder / kLiveFile, json_text(data) + "\n");
 }
 

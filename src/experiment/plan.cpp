@@ -247,6 +247,7 @@ ExperimentPlan plan_reports(const std::vector<std::string>& report_ids, double s
     const std::vector<ReportDefinition> known = list_reports();
     ExperimentPlan plan;
     plan.claim_scale = scale;
+    plan.own_parameters = true;
     for (const std::string& id : report_ids) {
         const auto found =
             std::find_if(known.begin(), known.end(), [&](const auto& r) { return r.id == id; });

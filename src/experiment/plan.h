@@ -88,6 +88,9 @@ struct ExperimentPlan {
     std::vector<std::string> claim_ids;  ///< to be judged from what this run measures
     double claim_scale = 1;              ///< of the claims' views, as they were planned
     std::uint64_t seed = 1;
+    /// Methods have the lengths of their descriptors, instead of being drawn for each view's radius: what
+    /// publications state, or the user asked for.
+    bool own_parameters = false;
     std::filesystem::path methods_dir;  ///< of the user's own methods; empty: none
     std::filesystem::path
         truth_cache;           ///< folder of the truths and measurements that are kept; empty: none is
@@ -117,7 +120,8 @@ std::vector<ReportDefinition> list_reports();
 /// Merges the definitions of these reports into one plan: a view that several tables show is traced once, a
 /// cell that several rows name is run once. Pictures are made `scale` times as wide and high as the
 /// definitions say. A sweep also measures what the claims that it lists ask for, in pictures of their own
-/// size. Throws usage_error for an unknown id (listing the known ones), file_error for a bad definition.
+/// size. Methods keep their own lengths, as published. Throws usage_error for an unknown id (listing the
+/// known ones), file_error for a bad definition.
 ExperimentPlan plan_reports(const std::vector<std::string>& report_ids, double scale = 1);
 
 }  // namespace aoscore

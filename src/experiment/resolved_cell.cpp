@@ -1,6 +1,7 @@
 #include "experiment/resolved_cell.h"
 
 #include "experiment/own_truth.h"
+#include "screen/lengths.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -33,6 +34,16 @@ std::vector<std::string> changes_of(const CellPlan& plan, std::string_view equal
     return changes;
 }
 
+void add_lengths(const MethodDescriptor& owner, const ParameterValues& values,
+                 const ParameterValues& overrides, const char* origin, std::string_view prefix,
+                 std::vector<LengthRecord>& lengths) {
+    for (const Parameter& p : owner.parameters) {
+        if (p.length_power == 0) continue;
+        lengths.push_back({std::string(prefix) + p.id, values.at(p.id).get<double>(), p.unit,
+                           overrides.contains(p.id) ? LengthRecord::kSet : origin});
+    }
+}
+
 }  // namespace
 
 std::string cell_name(const CellPlan& plan) {
@@ -53,23 +64,40 @@ std::string setting_text(const CellPlan& plan) {
     return fmt::format("{}", fmt::join(changes_of(plan, " "), ", "));
 }
 
-void light(MethodRequest& request, const MethodDescriptor& lighting) {
-    request.lighting = &lighting;
-    request.lighting_parameters = lighting.values("default");
+ParameterValues drawn_values(const MethodDescriptor& method, const std::string& preset,
+                             const ParameterValues& overrides, std::optional<double> drawn_for_m) {
+    return drawn_for_m ? values_for_radius(method, *drawn_for_m, preset, overrides)
+                       : method.values(preset, overrides);
 }
 
-ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64_t seed) {
+void light(MethodRequest& request, const MethodDescriptor& lighting, std::optional<double> drawn_for_m) {
+    request.lighting = &lighting;
+    request.lighting_parameters = drawn_values(lighting, "default", {}, drawn_for_m);
+}
+
+ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64_t seed,
+                     std::optional<double> drawn_for_m) {
     ResolvedCell cell;
     cell.plan = plan;
     const MethodDescriptor& method = find_method(registry.methods, plan.method);
+    // An absolute preset keeps its filter's lengths as well.
+    const bool absolute = method.absolute_presets.contains(plan.preset);
+    if (absolute) drawn_for_m.reset();
+    const char* origin = absolute      ? LengthRecord::kPreset
+                         : drawn_for_m ? LengthRecord::kRun
+                                       : LengthRecord::kOwn;
     cell.request.method = &method;
-    cell.request.parameters = method.values(plan.preset, plan.overrides);
+    cell.request.parameters = drawn_values(method, plan.preset, plan.overrides, drawn_for_m);
     cell.request.seed = seed;
     plan.modes.apply_to(cell.request);
+    add_lengths(method, cell.request.parameters, plan.overrides, origin, "", cell.lengths);
     cell.filter = filter_of(plan, method);
     if (cell.filter != "none") {
-        cell.request.filter = &find_method(registry.filters, cell.filter);
-        cell.request.filter_parameters = cell.request.filter->values("default", plan.filter_overrides);
+        const MethodDescriptor& filter = find_method(registry.filters, cell.filter);
+        cell.request.filter = &filter;
+        cell.request.filter_parameters = drawn_values(filter, "default", plan.filter_overrides, drawn_for_m);
+        add_lengths(filter, cell.request.filter_parameters, plan.filter_overrides, origin, kFilterPrefix,
+                    cell.lengths);
     }
     cell.own = own_truth(method, cell.request.parameters);
     return cell;

@@ -4,6 +4,7 @@
 #include "reference/truth.h"
 #include "screen/screen.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,10 +29,16 @@ struct ResolvedCell {
     MethodRequest request;
     TruthQuery own;
     std::string filter = "none";
+    std::vector<LengthRecord> lengths;
 };
 
-/// Gives the request the lighting pass, as its descriptor has it. `lighting` must outlive it.
-void light(MethodRequest& request, const MethodDescriptor& lighting);
+/// The preset's values drawn for the AO radius `drawn_for_m`; empty: with its descriptor's lengths.
+ParameterValues drawn_values(const MethodDescriptor& method, const std::string& preset,
+                             const ParameterValues& overrides, std::optional<double> drawn_for_m);
+
+/// Gives the request the lighting pass, drawn for the AO radius `drawn_for_m`; empty: with its descriptor's
+/// lengths. `lighting` must outlive it.
+void light(MethodRequest& request, const MethodDescriptor& lighting, std::optional<double> drawn_for_m);
 
 /// The cell's name within its view: "hbao/quality", with its filter and whatever else its plan changes:
 /// "hbao/quality/none/directions=8,resolution=half".
@@ -43,7 +50,10 @@ std::string setting_text(const CellPlan& plan);
 /// The id of the filter that the cell is run with, the preset's own where the plan names none; "none".
 std::string filter_of(const CellPlan& plan, const MethodDescriptor& method);
 
-/// Throws usage_error for an unknown method, preset, filter or parameter. `registry` must outlive the result.
-ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64_t seed);
+/// The cell with its lengths drawn for the AO radius `drawn_for_m`; empty: as descriptors have them. Throws
+/// usage_error for an unknown method, preset, filter or parameter, and for a length that leaves its range.
+/// `registry` must outlive the result.
+ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64_t seed,
+                     std::optional<double> drawn_for_m);
 
 }  // namespace aoscore

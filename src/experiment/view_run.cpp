@@ -6,7 +6,6 @@
 #include "core/progress.h"
 #include "core/stopwatch.h"
 #include "experiment/cell_timing.h"
-#include "experiment/experiment.h"
 #include "experiment/own_truth.h"
 #include "experiment/run_modes.h"
 #include "experiment/timing.h"
@@ -14,14 +13,35 @@
 #include "experiment/view_measurement.h"
 #include "experiment/view_stock.h"
 #include "reference/cache/truth_cache.h"
+#include "screen/lengths.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 namespace aoscore {
 namespace {
+
+// A radius that lies so far from the ranking's, either way, says little of a method.
+constexpr double kFarRadius = 2;
+
+void add_radius_warnings(const ViewRun& run, std::vector<std::string>& warnings) {
+    if (run.radius.automatic) warnings.push_back(radius_warning(run.radius, run.view));
+    if (!run.drawn_for_m) return;
+    for (const ResolvedCell& cell : run.cells) {
+        const MethodDescriptor& method = *cell.request.method;
+        const auto absolute = method.absolute_presets.find(cell.plan.preset);
+        if (absolute == method.absolute_presets.end()) continue;
+        const double meant_m = reference_radius(method, cell.plan.preset).value_or(run.radius.metres);
+        if (std::abs(std::log(meant_m / run.radius.metres)) <= std::log(kFarRadius)) continue;
+        warnings.push_back(
+            fmt::format("{}/{} keeps its lengths ({}), meant for a radius of {:g} m; it is ranked "
+                        "at {:.4g} m",
+                        cell.plan.method, cell.plan.preset, absolute->second, meant_m, run.radius.metres));
+    }
+}
 
 class Runner {
   public:
@@ -53,10 +73,11 @@ class Runner {
         outcome_.view = describe_view(run_.scene, run_.view, frame_, run_.key);
         if (run_.plan.lit) {
             outcome_.view.lighting = run_.lighting.label;
-            outcome_.view.lighting_parameters = run_.lighting.values("default");
+            outcome_.view.lighting_parameters = drawn_values(run_.lighting, "default", {}, run_.drawn_for_m);
         }
-        outcome_.view.radius_m =
-            ranking_radius(run_.plan.radius_m, run_.view, run_.scene, outcome_.view.warnings);
+        outcome_.view.radius_m = run_.radius.metres;
+        outcome_.view.radius_rule = run_.radius.rule;
+        add_radius_warnings(run_, outcome_.view.warnings);
         for (const ResolvedCell& cell : run_.cells) outcome_.cells.push_back(describe_cell(cell));
     }
 
@@ -83,9 +104,11 @@ class Runner {
         record.setting = setting_text(cell.plan);
         record.filter = cell.filter;
         record.parameters = cell.request.parameters;
+        record.lengths = cell.lengths;
         for (const auto& [mode, choice] : unusual_modes(cell.plan.modes)) record.parameters[mode] = choice;
         for (const auto& [id, value] : cell.plan.filter_overrides)
             record.parameters[std::string(kFilterPrefix) + id] = value;
+        for (const LengthRecord& length : cell.lengths) record.parameters.emplace(length.id, length.value);
         if (!cell.plan.own_truth) return record;
         const bool ranked = cell.own == TruthQuery{Falloff::binary, outcome_.view.radius_m, 0};
         record.own_truth = ranked ? "ranked" : truth_id(cell.own);
@@ -102,6 +125,7 @@ class Runner {
         stored.view = described.view;
         stored.view_source = described.view_source;
         stored.view_note = described.view_note;
+        stored.radius_rule = described.radius_rule;
         stored.warnings = described.warnings;
         stored.lighting = described.lighting;
         stored.lighting_parameters = described.lighting_parameters;
@@ -219,7 +243,7 @@ class Runner {
         std::vector<ResolvedCell> cells;
         for (const std::size_t i : group) {
             cells.push_back(run_.cells[i]);
-            if (cells.back().plan.whole_frames) light(cells.back().request, run_.lighting);
+            if (cells.back().plan.whole_frames) light(cells.back().request, run_.lighting, run_.drawn_for_m);
         }
         cells.emplace_back().request = run_.fixed_pass_request();
         const std::vector<CellTimes> times =
@@ -290,7 +314,7 @@ MethodRequest ViewRun::fixed_pass_request() const {
     request.method = &fixed_pass;
     request.parameters = fixed_pass.values("default");
     request.seed = seed;
-    if (plan.lit) light(request, lighting);
+    if (plan.lit) light(request, lighting, drawn_for_m);
     return request;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "experiment/measurement_store.h"
+#include "experiment/ranking_radius.h"
 #include "experiment/resolved_cell.h"
 #include "experiment/scene_tools.h"
 #include "results/results.h"
@@ -8,6 +9,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -22,6 +24,8 @@ struct ViewRun {
     const View& view;
     SceneTools& tools;  ///< `scene` is chosen
     const ViewPlan& plan;
+    RankingRadius radius;
+    std::optional<double> drawn_for_m;  ///< AO radius of all lengths; empty: they are the descriptors' own
     std::vector<ResolvedCell> cells;
     const MethodDescriptor& fixed_pass;  ///< timed among the cells
     const MethodDescriptor& lighting;    ///< timed after it where the plan is lit

@@ -5,7 +5,6 @@
 #include "core/log.h"
 #include "core/machine.h"
 #include "core/threads.h"
-#include "experiment/experiment.h"
 #include "experiment/measuring_code.h"
 #include "screen/request_digest.h"
 
@@ -138,9 +137,7 @@ TruthSettings truth_settings(const ViewRun& run) {
 }
 
 ViewStock take_stock(const ViewRun& run, const MeasurementStore& store) {
-    std::vector<std::string> warnings;
-    const double radius_m = ranking_radius(run.plan.radius_m, run.view, run.scene, warnings);
-    const ViewKey key(run, radius_m);
+    const ViewKey key(run, run.radius.metres);
     const bool orthographic = run.view.camera.projection == Camera::Projection::orthographic;
     const std::string albedo = albedo_digest(run.scene);
     ViewStock stock;

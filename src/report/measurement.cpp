@@ -1,10 +1,13 @@
 #include "metrics/metric.h"
 #include "report/number_text.h"
 #include "report/section.h"
+#include "results/lengths_text.h"
 #include "results/view_piece.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <algorithm>
 
 namespace aoscore {
 namespace {
@@ -90,16 +93,28 @@ std::string truth_settings_text(const ViewRecord& view, std::uint64_t seed) {
     return fmt::format("seed {}, {}; version {} of the integrator", seed, effort, view.integrator);
 }
 
-json view_model(const ViewRecord& view, std::uint64_t seed) {
+/// What methods were drawn with, each setting once.
+json length_rows(const Results& results, const ViewRecord& view) {
+    json rows = json::array();
+    for (const CellRecord& cell : results.cells) {
+        if (cell.view_key != view.key || cell.lengths.empty()) continue;
+        json row = {{"method", fmt::format("{}, {}", cell.method_label, cell.preset)},
+                    {"filter", cell.filter},
+                    {"lengths", lengths_text(cell)}};
+        if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+json view_model(const Results& results, const ViewRecord& view) {
     json facts = json::array({
         fact("Size",
              fmt::format("{}×{} pixels, {} triangles", view.width, view.height, count_text(view.triangles))),
         fact("Camera", camera_text(view)),
         fact("Camera contract", contract_text(view)),
-        fact("Ranking radius", fmt::format("{} m, {} pixels in the median", short_text(view.radius_m),
-                                           fixed_text(view.radius_px_median, 1))),
+        fact("AO radius", radius_text(view)),
         fact("Truth", truth_cost_text(view)),
-        fact("Truth's settings", truth_settings_text(view, seed)),
+        fact("Truth's settings", truth_settings_text(view, results.seed)),
         fact("Rays saved", savings_text(view)),
         fact("G-buffer", fmt::format("{} ms, median of {} runs", fixed_text(view.gbuffer.median_ms, 1),
                                      view.gbuffer.runs_ms.size())),
@@ -114,9 +129,12 @@ json view_model(const ViewRecord& view, std::uint64_t seed) {
                           {"mean_error", fixed_text(truth.mean_standard_error, 4)},
                           {"floor", fixed_text(truth.noise_floor_rmse, 4)}});
     }
+    json lengths = length_rows(results, view);
     return {{"key", view.key},
             {"facts", std::move(facts)},
             {"truths", std::move(truths)},
+            {"has_lengths", !lengths.empty()},
+            {"lengths", std::move(lengths)},
             {"truth_command", view.truth_command},
             {"piece", view_piece(view).dump()}};
 }
@@ -183,7 +201,7 @@ nlohmann::json section::measurement(const PageSource& source) {
     const Results& results = source.results;
     json views = json::array(), warnings = json::array();
     for (const ViewRecord& view : results.views) {
-        views.push_back(view_model(view, results.seed));
+        views.push_back(view_model(results, view));
         for (const std::string& warning : view.warnings) warnings.push_back(view.key + ": " + warning);
     }
     for (const std::string& warning : results.warnings) warnings.push_back(warning);

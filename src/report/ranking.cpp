@@ -113,6 +113,7 @@ json view_table(const Columns& columns, const Results& results, const RankingRec
     return {{"key", view.key},
             {"preset", ranking.preset},
             {"radius", short_text(view.radius_m)},
+            {"radius_px", fixed_text(view.radius_px_median, 1)},
             {"floor", fixed_text(floor, 4)},
             {"metric", metric_text(ranking.metric)},
             {"rows", std::move(rows)}};

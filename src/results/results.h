@@ -75,7 +75,8 @@ struct ViewRecord {
     double fovy_deg = 0;                           ///< perspective
     double half_height_m = 0;                      ///< orthographic
     double near_m = 0, far_m = 0;
-    double radius_m = 0;          ///< of the ranking
+    double radius_m = 0;          ///< of the ranking, which methods are drawn for
+    std::string radius_rule;      ///< where it comes from: "2 % of the scene's diagonal"
     double radius_px_median = 0;  ///< that radius, projected, median over valid pixels
     std::size_t surface_pixels = 0;
     std::size_t valid_pixels = 0;        ///< surface in both paths, camera contract kept
@@ -125,6 +126,18 @@ struct FrameRecord {
 /// All of it from its passes, milliseconds. `geometry_ms` must be above 0.
 FrameRecord frame_of(double geometry_ms, double lighting_ms, double ao_ms, double filter_ms);
 
+/// A length of a method or its filter as it was drawn.
+struct LengthRecord {
+    static constexpr const char* kRun = "run";        ///< drawn for the view's radius
+    static constexpr const char* kOwn = "own";        ///< the descriptor's, whatever the radius
+    static constexpr const char* kPreset = "preset";  ///< the preset's, whatever the radius
+    static constexpr const char* kSet = "set";        ///< by the command or report
+    std::string id;                                   ///< the parameter's: "radius", "filter.distance_unit"
+    double value = 0;
+    std::string unit;    ///< "m", "m2"
+    std::string origin;  ///< one of the four above
+};
+
 /// One scene x view x method x preset.
 struct CellRecord {
     std::string id;  ///< unique: "atrium/wide/hbao/performance-wide"
@@ -135,7 +148,8 @@ struct CellRecord {
     std::string setting;                               ///< what is not as the preset has it, "noise none"
     std::string filter;                                ///< "none" or a filter's id
     std::map<std::string, nlohmann::json> parameters;  ///< all of them, by id
-    std::string error;                                 ///< why the cell failed; empty when it did not
+    std::vector<LengthRecord> lengths;  ///< those of them, and of the filter's, that are lengths
+    std::string error;                  ///< why the cell failed; empty when it did not
     Timing ao, blur;
     std::optional<double> fixed_pass_ms;  ///< sixteen fetches a pixel, timed in the same rounds
     Timing lighting;  ///< the lighting pass, timed in the same rounds; no runs where not asked for
@@ -271,7 +285,7 @@ struct WorkRecord {
 };
 
 struct Results {
-    static constexpr int kSchemaVersion = 4;
+    static constexpr int kSchemaVersion = 5;
     std::string program_version;
     std::string created_utc;  ///< 2026-11-22T02:11:47Z
     std::string command;      ///< that makes it again

@@ -70,6 +70,7 @@ void visit_members(Visit& visit, Record& view) {
     visit("near_m", view.near_m);
     visit("far_m", view.far_m);
     visit("radius_m", view.radius_m);
+    visit("radius_rule", view.radius_rule);
     visit("radius_px_median", view.radius_px_median);
     visit("surface_pixels", view.surface_pixels);
     visit("valid_pixels", view.valid_pixels);
@@ -114,6 +115,14 @@ void visit_members(Visit& visit, Record& frame) {
     visit("per_second_unfiltered", frame.per_second_unfiltered);
 }
 
+template <class Visit, RecordOf<LengthRecord> Record>
+void visit_members(Visit& visit, Record& length) {
+    visit("id", length.id);
+    visit("value", length.value);
+    visit("unit", length.unit);
+    visit("origin", length.origin);
+}
+
 template <class Visit, RecordOf<CellRecord> Record>
 void visit_members(Visit& visit, Record& cell) {
     visit("id", cell.id);
@@ -124,6 +133,7 @@ void visit_members(Visit& visit, Record& cell) {
     visit("setting", cell.setting);
     visit("filter", cell.filter);
     visit("parameters", cell.parameters);
+    visit("lengths", cell.lengths);
     visit("error", cell.error);
     visit("ao", cell.ao);
     visit("blur", cell.blur);

@@ -1,4 +1,5 @@
 #include "results/export/csv_line.h"
+#include "results/lengths_text.h"
 #include "results/sweep_rows.h"
 
 #include <fmt/format.h>
@@ -82,6 +83,9 @@ std::string line_of(const SweepRecord& sweep, const SweepRow& row, const std::se
     add_frame(line, row.frame);
     line.add(of_view(static_cast<double>(cell.ao.runs_ms.size())));
     line.add(row.relative_cost).add(row.fetches);
+    line.add(of_view(view != nullptr ? std::optional(view->radius_m) : std::nullopt));
+    line.add(of_view(view != nullptr ? std::optional(view->radius_px_median) : std::nullopt));
+    line.add(view != nullptr ? lengths_text(cell) : std::string());
     line.add(row.error).add(row.raw_error).add(row.fitted_error).add(row.unfiltered_error).add(row.bias);
     for (const char* id : {"ssim", "flip"}) line.add(of_view(metric_of(cell, id)));
     line.add(std::string(row.on_front ? "1" : "0")).add(cell.error);
@@ -101,8 +105,8 @@ std::string sweeps_as_csv(const Results& results) {
         head.add(std::string(name));
     for (const char* name : kFrameColumns) head.add(std::string(name));
     for (const char* name :
-         {"runs", "relative_cost", "fetches", "rmse_debiased", "rmse", "rmse_debiased_fitted",
-          "rmse_debiased_unfiltered", "bias", "ssim", "flip", "pareto", "failed"})
+         {"runs", "relative_cost", "fetches", "radius_m", "radius_px", "lengths", "rmse_debiased", "rmse",
+          "rmse_debiased_fitted", "rmse_debiased_unfiltered", "bias", "ssim", "flip", "pareto", "failed"})
         head.add(std::string(name));
     std::string csv = head.text();
     for (const SweepRecord& sweep : results.sweeps) {

@@ -57,6 +57,13 @@ struct OwnTruth {
     std::string u_parameter;              ///< falloff "alchemy" only
 };
 
+/// The AO radius that the lengths among a method's parameters are meant for: the value of a parameter, or a
+/// number of metres. Neither where no parameter is a length.
+struct ReferenceRadius {
+    std::string parameter;
+    double metres = 0;
+};
+
 /// How a method enters a score where the user does not say.
 struct ScoredAs {
     std::vector<std::string> presets = {"default"};
@@ -85,6 +92,9 @@ struct MethodDescriptor {
     std::vector<Parameter> parameters;
     std::map<std::string, ParameterValues> presets;     ///< by id; "default" always exists
     std::map<std::string, std::string> preset_filters;  ///< preset -> filter id, "none" where unsaid
+    ReferenceRadius reference_radius;
+    /// Presets whose lengths are metres, whatever the AO radius of a run, and why: where they are printed.
+    std::map<std::string, std::string> absolute_presets;
     std::vector<Kernel> kernels;
     DepthMips depth_mips;
     std::vector<Pass> passes;

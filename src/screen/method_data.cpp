@@ -36,11 +36,8 @@ const char* type_name(Parameter::Type type) {
 }
 
 json parameter_data(const Parameter& p) {
-    json data = {{"id", p.id},
-                 {"type", type_name(p.type)},
-                 {"default", p.default_value},
-                 {"unit", p.unit},
-                 {"meaning", p.meaning}};
+    json data = {{"id", p.id},     {"type", type_name(p.type)},      {"default", p.default_value},
+                 {"unit", p.unit}, {"length_power", p.length_power}, {"meaning", p.meaning}};
     if (p.type == Parameter::Type::integer || p.type == Parameter::Type::real) {
         data["low"] = p.lowest;
         data["high"] = p.highest;
@@ -122,9 +119,13 @@ std::string gbuffer_shader(const std::string& name) {
 }  // namespace
 
 json method_data(const MethodDescriptor& method, std::uint64_t seed) {
-    json data = {{"id", method.id},           {"label", method.label},
-                 {"summary", method.summary}, {"parameters", json::array()},
-                 {"presets", json::object()}, {"preset_filters", method.preset_filters}};
+    json data = {{"id", method.id},
+                 {"label", method.label},
+                 {"summary", method.summary},
+                 {"parameters", json::array()},
+                 {"presets", json::object()},
+                 {"preset_filters", method.preset_filters},
+                 {"absolute_presets", method.absolute_presets}};
     for (const Parameter& p : method.parameters) data["parameters"].push_back(parameter_data(p));
     for (const auto& [preset, unused] : method.presets) data["presets"][preset] = method.values(preset);
     const auto processed = std::find_if(method.passes.begin(), method.passes.end(),

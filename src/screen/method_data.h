@@ -11,8 +11,9 @@ namespace aoscore {
 /// A method or filter as data, for programs that run its passes elsewhere (WebGL 2): what its descriptor
 /// says, and its shaders put together in the uniform form, GLSL 3.30 without macros.
 ///
-///   id, label, summary; parameters: [{id, type, default, low, high, choices, unit, meaning}];
-///   presets: every parameter's value by preset; preset_filters;
+///   id, label, summary; parameters: [{id, type, default, low, high, choices, unit, length_power,
+///   meaning}];
+///   presets: every parameter's value by preset; preset_filters; absolute_presets;
 ///   passes: [{inputs, scale, source: index into sources}], or processor: what computes it in place of
 ///   shaders; kernels: [{id, size, scale, largest, tables: [{when: choices by parameter, points: [x, y, z,
 ///   …]}]}]: `largest` points

@@ -67,6 +67,8 @@ Parameter parse_parameter(const std::string& id, StrictObject object) {
         p.choices = object.texts_or_empty("choices");
         for (const std::string& choice : p.choices) check_id(choice, object.where("choices"), '_');
     }
+    if (p.length_power != 0 && p.type != Parameter::Type::real)
+        throw file_error("is no real number", object.where("length_power"), "real parameters alone");
     p.default_value = object.raw("default");
     if (!p.accepts(p.default_value)) {
         throw file_error(fmt::format("is {}", p.default_value.dump()), object.where("default"), p.valid());
@@ -206,6 +208,41 @@ Pass parse_pass(StrictObject object, const fs::path& folder, const std::set<std:
     return pass;
 }
 
+ReferenceRadius parse_reference_radius(const MethodDescriptor& method, StrictObject& top) {
+    constexpr const char* kKey = "reference_radius";
+    std::vector<std::string> lengths;
+    for (const Parameter& p : method.parameters) {
+        if (p.length_power != 0) lengths.push_back(p.id);
+    }
+    if (lengths.empty() && !top.has(kKey)) return {};
+    constexpr const char* kValid =
+        "the parameter that is the radius (real, length_power 1), or metres above 0";
+    if (lengths.empty()) throw file_error("no parameter has a length_power", top.where(kKey));
+    if (!top.has(kKey)) {
+        throw file_error(fmt::format("is missing: no AO radius is named that the default of {} is meant for",
+                                     fmt::join(lengths, ", ")),
+                         top.where(kKey), kValid);
+    }
+    const json& value = top.raw(kKey);
+    if (value.is_number() && value.get<double>() > 0) return {"", value.get<double>()};
+    const Parameter* p = value.is_string() ? method.find_parameter(value.get<std::string>()) : nullptr;
+    if (p == nullptr || p->length_power != 1 || p->lowest <= 0)
+        throw file_error(fmt::format("is {}", value.dump()), top.where(kKey), kValid);
+    return {p->id, 0};
+}
+
+std::map<std::string, std::string> parse_absolute_presets(const MethodDescriptor& method,
+                                                          StrictObject presets) {
+    std::map<std::string, std::string> absolute;
+    for (const auto& [preset, reason] : presets.members()) {
+        if (!method.presets.contains(preset)) throw file_error("is no preset", presets.where(preset));
+        if (!reason.is_string() || reason.get<std::string>().empty())
+            throw file_error("has another form", presets.where(preset), "where its lengths are printed");
+        absolute[preset] = reason.get<std::string>();
+    }
+    return absolute;
+}
+
 std::map<std::string, std::string> parse_limits(StrictObject object) {
     std::map<std::string, std::string> limits;
     for (const auto& [axis, reason] : object.members()) {
@@ -305,6 +342,9 @@ MethodDescriptor load_descriptor(const fs::path& folder, const std::set<std::str
             method.preset_filters[preset] = filter.get<std::string>();
         }
     }
+    method.reference_radius = parse_reference_radius(method, top);
+    if (!is_filter && top.has("absolute_presets"))
+        method.absolute_presets = parse_absolute_presets(method, top.object("absolute_presets"));
     if (top.has("kernels")) {
         StrictObject kernels = top.object("kernels");
         for (const auto& [id, value] : kernels.members()) {

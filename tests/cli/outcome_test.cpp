@@ -110,7 +110,9 @@ TEST(Exports, OfAScoreHaveARowForEachCellAndJUnitTheTrippedLimits) {
     const Results results = read_results(folder / "o");
     const std::string csv = read_file(folder / "a.csv");
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), static_cast<long>(results.cells.size()) + 1);
+    EXPECT_THAT(csv, HasSubstr(",radius_m,radius_px,radius_rule,lengths,error\r\n"));
     EXPECT_THAT(read_file(folder / "a.tex"), HasSubstr("\\toprule"));
+    EXPECT_THAT(read_file(folder / "a.tex"), HasSubstr("pixels in the median"));
     pugi::xml_document xml;
     ASSERT_TRUE(xml.load_file((folder / "a.xml").c_str()));
     const pugi::xml_node suite = xml.child("testsuites").child("testsuite");

@@ -161,7 +161,7 @@ TEST_F(Claims, EveryCellThatTheClaimsAskForCanBeResolved) {
     const Registry registry = load_registry();
     for (const ViewPlan& view : plan.views) {
         for (const CellPlan& cell : view.cells)
-            EXPECT_NO_THROW(resolve(cell, registry, 1)) << cell_name(cell);
+            EXPECT_NO_THROW(resolve(cell, registry, 1, std::nullopt)) << cell_name(cell);
     }
 }
 

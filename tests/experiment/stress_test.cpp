@@ -100,6 +100,7 @@ void plant_broken_method(const fs::path& folder) {
     write_atomically(folder / "planted" / "method.json", R"({"label": "p", "paper": "none", "summary": "p",
         "parameters": {"radius": {"type": "real", "default": 0.5, "range": [1e-9, 1e7], "unit": "m",
                                   "length_power": 1, "meaning": "radius"}},
+        "reference_radius": "radius",
         "passes": [{"fragment": "p.frag", "inputs": ["linear_depth"]}],
         "truth": {"falloff": "binary", "radius": "radius"}})");
     write_atomically(folder / "planted" / "p.frag", R"(#include "contract/ao_pass.glsl"

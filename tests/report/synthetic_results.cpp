@@ -50,6 +50,7 @@ ViewRecord view_record(const std::string& view) {
     record.near_m = 0.1;
     record.far_m = 100;
     record.radius_m = 0.5;
+    record.radius_rule = "named by the view";
     record.radius_px_median = 12.5;
     record.surface_pixels = kWidth * kHeight - 400;
     record.valid_pixels = kWidth * kHeight - 450;
@@ -113,6 +114,7 @@ CellRecord cell_record(const std::string& view, const MethodFacts& facts, const 
     cell.preset = preset;
     cell.filter = preset == "quality" ? "none" : "box-4x4";
     cell.parameters = {{"samples", 16}, {"radius", 0.549}, {"range_check", true}};
+    cell.lengths = {{"radius", 0.549, "m", preset == "quality" ? LengthRecord::kPreset : LengthRecord::kRun}};
     cell.own_truth = "quadratic-0.549";
     if (view == "close" && cell.method == "alchemy") {
         cell.error = "7 pixels are NaN or infinite";

@@ -299,5 +299,15 @@ TEST(Measurement, NamesTruthMachineCommandAndWarnings) {
     EXPECT_THAT(model["machine"].dump(), HasSubstr("llvmpipe (synthetic)"));
 }
 
+TEST(Measurement, StatesTheRadiusItsRuleAndEachMethodsLengths) {
+    SyntheticPage page;
+    const json view = section::measurement(page.source())["views"][0];
+    EXPECT_THAT(view["facts"].dump(), HasSubstr("R 0.5 m (named by the view), 12.5 pixels in the median"));
+    ASSERT_TRUE(view["has_lengths"].get<bool>());
+    const std::string lengths = view["lengths"].dump();
+    EXPECT_THAT(lengths, HasSubstr("\"radius 0.549 m\""));
+    EXPECT_THAT(lengths, HasSubstr("radius 0.549 m (fixed by the preset)"));
+}
+
 }  // namespace
 }  // namespace aoscore

@@ -3,6 +3,7 @@
 #include "hand_made.h"
 #include "support/support.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,6 +23,7 @@ constexpr const char* kDescriptor = R"({
   "summary": "Closed where the pixel to the right is nearer by more than `step`",
   "parameters": {"step": {"type": "real", "default": 0.1, "range": [0, 10], "unit": "m", "meaning": "least step", "length_power": 1}},
   "presets": {"coarse": {"step": 1.0}},
+  "reference_radius": 0.5,
   "passes": [{"fragment": "edges.frag", "inputs": ["linear_depth"]}]
 })";
 constexpr const char* kFragment = R"(
@@ -144,6 +146,34 @@ TEST(Descriptor, DefaultOutOfRangeIsAnError) {
 TEST(Descriptor, PresetOfAnUnknownParameterIsAnError) {
     EXPECT_THAT(loading_error(replaced(kDescriptor, "{\"step\": 1.0}", "{\"stride\": 1.0}")),
                 HasSubstr("presets.coarse.stride"));
+}
+
+TEST(Descriptor, LengthsWithoutAReferenceRadiusAreAnErrorThatSaysWhatIsMissing) {
+    const std::string message = loading_error(replaced(kDescriptor, "\"reference_radius\": 0.5,\n", ""));
+    EXPECT_THAT(message, HasSubstr("method.json: reference_radius"));
+    EXPECT_THAT(message, HasSubstr("step"));
+    EXPECT_THAT(message, HasSubstr("metres"));
+}
+
+TEST(Descriptor, ReferenceRadiusThatIsNoLengthIsAnError) {
+    for (const char* wrong : {"0", "-1", "\"stride\"", "\"step\"", "true"}) {
+        const std::string message = loading_error(replaced(kDescriptor, "\"reference_radius\": 0.5",
+                                                           std::string("\"reference_radius\": ") + wrong));
+        EXPECT_THAT(message, HasSubstr("reference_radius")) << wrong;  // the step may be 0
+        EXPECT_THAT(message, HasSubstr("metres")) << wrong;
+    }
+    EXPECT_THAT(loading_error(replaced(kDescriptor, ", \"length_power\": 1", "")),
+                HasSubstr("no parameter has a length_power"));
+}
+
+TEST(Descriptor, AbsolutePresetMustExistAndSayWhy) {
+    const auto with = [](const char* absolute) {
+        return loading_error(
+            replaced(kDescriptor, "\"reference_radius\"",
+                     fmt::format("\"absolute_presets\": {}, \"reference_radius\"", absolute)));
+    };
+    EXPECT_THAT(with("{\"fine\": \"table 1\"}"), HasSubstr("absolute_presets.fine"));
+    EXPECT_THAT(with("{\"coarse\": \"\"}"), HasSubstr("absolute_presets.coarse"));
 }
 
 TEST(Descriptor, UnknownInputIsAnErrorThatListsTheKnownOnes) {

@@ -1,4 +1,5 @@
 #include "hand_made.h"
+#include "screen/lengths.h"
 #include "support/support.h"
 
 #include <gtest/gtest.h>
@@ -48,28 +49,47 @@ Scene scaled(Scene scene, double factor) {
     return scene;
 }
 
-// With every length times 8, and every area times 64, nothing changes: powers of two leave roundings as they
-// are.
-TEST_P(Fidelity, ScalingTheSceneAndAllLengthsTogetherChangesNothing) {
-    constexpr double kFactor = 8;
-    const ImageF before = run(corner_scene(), corner_camera(), 160, 90);
-    Camera camera = corner_camera();
-    camera.position *= kFactor;
-    camera.target *= kFactor;
-    camera.near *= kFactor;
-    camera.far *= kFactor;
-    ParameterValues settings;
-    for (const Parameter& p : method().parameters) {
-        if (p.length_power != 0)
-            settings[p.id] = p.default_value.get<double>() * std::pow(kFactor, p.length_power);
-    }
-    // The line sweep has no radius.
-    ASSERT_TRUE(!settings.empty() || GetParam() == "line-sweep") << "no parameter is a length";
-    const ImageF after = run(scaled(corner_scene(), kFactor), camera, 160, 90, settings);
+Camera scaled(Camera camera, double factor) {
+    camera.position *= factor;
+    camera.target *= factor;
+    camera.near *= factor;
+    camera.far *= factor;
+    return camera;
+}
+
+double share_of_different(const ImageF& a, const ImageF& b) {
     std::size_t different = 0;
-    for (std::size_t i = 0; i < before.size(); ++i)
-        different += std::abs(before.pixels[i] - after.pixels[i]) > 1e-4F ? 1 : 0;
-    EXPECT_LE(different, before.size() / 2000);
+    for (std::size_t i = 0; i < a.size(); ++i)
+        different += std::abs(a.pixels[i] - b.pixels[i]) > 1e-4F ? 1 : 0;
+    return static_cast<double>(different) / static_cast<double>(a.size());
+}
+
+// A scene eight times as large with an AO radius eight times as large gives the same picture of every preset
+// whose lengths follow the radius: powers of two leave roundings as they are.
+TEST_P(Fidelity, ScalingTheSceneAndItsRadiusTogetherChangesNothing) {
+    constexpr double kFactor = 8, kRadius_m = 0.4;
+    for (const auto& [preset, unused] : method().presets) {
+        if (method().absolute_presets.contains(preset)) continue;
+        const auto drawn_for = [&](double radius_m) { return values_for_radius(method(), radius_m, preset); };
+        const ImageF before = run(corner_scene(), corner_camera(), 160, 90, drawn_for(kRadius_m));
+        const ImageF after = run(scaled(corner_scene(), kFactor), scaled(corner_camera(), kFactor), 160, 90,
+                                 drawn_for(kFactor * kRadius_m));
+        EXPECT_LE(share_of_different(before, after), 1.0 / 2000) << preset;
+    }
+}
+
+// In any unit: roundings push a tap over a texel's edge, or a point through a surface, here and there.
+TEST_P(Fidelity, MillimetresInchesAndKilometresAreDrawnAlike) {
+    constexpr double kRadius_m = 0.4;
+    const auto drawn_for = [&](double radius_m) { return values_for_radius(method(), radius_m, "default"); };
+    const ImageF before = run(corner_scene(), corner_camera(), 160, 90, drawn_for(kRadius_m));
+    const Mask seen = surface();
+    for (const double factor : {1e-3, 0.0254, 0.01, 10.0, 1e3}) {
+        const ImageF after = run(scaled(corner_scene(), factor), scaled(corner_camera(), factor), 160, 90,
+                                 drawn_for(factor * kRadius_m));
+        EXPECT_LE(share_of_different(before, after), 0.02) << factor;
+        EXPECT_NEAR(mean_over(before, seen), mean_over(after, seen), 2e-4) << factor;
+    }
 }
 
 // What a plane reads that faces the viewer when the radius goes to nothing: here a hundredth of a pixel,

@@ -15,6 +15,8 @@ class LiveBench {
       this.showFailure('The graphics driver gave up, perhaps for too many samples. Load the page again to go on.');
     });
     this.fill('view', stageData.views.map(({ key }) => [key, key]));
+    this.methods = index.methods;
+    this.filters = index.filters;
     this.fill('method', index.methods.map(({ id, label }) => [id, label]));
     this.fill('filter', index.filters.map(({ id, label }) => [id, label]));
     this.listen();
@@ -45,7 +47,7 @@ class LiveBench {
     this.failure.hidden = text === '';
   }
 
-  // The method and its values stay as they are.
+  // The method and its values stay as they are; what its presets would be is the new view's.
   async chooseView(key) {
     const turn = this.turn += 1;
     const view = this.index.views[key];
@@ -59,7 +61,11 @@ class LiveBench {
     this.result.setView(stageView, ...images);
     this.runner.setView(view, inputs);
     this.setting.view = view;
+    this.methods = drawnDescriptors(this.index.methods, view.method_lengths);
+    this.filters = drawnDescriptors(this.index.filters, view.filter_lengths);
     if (this.setting.method) {
+      this.setting.method = this.methods.find(({ id }) => id === this.setting.method.id);
+      this.setting.filter = this.filters.find(({ id }) => id === this.setting.filter?.id) ?? null;
       this.listPresets();
       this.request();
     } else {
@@ -68,7 +74,7 @@ class LiveBench {
   }
 
   chooseMethod(id) {
-    this.setting.method = this.index.methods.find((other) => other.id === id) ?? this.index.methods[0];
+    this.setting.method = this.methods.find((other) => other.id === id) ?? this.methods[0];
     this.form.elements.method.value = this.setting.method.id;
     this.form.querySelector('.live-summary').textContent = this.setting.method.summary;
     this.form.elements.preset.replaceChildren();
@@ -116,10 +122,11 @@ class LiveBench {
 
   // `measured` may hold parameters of the filter, as cells name them.
   chooseFilter(id, measured = {}) {
-    const filter = this.index.filters.find((other) => other.id === id) ?? null;
+    const filter = this.filters.find((other) => other.id === id) ?? null;
     this.setting.filter = filter;
+    const usual = filterOfPreset(filter, this.setting.method, this.form.elements.preset.value)?.presets.default;
     this.setting.filterParameters = Object.fromEntries(
-      Object.entries(filter?.presets.default ?? {}).map(([name, value]) => [name, measured[`filter.${name}`] ?? value]));
+      Object.entries(usual ?? {}).map(([name, value]) => [name, measured[`filter.${name}`] ?? value]));
     const { blur, filter: chooser } = this.form.elements;
     blur.checked = filter !== null;
     if (filter) chooser.value = id;

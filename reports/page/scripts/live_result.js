@@ -50,7 +50,7 @@ class LiveResult {
   }
 
   show(setting, output, elapsed_ms) {
-    const { view, filter, filterParameters } = setting;
+    const { view } = setting;
     const { stageView } = this;
     const errors = liveErrors(output, this.truth, this.noise, view.noise_floor_rmse);
     this.output = output;
@@ -64,7 +64,7 @@ class LiveResult {
     paintError(this.find('.live-error'), view, output, this.truth, this.noise, liveErrorRange);
     this.find('#live-preset-text').value = presetText(setting);
     this.find('#live-command-text').value = commandText(setting, this.run);
-    this.find('.live-filter-note').hidden = !filter || Object.keys(changedValues(filter, filterParameters)).length === 0;
+    this.find('.live-filter-note').hidden = !losesFilterValues(setting);
   }
 
   showErrors(errors) {

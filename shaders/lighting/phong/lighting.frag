@@ -29,7 +29,7 @@ void main() {
     for (int i = 0; i < p_lights; ++i) {
         float turn = (float(i) + 0.5) / float(p_lights);
         vec3 offset = light_position(turn) - position;
-        float distance_squared = max(dot(offset, offset), 1e-12);
+        float distance_squared = max(dot(offset, offset), 1e-30);
         vec3 to_light = offset * inversesqrt(distance_squared);
         float diffuse = max(dot(normal, to_light), 0.0);
         float mirrored_light = max(dot(reflect(-to_light, normal), to_viewer), 0.0);

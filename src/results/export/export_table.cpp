@@ -1,5 +1,11 @@
 #include "results/export/export_table.h"
 
+#include "results/lengths_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <functional>
 #include <set>
 
@@ -55,6 +61,22 @@ std::vector<Part> measure_parts() {
     return parts;
 }
 
+/// Of each view: its radius, and the lengths that every method was drawn with for it.
+std::vector<std::string> radius_notes(const Results& results) {
+    std::vector<std::string> notes;
+    for (const ViewRecord& view : results.views) {
+        std::vector<std::string> drawn;
+        for (const CellRecord& cell : results.cells) {
+            const std::string lengths = lengths_text(cell);
+            if (cell.view_key != view.key || lengths.empty()) continue;
+            drawn.push_back(fmt::format("{} {}: {}", shown_name(cell), cell.preset, lengths));
+        }
+        notes.push_back(fmt::format("{}: {}.", view.key, radius_text(view)));
+        if (!drawn.empty()) notes.back() += fmt::format(" Lengths: {}.", fmt::join(drawn, "; "));
+    }
+    return notes;
+}
+
 std::optional<double> rank_of(const Results& results, const CellRecord& cell) {
     for (const RankingRecord& ranking : results.rankings) {
         if (ranking.view_keys.size() != 1) continue;
@@ -91,15 +113,25 @@ ExportTable export_table(const Results& results,
     table.columns.push_back({"ao_ms", "AO (ms)", 1});
     table.columns.push_back({"filter_ms", "", 1, false});
     table.columns.push_back({"frame_ms", "", 1, false});
+    table.columns.push_back({"radius_m", "", 4, false});
+    table.columns.push_back({"radius_px", "", 1, false});
+    table.text_columns = {"radius_rule", "lengths"};
+    table.notes = radius_notes(results);
     for (const CellRecord& cell : results.cells) {
         ExportRow row{{cell.view_key, cell.method, cell.preset, cell.filter},
                       measures_of(cell.ranked, cell.analysis),
+                      {},
                       cell.error,
                       {}};
-        for (const auto& number : {rank_of(results, cell), cell.fetches_per_pixel, cell.ao.median_ms,
-                                   cell.blur.median_ms, cell.frame_ms}) {
+        const auto view = std::ranges::find(results.views, cell.view_key, &ViewRecord::key);
+        const bool known = view != results.views.end();
+        for (const auto& number :
+             {rank_of(results, cell), cell.fetches_per_pixel, cell.ao.median_ms, cell.blur.median_ms,
+              cell.frame_ms, known ? std::optional(view->radius_m) : std::nullopt,
+              known ? std::optional(view->radius_px_median) : std::nullopt}) {
             row.numbers.push_back(number);
         }
+        row.texts = {known ? view->radius_rule : "", lengths_text(cell)};
         if (const auto found = failures.find(cell.id); found != failures.end()) row.failures = found->second;
         table.rows.push_back(std::move(row));
     }

@@ -22,6 +22,7 @@ struct ExportColumn {
 struct ExportRow {
     std::vector<std::string> names;              ///< one a name column
     std::vector<std::optional<double>> numbers;  ///< one a number column; empty where it could not be had
+    std::vector<std::string> texts;              ///< one a text column
     std::string error;                           ///< why it failed; empty when it did not
     std::vector<std::string> failures;           ///< tripped gates, one line each
 };
@@ -31,6 +32,8 @@ struct ExportTable {
     std::string title;                      ///< the command that made it
     std::vector<std::string> name_columns;  ///< the first groups the rows
     std::vector<ExportColumn> columns;
+    std::vector<std::string> text_columns;  ///< keys, of CSV and JUnit
+    std::vector<std::string> notes;         ///< sentences about the whole table, of Markdown and LaTeX
     std::vector<ExportRow> rows;
     nlohmann::json document;  ///< the same and more, for JSON
 };

@@ -18,12 +18,15 @@ void add_case(pugi::xml_node suite, const ExportTable& table, const ExportRow& r
     test.append_attribute("classname") = printable_lines(row.names.front()).c_str();
     test.append_attribute("name") = printable_lines(fmt::format("{}", fmt::join(own, "/"))).c_str();
     pugi::xml_node properties = test.append_child("properties");
-    for (std::size_t i = 0; i < row.numbers.size(); ++i) {
-        if (!row.numbers[i]) continue;
+    const auto add_property = [&](const std::string& name, const std::string& value) {
         pugi::xml_node property = properties.append_child("property");
-        property.append_attribute("name") = table.columns[i].key.c_str();
-        property.append_attribute("value") = fmt::format("{}", *row.numbers[i]).c_str();
+        property.append_attribute("name") = name.c_str();
+        property.append_attribute("value") = printable(value).c_str();
+    };
+    for (std::size_t i = 0; i < row.numbers.size(); ++i) {
+        if (row.numbers[i]) add_property(table.columns[i].key, fmt::format("{}", *row.numbers[i]));
     }
+    for (std::size_t i = 0; i < row.texts.size(); ++i) add_property(table.text_columns[i], row.texts[i]);
     for (const std::string& failure : row.failures)
         test.append_child("failure").append_attribute("message") = printable_lines(failure).c_str();
     if (!row.error.empty())

@@ -44,9 +44,10 @@ std::string export_as::latex(const ExportTable& table) {
         alignment += 'r';
         head += " & " + escaped(column.label);
     }
-    std::string text =
-        fmt::format("% {}\n% needs \\usepackage{{booktabs}}\n\\begin{{tabular}}{{{}}}\n\\toprule\n{} \\\\\n",
-                    escaped(table.title), alignment, head);
+    std::string text = fmt::format("% {}\n", escaped(table.title));
+    for (const std::string& note : table.notes) text += fmt::format("% {}\n", escaped(note));
+    text += fmt::format("% needs \\usepackage{{booktabs}}\n\\begin{{tabular}}{{{}}}\n\\toprule\n{} \\\\\n",
+                        alignment, head);
     const std::string* group = nullptr;
     for (const ExportRow& row : table.rows) {
         if (group == nullptr || *group != row.names.front()) text += "\\midrule\n";
