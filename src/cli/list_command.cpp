@@ -67,7 +67,9 @@ void list_methods(const std::filesystem::path& methods_dir) {
         fmt::print("{:<20} {}{}. {}; inputs {}; parameters {}; presets {}\n", m.id, kind, m.paper, m.summary,
                    fmt::join(inputs, ", "), fmt::join(parameters, ", "), fmt::join(presets, ", "));
     };
-    for (const MethodDescriptor& method : load_methods(methods_dir)) print(method, "");
+    for (const MethodDescriptor& method : load_methods(methods_dir)) {
+        print(method, method.role == MethodRole::bound ? "bound: " : "");
+    }
     for (const MethodDescriptor& filter : load_filters()) print(filter, "filter: ");
 }
 

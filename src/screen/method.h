@@ -57,6 +57,9 @@ struct OwnTruth {
     std::string u_parameter;              ///< falloff "alchemy" only
 };
 
+/// What a method is for: to be used in frames, or to show how far others could go, at no usable cost.
+enum class MethodRole { method, bound };
+
 /// How a method enters a score where the user does not say.
 struct ScoredAs {
     std::vector<std::string> presets = {"default"};
@@ -77,6 +80,7 @@ struct Pass {
 struct MethodDescriptor {
     std::string id;  ///< the folder's name
     std::string label;
+    MethodRole role = MethodRole::method;
     std::string paper;                    ///< author, title, year
     std::string summary;                  ///< one line
     std::vector<std::string> deviations;  ///< from the paper, each a sentence
@@ -91,6 +95,9 @@ struct MethodDescriptor {
     OwnTruth truth;
     ScoredAs scored;
     std::filesystem::path folder;
+
+    /// The label as results and pages show it: a bound's says that it is one, "Ray march (bound)".
+    std::string shown_label() const;
 
     /// The parameter of that id, null when there is none.
     const Parameter* find_parameter(std::string_view parameter) const;

@@ -122,7 +122,7 @@ std::string gbuffer_shader(const std::string& name) {
 }  // namespace
 
 json method_data(const MethodDescriptor& method, std::uint64_t seed) {
-    json data = {{"id", method.id},           {"label", method.label},
+    json data = {{"id", method.id},           {"label", method.shown_label()},
                  {"summary", method.summary}, {"parameters", json::array()},
                  {"presets", json::object()}, {"preset_filters", method.preset_filters}};
     for (const Parameter& p : method.parameters) data["parameters"].push_back(parameter_data(p));

@@ -2,6 +2,8 @@
 
 #include <functional>
 #include <set>
+#include <tuple>
+#include <utility>
 
 namespace aoscore {
 namespace {
@@ -55,14 +57,15 @@ std::vector<Part> measure_parts() {
     return parts;
 }
 
-std::optional<double> rank_of(const Results& results, const CellRecord& cell) {
+/// Its place in the ranking of its view; null where it failed.
+const PlaceRecord* place_of(const Results& results, const CellRecord& cell) {
     for (const RankingRecord& ranking : results.rankings) {
         if (ranking.view_keys.size() != 1) continue;
         for (const PlaceRecord& place : ranking.places) {
-            if (place.cell_ids.front() == cell.id) return place.rank;
+            if (place.cell_ids.front() == cell.id) return &place;
         }
     }
-    return std::nullopt;
+    return nullptr;
 }
 
 }  // namespace
@@ -84,20 +87,28 @@ ExportTable export_table(const Results& results,
     ExportTable table;
     table.title = results.command;
     table.document = to_json(results);
-    table.name_columns = {"view", "method", "preset", "filter"};
+    table.name_columns = {"view", "rank", "method", "role", "preset", "setting", "filter"};
     add_measures(table);
-    table.columns.push_back({"rank", "Rank", 0});
+    table.columns.push_back({"rank_best", "", 0, false});
+    table.columns.push_back({"rank_worst", "", 0, false});
     table.columns.push_back({"fetches_per_pixel", "Fetches", 1});
     table.columns.push_back({"ao_ms", "AO (ms)", 1});
     table.columns.push_back({"filter_ms", "", 1, false});
     table.columns.push_back({"frame_ms", "", 1, false});
     for (const CellRecord& cell : results.cells) {
-        ExportRow row{{cell.view_key, cell.method, cell.preset, cell.filter},
-                      measures_of(cell.ranked, cell.analysis),
-                      cell.error,
-                      {}};
-        for (const auto& number : {rank_of(results, cell), cell.fetches_per_pixel, cell.ao.median_ms,
-                                   cell.blur.median_ms, cell.frame_ms}) {
+        const PlaceRecord* place = place_of(results, cell);
+        std::optional<double> best, worst;
+        if (place != nullptr && place->rank)
+            std::tie(best, worst) = std::pair(place->rank->best, place->rank->worst);
+        ExportRow row{
+            cell.id.starts_with(cell.view_key + "/") ? cell.id.substr(cell.view_key.size() + 1) : cell.id,
+            {cell.view_key, place != nullptr ? rank_text(*place) : "", cell.method, cell.role, cell.preset,
+             cell.setting, cell.filter},
+            measures_of(cell.ranked, cell.analysis),
+            cell.error,
+            {}};
+        for (const auto& number :
+             {best, worst, cell.fetches_per_pixel, cell.ao.median_ms, cell.blur.median_ms, cell.frame_ms}) {
             row.numbers.push_back(number);
         }
         if (const auto found = failures.find(cell.id); found != failures.end()) row.failures = found->second;

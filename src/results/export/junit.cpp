@@ -1,7 +1,6 @@
 #include "results/export/export_format.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <pugixml.hpp>
 
 #include <algorithm>
@@ -20,10 +19,14 @@ std::string printable(std::string text) {
 
 void add_case(pugi::xml_node suite, const ExportTable& table, const ExportRow& row) {
     pugi::xml_node test = suite.append_child("testcase");
-    const std::vector<std::string> own(row.names.begin() + 1, row.names.end());
     test.append_attribute("classname") = printable(row.names.front()).c_str();
-    test.append_attribute("name") = printable(fmt::format("{}", fmt::join(own, "/"))).c_str();
+    test.append_attribute("name") = printable(row.name).c_str();
     pugi::xml_node properties = test.append_child("properties");
+    for (std::size_t i = 1; i < row.names.size(); ++i) {
+        pugi::xml_node property = properties.append_child("property");
+        property.append_attribute("name") = table.name_columns[i].c_str();
+        property.append_attribute("value") = printable(row.names[i]).c_str();
+    }
     for (std::size_t i = 0; i < row.numbers.size(); ++i) {
         if (!row.numbers[i]) continue;
         pugi::xml_node property = properties.append_child("property");
