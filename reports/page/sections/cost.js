@@ -66,7 +66,7 @@ for (const element of document.querySelectorAll('.cost-chart')) {
       series: [{}, { paths: uPlot.paths.stepped({ align: 1 }), stroke: pageColour('accent'), width: 2, spanGaps: true,
         points: { ...dot(pageColour('accent')), fill: pageColour('accent') } },
       { paths: () => null, points: dot(pageColour('strong-line')) },
-      { paths: () => null, points: { ...dot(pageColour('line')), width: 1 } }],
+      { paths: () => null, points: { ...dot(pageColour('strong-line')), size: 6, width: 1 } }],
       hooks: { draw: [(chart) => drawBarsAndNames(chart, points)] },
     };
   };
