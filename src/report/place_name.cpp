@@ -1,18 +1,17 @@
 #include "report/place_name.h"
 
-#include <algorithm>
-
 namespace aoscore {
 
 std::string place_name(const RankingRecord& ranking, const PlaceRecord& place) {
-    const auto another = [&](std::string PlaceRecord::*what) {
-        return std::ranges::any_of(ranking.places, [&](const PlaceRecord& other) {
-            return other.method_label == place.method_label && other.*what != place.*what;
-        });
-    };
+    bool other_preset = false, other_filter = false;
+    for (const PlaceRecord& other : ranking.places) {
+        if (other.method_label != place.method_label) continue;
+        other_preset |= other.preset != place.preset;
+        other_filter |= other.preset == place.preset && other.filter != place.filter;
+    }
     std::string name = place.method_label;
-    if (another(&PlaceRecord::preset)) name += ", " + place.preset;
-    if (another(&PlaceRecord::filter)) name += place.filter == "none" ? ", unfiltered" : ", " + place.filter;
+    if (other_preset) name += ", " + place.preset;
+    if (other_filter) name += place.filter == "none" ? ", unfiltered" : ", " + place.filter;
     return name;
 }
 

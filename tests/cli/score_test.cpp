@@ -74,8 +74,8 @@ TEST(Score, RunsAMethodAsItsDescriptorSaysAndShowsIt) {
         const auto mode = cell.parameters.find("resolution");
         resolutions[cell.method + "/" + cell.preset] = mode == cell.parameters.end() ? "full" : mode->second;
     }
-    const std::map<std::string, nlohmann::json> expected{
-        {"ray-march/default", "half"}, {"ssao/default", "full"}};
+    const std::map<std::string, nlohmann::json> expected{{"ray-march/default", "half"},
+                                                         {"ssao/default", "full"}};
     EXPECT_EQ(resolutions, expected);
 
     const auto asked = run_aoscore(
