@@ -89,7 +89,8 @@ ExportTable export_table(const Comparison& comparison, const Gates::Tripped& tri
     table.title = title;
     table.name_columns = {"truth", "test"};
     add_measures(table);
-    table.rows.push_back({{comparison.request.truth.string(), comparison.request.test.string()},
+    table.rows.push_back({comparison.request.test.string(),
+                          {comparison.request.truth.string(), comparison.request.test.string()},
                           measures_of(comparison.metrics, comparison.analysis),
                           {},
                           comparison.sound() ? "" : "nothing could be compared",

@@ -88,7 +88,9 @@ void list_methods(const std::filesystem::path& methods_dir) {
                      fmt::join(presets, ", "));
     };
     std::vector<std::string> warnings;
-    for (const MethodDescriptor& method : load_asked_methods(methods_dir, {}, warnings)) print(method, "");
+    for (const MethodDescriptor& method : load_asked_methods(methods_dir, {}, warnings)) {
+        print(method, method.role == MethodRole::bound ? "bound: " : "");
+    }
     for (const std::string& warning : warnings) log_warning(warning);
     for (const MethodDescriptor& filter : load_filters()) print(filter, "filter: ");
 }

@@ -1,7 +1,11 @@
 #include "experiment/baseline.h"
 
+#include "core/sampling.h"
+#include "results/ranked_value.h"
+
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace aoscore {
 namespace {
@@ -10,11 +14,6 @@ template <class Record>
 const Record* find(const std::vector<Record>& records, const std::string& id, std::string Record::*member) {
     const auto found = std::ranges::find(records, id, member);
     return found == records.end() ? nullptr : &*found;
-}
-
-std::optional<double> value_of(const CellRecord& cell, const std::string& metric) {
-    const auto found = cell.ranked.find(metric);
-    return found == cell.ranked.end() ? std::nullopt : found->second.value;
 }
 
 /// Why two views do not show the same; empty where they do.
@@ -58,43 +57,80 @@ const CellRecord* earlier_cell(const CellRecord& cell, const Results& before) {
     return only;
 }
 
-ChangeRecord change_of(const Results& now, const CellRecord& cell, const Results& before) {
-    const CellRecord* old = earlier_cell(cell, before);
+/// A change, and where it can be resampled the metric now and before.
+struct Compared {
     ChangeRecord change;
+    std::vector<Resampled> now_and_before;
+};
+
+std::string metric_of(const CellRecord& cell, const CellRecord* old) {
+    std::vector<const CellRecord*> cells{&cell};
+    if (old != nullptr) cells.push_back(old);
+    return ranking_metric(cells);
+}
+
+Compared compared(const Results& now, const CellRecord& cell, const Results& before) {
+    const CellRecord* old = earlier_cell(cell, before);
+    Compared result;
+    ChangeRecord& change = result.change;
     change.cell_id = cell.id;
-    const bool debiased = (!cell.analysis || value_of(cell, "rmse_debiased")) &&
-                          (old == nullptr || !old->analysis || value_of(*old, "rmse_debiased"));
-    change.metric = debiased ? "rmse_debiased" : "rmse";
-    change.now = value_of(cell, change.metric);
-    if (old != nullptr) change.before = value_of(*old, change.metric);
+    change.metric = metric_of(cell, old);
+    change.now = value_of(cell.ranked, change.metric);
+    if (old != nullptr) change.before = value_of(old->ranked, change.metric);
     change.reason = obstacle(now, cell, before, old);
     if (!change.reason.empty()) {
         change.verdict = "not comparable";
-        return change;
-    }
-    if (!cell.analysis) {
+    } else if (!cell.analysis) {
         change.verdict = "worse";
         change.reason = "failed: " + cell.error;
-        return change;
+    } else if (change.now && change.before) {
+        // Views are drawn apart: what they have by chance in common must not look like certainty.
+        const auto view = std::ranges::find(now.views, cell.view_key, &ViewRecord::key);
+        const std::uint64_t seed = mix_bits(now.seed + static_cast<std::uint64_t>(view - now.views.begin()));
+        for (const CellRecord* one : {&cell, old}) {
+            const std::array<const BlockErrors*, 1> blocks{&one->analysis->blocks};
+            result.now_and_before.push_back(
+                {*value_of(one->ranked, change.metric), resampled(change.metric, blocks, seed)});
+        }
     }
-    const std::array<const BlockErrors*, 1> blocks{&cell.analysis->blocks},
-        old_blocks{&old->analysis->blocks};
-    change.change = confidence_interval(resampled(change.metric, blocks, now.seed),
-                                        resampled(change.metric, old_blocks, now.seed));
-    if (!change.change) {
-        change.verdict = "not comparable";
-        change.reason = "the difference could not be resampled";
-    } else {
-        change.verdict = change.change->holds_zero() ? "same" : change.change->low > 0 ? "worse" : "better";
+    return result;
+}
+
+/// Gives every change that can be told its interval, all of them together, and what follows.
+void judge(std::vector<Compared>& comparisons) {
+    std::vector<Resampled> measures;
+    std::vector<MeasurePair> pairs;
+    std::vector<ChangeRecord*> changes;
+    for (Compared& one : comparisons) {
+        if (!one.change.verdict.empty()) continue;
+        changes.push_back(&one.change);
+        if (one.now_and_before.empty()) one.now_and_before.resize(2);
+        pairs.emplace_back(measures.size(), measures.size() + 1);
+        std::ranges::move(one.now_and_before, std::back_inserter(measures));
     }
-    return change;
+    const auto intervals = simultaneous_intervals(measures, pairs);
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        ChangeRecord& change = *changes[i];
+        change.change = intervals[i];
+        if (!change.change) {
+            change.verdict = "not comparable";
+            change.reason = "the difference could not be resampled";
+        } else {
+            change.verdict = change.change->holds_zero() ? "same"
+                             : change.change->low > 0    ? "worse"
+                                                         : "better";
+        }
+    }
 }
 
 }  // namespace
 
 BaselineRecord against_baseline(const Results& now, const Results& before) {
+    std::vector<Compared> comparisons;
+    for (const CellRecord& cell : now.cells) comparisons.push_back(compared(now, cell, before));
+    judge(comparisons);
     BaselineRecord record{before.program_version, before.created_utc, before.command, {}};
-    for (const CellRecord& cell : now.cells) record.changes.push_back(change_of(now, cell, before));
+    for (Compared& one : comparisons) record.changes.push_back(std::move(one.change));
     return record;
 }
 

@@ -208,7 +208,7 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
     std::vector<CellRecord> pictured;
     std::copy_if(results.cells.begin(), results.cells.end(), std::back_inserter(pictured),
                  [](const CellRecord& cell) { return !cell.image_file.empty(); });
-    results.rankings = rank(pictured, plan.seed);
+    results.rankings = rank(results.views, pictured, plan.seed);
     if (plan.baseline) results.baseline = against_baseline(results, *plan.baseline);
     for (const TablePlan& table : plan.tables) {
         TableRecord record{table.definition, {}};

@@ -1,17 +1,20 @@
 #include "experiment/rankings.h"
 
+#include "core/error.h"
+#include "metrics/over_views.h"
+#include "results/comparable_views.h"
+#include "results/ranked_value.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
-#include <set>
-#include <tuple>
 
 namespace aoscore {
 namespace {
 
-/// One method with its cells, one on each view of a ranking.
+/// One method as it was run, with its cells, one on each view of a ranking.
 using Entry = std::vector<const CellRecord*>;
+using Views = std::vector<const ViewRecord*>;
 
 std::vector<const BlockErrors*> blocks_of(const Entry& entry) {
     std::vector<const BlockErrors*> blocks;
@@ -19,31 +22,31 @@ std::vector<const BlockErrors*> blocks_of(const Entry& entry) {
     return blocks;
 }
 
-bool has(const CellRecord& cell, const std::string& metric) {
-    const auto found = cell.ranked.find(metric);
-    return found != cell.ranked.end() && found->second.value.has_value();
+/// Empty where one of the cells lacks it.
+std::optional<double> value_over_views(const Entry& entry, const std::string& metric) {
+    std::vector<double> values;
+    for (const CellRecord* cell : entry) {
+        const std::optional<double> value = value_of(cell->ranked, metric);
+        if (!value) return std::nullopt;
+        values.push_back(*value);
+    }
+    return measure_over_views(metric, values);
 }
 
-double mean_of(const Entry& entry, const std::string& metric) {
-    double sum = 0;
-    for (const CellRecord* cell : entry) sum += *cell->ranked.at(metric).value;
-    return sum / static_cast<double>(entry.size());
+double area_over_views(const Entry& entry, const char* id, MaskSummary ErrorAnalysis::*mask) {
+    std::vector<double> areas;
+    for (const CellRecord* cell : entry) areas.push_back((*cell->analysis.*mask).area);
+    return measure_over_views(id, areas);
 }
 
 /// Every measure that all cells have; of one view as its analysis says.
 std::map<std::string, MeasureRecord> measures_of(const Entry& entry, std::uint64_t seed) {
     std::map<std::string, MeasureRecord> measures;
     for (const auto& [id, metric] : entry.front()->ranked) {
-        if (std::ranges::all_of(entry, [&](const CellRecord* cell) { return has(*cell, id); }))
-            measures[id].value = mean_of(entry, id);
+        if (const auto value = value_over_views(entry, id)) measures[id].value = *value;
     }
-    const auto area_of = [&](MaskSummary ErrorAnalysis::*mask) {
-        double sum = 0;
-        for (const CellRecord* cell : entry) sum += (*cell->analysis.*mask).area;
-        return sum / static_cast<double>(entry.size());
-    };
-    measures[kMissingArea].value = area_of(&ErrorAnalysis::missing);
-    measures[kFalseArea].value = area_of(&ErrorAnalysis::false_occlusion);
+    measures[kMissingArea].value = area_over_views(entry, kMissingArea, &ErrorAnalysis::missing);
+    measures[kFalseArea].value = area_over_views(entry, kFalseArea, &ErrorAnalysis::false_occlusion);
     const std::map<std::string, Interval> intervals =
         entry.size() == 1 ? entry.front()->analysis->intervals : confidence_intervals(blocks_of(entry), seed);
     for (auto& [id, measure] : measures) {
@@ -52,91 +55,98 @@ std::map<std::string, MeasureRecord> measures_of(const Entry& entry, std::uint64
     return measures;
 }
 
-PlaceRecord place_of(const Entry& entry, const std::string& metric, std::uint64_t seed) {
+PlaceRecord place_of(const Entry& entry, const Resampled& error, std::uint64_t seed) {
     PlaceRecord place;
     place.method = entry.front()->method;
     place.method_label = shown_name(*entry.front());
+    place.preset = entry.front()->preset;
     place.filter = entry.front()->filter;
     for (const CellRecord* cell : entry) place.cell_ids.push_back(cell->id);
-    place.value = mean_of(entry, metric);
+    place.value = error.value;
+    place.interval = confidence_interval(error.draws).value_or(Interval{place.value, place.value});
     place.measures = measures_of(entry, seed);
     return place;
 }
 
-void find_ties(std::vector<PlaceRecord>& places, const std::vector<std::vector<double>>& values) {
-    for (std::size_t a = 0; a < places.size(); ++a) {
-        places[a].interval =
-            confidence_interval(values[a]).value_or(Interval{places[a].value, places[a].value});
-        if (a > 0) places[a].behind_best = confidence_interval(values[a], values[0]).value_or(Interval{});
-        for (std::size_t b = 0; b < places.size(); ++b) {
-            if (a == b) continue;
-            const Interval difference = confidence_interval(values[b], values[a]).value_or(Interval{});
-            if (difference.high < 0) ++places[a].rank;
-            if (difference.holds_zero()) places[a].ties.push_back(b);
-        }
+void add_ranks(std::vector<PlaceRecord>& places, const std::vector<std::size_t>& ranked,
+               const std::vector<Resampled>& errors) {
+    std::vector<Resampled> of_ranked;
+    for (const std::size_t place : ranked) of_ranked.push_back(errors[place]);
+    const Ranks ranks(of_ranked);
+    for (std::size_t i = 0; i < ranked.size(); ++i) {
+        PlaceRecord& place = places[ranked[i]];
+        place.rank = ranks.range(i);
+        for (const std::size_t other : ranks.ties(i)) place.ties.push_back(ranked[other]);
+        if (i > 0) place.behind_first = ranks.difference(i, 0);
     }
 }
 
-RankingRecord ranking_of(std::vector<Entry> entries, const std::string& preset, std::uint64_t seed) {
+RankingRecord ranking_of(std::vector<Entry> entries, const Views& views, std::uint64_t seed) {
     RankingRecord ranking;
-    ranking.preset = preset;
-    for (const CellRecord* cell : entries.front()) ranking.view_keys.push_back(cell->view_key);
-    const bool debiased = std::ranges::all_of(entries, [](const Entry& entry) {
-        return std::ranges::all_of(entry, [](const CellRecord* cell) { return has(*cell, "rmse_debiased"); });
-    });
-    ranking.metric = debiased ? "rmse_debiased" : "rmse";
-    std::ranges::stable_sort(entries, {}, [&](const Entry& entry) { return mean_of(entry, ranking.metric); });
-    std::vector<std::vector<double>> values;
+    ranking.radius_m = views.front()->radius_m;
+    for (const ViewRecord* view : views) ranking.view_keys.push_back(view->key);
+    std::vector<const CellRecord*> cells;
+    for (const Entry& entry : entries) cells.insert(cells.end(), entry.begin(), entry.end());
+    ranking.metric = ranking_metric(cells);
+    std::ranges::stable_sort(entries, {},
+                             [&](const Entry& entry) { return *value_over_views(entry, ranking.metric); });
+    std::vector<Resampled> errors;
+    std::vector<std::size_t> ranked;
     for (const Entry& entry : entries) {
-        ranking.places.push_back(place_of(entry, ranking.metric, seed));
-        values.push_back(resampled(ranking.metric, blocks_of(entry), seed));
+        errors.push_back(
+            {*value_over_views(entry, ranking.metric), resampled(ranking.metric, blocks_of(entry), seed)});
+        if (entry.front()->role != kBoundRole) ranked.push_back(ranking.places.size());
+        ranking.places.push_back(place_of(entry, errors.back(), seed));
     }
-    find_ties(ranking.places, values);
+    add_ranks(ranking.places, ranked, errors);
     return ranking;
 }
 
-/// Keeps the order in which keys came first.
-template <class Key, class Value>
-class OrderedGroups {
-  public:
-    Value& operator[](const Key& key) {
-        const auto found = std::ranges::find(groups_, key, &std::pair<Key, Value>::first);
-        if (found != groups_.end()) return found->second;
-        return groups_.emplace_back(key, Value{}).second;
+/// What succeeded on every one of the views, in the order of the first one's cells.
+std::vector<Entry> entries_on(const Views& views, const std::vector<CellRecord>& cells) {
+    using Contestant = std::array<std::string, 4>;
+    const auto contestant = [](const CellRecord& cell) {
+        return Contestant{cell.method, cell.preset, cell.setting, cell.filter};
+    };
+    const auto succeeded_on = [&](const ViewRecord& view, const CellRecord& cell) {
+        return cell.view_key == view.key && cell.analysis && value_of(cell.ranked, "rmse");
+    };
+    std::vector<Entry> entries;
+    for (const CellRecord& first : cells) {
+        if (!succeeded_on(*views.front(), first)) continue;
+        Entry entry{&first};
+        for (std::size_t i = 1; i < views.size(); ++i) {
+            const auto found = std::ranges::find_if(cells, [&](const CellRecord& cell) {
+                return succeeded_on(*views[i], cell) && contestant(cell) == contestant(first);
+            });
+            if (found != cells.end()) entry.push_back(&*found);
+        }
+        if (entry.size() == views.size()) entries.push_back(std::move(entry));
     }
-    auto begin() const { return groups_.begin(); }
-    auto end() const { return groups_.end(); }
-    std::size_t size() const { return groups_.size(); }
-
-  private:
-    std::vector<std::pair<Key, Value>> groups_;
-};
+    return entries;
+}
 
 }  // namespace
 
-std::vector<RankingRecord> rank(const std::vector<CellRecord>& cells, std::uint64_t seed) {
-    using Method = std::array<std::string, 3>;  // with its setting and filter
-    OrderedGroups<std::pair<std::string, std::string>, std::vector<Entry>> by_view_and_preset;
-    OrderedGroups<std::string, OrderedGroups<Method, Entry>> by_preset;
-    std::map<std::string, std::set<std::string>> views_of_preset;
+std::vector<RankingRecord> rank(const std::vector<ViewRecord>& views, const std::vector<CellRecord>& cells,
+                                std::uint64_t seed) {
     for (const CellRecord& cell : cells) {
-        views_of_preset[cell.preset].insert(cell.view_key);
-        if (!cell.analysis || !has(cell, "rmse")) continue;
-        by_view_and_preset[{cell.view_key, cell.preset}].push_back({&cell});
-        by_preset[cell.preset][{cell.method, cell.setting, cell.filter}].push_back(&cell);
+        if (std::ranges::find(views, cell.view_key, &ViewRecord::key) == views.end())
+            throw internal_error("a cell of a view that is not there", cell.id);
     }
     std::vector<RankingRecord> rankings;
-    for (const auto& [key, entries] : by_view_and_preset) {
-        rankings.push_back(ranking_of(entries, key.second, seed));
+    const auto add = [&](const Views& group) {
+        if (std::vector<Entry> entries = entries_on(group, cells); !entries.empty())
+            rankings.push_back(ranking_of(std::move(entries), group, seed));
+    };
+    Views shown;
+    for (const ViewRecord& view : views) {
+        if (std::ranges::find(cells, view.key, &CellRecord::view_key) == cells.end()) continue;
+        shown.push_back(&view);
+        add({&view});
     }
-    for (const auto& [preset, methods] : by_preset) {
-        const std::size_t views = views_of_preset[preset].size();
-        if (views < 2) continue;
-        std::vector<Entry> everywhere;
-        for (const auto& [method, entry] : methods) {
-            if (entry.size() == views) everywhere.push_back(entry);
-        }
-        if (!everywhere.empty()) rankings.push_back(ranking_of(everywhere, preset, seed));
+    for (const Views& group : comparable_views(shown)) {
+        if (group.size() > 1) add(group);
     }
     return rankings;
 }

@@ -61,7 +61,7 @@ std::vector<StressSubject> stress_subjects(const Registry& registry,
     for (const std::string& id : methods) find_method(registry.methods, id);
     for (const MethodDescriptor& method : registry.methods) {
         if (methods.empty() || std::find(methods.begin(), methods.end(), method.id) != methods.end())
-            subjects.push_back({method.id, method.label, "method", &method, nullptr});
+            subjects.push_back({method.id, method.shown_label(), "method", &method, nullptr});
     }
     const MethodDescriptor& filtered = find_method(registry.methods, kFilteredMethod);
     for (const MethodDescriptor& filter : registry.filters)

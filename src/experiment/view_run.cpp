@@ -99,7 +99,8 @@ class Runner {
         record.id = fmt::format("{}/{}", run_.key, cell_name(cell.plan));
         record.view_key = run_.key;
         record.method = cell.plan.method;
-        record.method_label = cell.request.method->label;
+        record.method_label = cell.request.method->shown_label();
+        if (cell.request.method->role == MethodRole::bound) record.role = kBoundRole;
         record.preset = cell.plan.preset;
         record.setting = setting_text(cell.plan);
         record.filter = cell.filter;

@@ -1,6 +1,7 @@
 #include "metrics/bootstrap.h"
 
 #include "core/error.h"
+#include "metrics/over_views.h"
 
 #include <algorithm>
 #include <array>
@@ -113,17 +114,17 @@ std::vector<std::vector<double>> resampled_together(std::span<const Statistic> s
     std::vector<Urn> urns;
     for (const BlockErrors* image : images) urns.emplace_back(*image);
     std::vector<std::vector<double>> values(statistics.size());
+    std::vector<std::vector<double>> of_views(statistics.size(), std::vector<double>(urns.size()));
     std::mt19937_64 random(seed), random_squares(seed);
     for (int i = 0; i < kResamples; ++i) {
-        std::vector<double> sums(statistics.size());
         for (std::size_t k = 0; k < urns.size(); ++k) {
             const Urn& urn = urns[urns.size() == 1 ? 0 : random() % urns.size()];
             const Drawn drawn = urn.draw(random, random_squares);
-            for (std::size_t s = 0; s < sums.size(); ++s)
-                sums[s] += drawn[kCount] > 0 ? statistics[s].value(drawn) : kNotThere;
+            for (std::size_t s = 0; s < statistics.size(); ++s)
+                of_views[s][k] = drawn[kCount] > 0 ? statistics[s].value(drawn) : kNotThere;
         }
-        for (std::size_t s = 0; s < sums.size(); ++s)
-            values[s].push_back(sums[s] / static_cast<double>(urns.size()));
+        for (std::size_t s = 0; s < statistics.size(); ++s)
+            values[s].push_back(measure_over_views(statistics[s].measure, of_views[s]));
     }
     return values;
 }

@@ -29,9 +29,9 @@ inline constexpr const char* kFalseArea = "false_area";
 const std::vector<std::string>& bootstrap_measures();
 
 /// Values of a measure over 2000 resampled images: blocks are drawn with replacement (Hans Künsch, The
-/// Jackknife and the Bootstrap for General Stationary Observations, 1989). Of several images the metric is
-/// the mean over them, and images are drawn first, then blocks of each. Draws depend on the seed and on how
-/// many blocks the images have, so that two tests of the same truths are resampled alike and their
+/// Jackknife and the Bootstrap for General Stationary Observations, 1989). Of several images the
+/// value is measure_over_views(), and images are drawn first, then blocks of each. Draws depend on the seed
+/// and on how many blocks the images have, so that two tests of the same truths are resampled alike and their
 /// differences, value by value, are paired. MS-SSIM, a product over scales, is resampled to first order and
 /// from larger squares, where there are at least fifteen; see MapSums. NaN where no valid pixel was drawn, or
 /// the images lack what the measure is made of. Throws internal_error for another than bootstrap_measures().

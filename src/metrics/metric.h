@@ -3,6 +3,7 @@
 #include "core/image.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,7 @@ struct Metric {
     std::string_view meaning;  ///< one sentence for the page
     std::string_view paper;    ///< author, title, year; "" for elementary ones
     MetricValue (*measure)(const MetricInput&);
+    double (*over_views)(std::span<const double>);  ///< of one value a view; see over_views.h
 };
 
 /// The one table of metrics, in the order of columns.

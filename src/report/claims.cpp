@@ -1,6 +1,6 @@
-#include "report/closeness.h"
 #include "report/number_text.h"
 #include "report/section.h"
+#include "results/ranked_value.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,10 +1,11 @@
-#include "report/closeness.h"
+#include "metrics/pareto.h"
 #include "report/number_text.h"
 #include "report/page_template.h"
 #include "report/section.h"
+#include "results/ranked_value.h"
 
 #include <algorithm>
-#include <limits>
+#include <utility>
 
 namespace aoscore {
 namespace {
@@ -15,7 +16,7 @@ using nlohmann::json;
 struct Point {
     const CellRecord* cell;
     double ms, error;
-    bool front = false;
+    bool front = false;  ///< never of a bound, which is not for use
 };
 
 std::vector<Point> points_of(const Results& results, const ViewRecord& view, const std::string& metric) {
@@ -25,14 +26,14 @@ std::vector<Point> points_of(const Results& results, const ViewRecord& view, con
         const auto error = ranked_value(cell, metric);
         if (cell.view_key == view.key && ms && error) points.push_back({&cell, *ms, *error});
     }
-    std::stable_sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
-        return a.ms < b.ms || (a.ms == b.ms && a.error < b.error);
-    });
-    double least = std::numeric_limits<double>::infinity();
-    for (Point& point : points) {
-        point.front = point.error < least;
-        least = std::min(least, point.error);
+    std::ranges::stable_sort(points, {}, [](const Point& point) { return std::pair(point.ms, point.error); });
+    std::vector<CostAndError> in_use;
+    for (const Point& point : points) {
+        const bool bound = point.cell->role == kBoundRole;
+        in_use.push_back(bound ? CostAndError{} : CostAndError{point.ms, point.error});
     }
+    const std::vector<bool> front = pareto_front(in_use);
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].front = front[i];
     return points;
 }
 
@@ -43,6 +44,7 @@ json chart_data(const std::vector<Point>& points, const std::string& metric) {
         list.push_back({{"label", shown_name(*point.cell)},
                         {"preset", point.cell->preset},
                         {"cell", point.cell->id},
+                        {"bound", point.cell->role == kBoundRole},
                         {"ms", point.ms},
                         {"spread", spread},
                         {"error", point.error},
@@ -78,7 +80,7 @@ nlohmann::json section::cost(const PageSource& source) {
                              {"error", fixed_text(point.error, 4)}});
         }
         model["charts"].push_back({{"view", view.key},
-                                   {"metric", metric == "rmse_debiased" ? "debiased RMSE" : "RMSE"},
+                                   {"metric", ranking_metric_label(metric)},
                                    {"data", script_json(chart_data(points, metric))},
                                    {"front", std::move(front)}});
     }

@@ -50,12 +50,13 @@ nlohmann::json interval_tables(const Results& results) {
         for (const PlaceRecord& place : ranking.places) {
             json numbers = json::array();
             for (const Head& head : heads()) numbers.push_back(number_model(place, head));
-            rows.push_back(
-                {{"method", place.method_label}, {"filter", place.filter}, {"numbers", std::move(numbers)}});
+            rows.push_back({{"method", place.method_label},
+                            {"preset", place.preset},
+                            {"filter", place.filter},
+                            {"numbers", std::move(numbers)}});
         }
         tables.push_back({{"views", fmt::format("{}", fmt::join(ranking.view_keys, ", "))},
-                          {"preset", ranking.preset},
-                          {"means", ranking.view_keys.size() > 1},
+                          {"over", ranking.view_keys.size() > 1},
                           {"heads", columns},
                           {"rows", std::move(rows)}});
     }

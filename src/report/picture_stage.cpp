@@ -1,26 +1,31 @@
-#include "report/closeness.h"
 #include "report/number_text.h"
 #include "report/section.h"
 #include "report/stage_data.h"
+#include "results/ranked_value.h"
 
 #include <fmt/format.h>
+
+#include <utility>
 
 namespace aoscore {
 namespace {
 
 using nlohmann::json;
 
-/// The cell that a view opens on: the closest to the truth; empty without any.
+/// The cell that a view opens on: the closest to the truth, a bound only without others; empty without any.
 std::string first_shown(const Results& results, const std::string& view_key) {
     std::vector<const CellRecord*> cells;
     for (const CellRecord& cell : results.cells) {
         if (cell.view_key == view_key) cells.push_back(&cell);
     }
     const std::string metric = ranking_metric(cells);
+    const auto order = [&](const CellRecord* cell) {
+        return std::pair(cell->role == kBoundRole, *ranked_value(*cell, metric));
+    };
     const CellRecord* closest = nullptr;
     for (const CellRecord* cell : cells) {
-        const auto value = ranked_value(*cell, metric);
-        if (value && (closest == nullptr || *value < *ranked_value(*closest, metric))) closest = cell;
+        if (ranked_value(*cell, metric) && (closest == nullptr || order(cell) < order(closest)))
+            closest = cell;
     }
     return closest != nullptr ? closest->id : "";
 }

@@ -1,7 +1,7 @@
 #include "core/error.h"
-#include "report/closeness.h"
 #include "report/number_text.h"
 #include "report/section.h"
+#include "results/ranked_value.h"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,10 @@
 #include "report/baseline_table.h"
 #include "report/interval_tables.h"
 #include "report/number_text.h"
+#include "report/place_name.h"
 #include "report/ranking_columns.h"
 #include "report/section.h"
+#include "results/ranked_value.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -51,28 +53,27 @@ double largest_of(const RankingRecord& ranking) {
     return largest;
 }
 
-/// "2", and with whom it is tied.
+/// "1–3", and whom it cannot be told apart from.
 json rank_model(const RankingRecord& ranking, const PlaceRecord& place) {
     std::vector<std::string> others;
-    for (const std::size_t other : place.ties) others.push_back(ranking.places.at(other).method_label);
-    return {{"rank", std::to_string(place.rank)},
-            {"tied", !others.empty()},
-            {"ties", others.empty() ? "" : fmt::format("tied with {}", fmt::join(others, ", "))}};
-}
-
-std::string metric_text(const std::string& metric) {
-    return metric == "rmse_debiased" ? "debiased RMSE" : "RMSE";
+    for (const std::size_t other : place.ties)
+        others.push_back(place_name(ranking, ranking.places.at(other)));
+    const std::string ties =
+        others.empty() ? "" : fmt::format("not surely apart from {}", fmt::join(others, ", "));
+    return {{"rank", rank_text(place)},
+            {"sort", place.rank ? fmt::format("{}", place.rank->best + place.rank->worst / 1e4) : ""},
+            {"ties", place.rank ? ties : "shows how far others could go, and is not for use: not ranked"}};
 }
 
 json row_model(const Columns& columns, const CellRecord& cell) {
     json row = {{"method", shown_name(cell)},
                 {"id", cell.method},
+                {"preset", cell.preset},
                 {"filter", cell.filter},
                 {"error", cell.error},
                 {"failed", !cell.error.empty()},
                 {"cell", cell.id},
-                {"rank", {{"rank", kNoNumber}, {"tied", false}, {"ties", ""}}},
-                {"sort", ""},
+                {"rank", {{"rank", kNoNumber}, {"sort", ""}, {"ties", ""}}},
                 {"span", std::to_string(columns.list.size())},
                 {"numbers", json::array()}};
     if (!cell.error.empty()) return row;
@@ -95,7 +96,6 @@ json place_row(const Columns& columns, const Results& results, const RankingReco
         throw file_error("ranks a cell that it lacks, " + place.cell_ids.front(), "results.json");
     json row = row_model(columns, *cell);
     row["rank"] = rank_model(ranking, place);
-    row["sort"] = std::to_string(place.rank);
     for (std::size_t i = 0; i < columns.list.size() && !row["failed"]; ++i) {
         if (columns.list[i].id != ranking.metric) continue;
         row["numbers"][i]["ranks"] = true;
@@ -111,11 +111,10 @@ json view_table(const Columns& columns, const Results& results, const RankingRec
         rows.push_back(place_row(columns, results, ranking, place));
     const double floor = view.truths.empty() ? 0.0 : view.truths.front().noise_floor_rmse;
     return {{"key", view.key},
-            {"preset", ranking.preset},
-            {"radius", short_text(view.radius_m)},
+            {"radius", short_text(ranking.radius_m)},
             {"radius_px", fixed_text(view.radius_px_median, 1)},
             {"floor", fixed_text(floor, 4)},
-            {"metric", metric_text(ranking.metric)},
+            {"metric", ranking_metric_label(ranking.metric)},
             {"rows", std::move(rows)}};
 }
 
@@ -125,31 +124,51 @@ json failed_rows(const Columns& columns, const Results& results) {
     for (const CellRecord& cell : results.cells) {
         if (cell.error.empty()) continue;
         json row = row_model(columns, cell);
-        row["preset"] = cell.preset;
         row["view"] = cell.view_key;
         rows.push_back(std::move(row));
     }
     return rows;
 }
 
-json overall_table(const RankingRecord& ranking) {
+/// What was scored on some of a ranking's views and so has no place in it, with how many views it lacks.
+std::string left_out_text(const Results& results, const RankingRecord& ranking) {
+    std::map<std::string, std::size_t> views_of;
+    for (const CellRecord& cell : results.cells) {
+        const bool here = std::ranges::find(ranking.view_keys, cell.view_key) != ranking.view_keys.end();
+        if (here) views_of[fmt::format("{}, {}", shown_name(cell), cell.preset)] += cell.error.empty();
+    }
+    std::vector<std::string> left_out;
+    for (const auto& [name, views] : views_of) {
+        if (views < ranking.view_keys.size())
+            left_out.push_back(fmt::format("{} ({} of {} views)", name, views, ranking.view_keys.size()));
+    }
+    if (left_out.empty()) return {};
+    return fmt::format("Not scored on every one of these views: {}.", fmt::join(left_out, "; "));
+}
+
+json overall_table(const Results& results, const RankingRecord& ranking) {
     json rows = json::array();
     for (const PlaceRecord& place : ranking.places) {
-        const bool first = rows.empty();
+        const auto& behind = place.behind_first;
         rows.push_back({{"method", place.method_label},
+                        {"preset", place.preset},
                         {"filter", place.filter},
                         {"rank", rank_model(ranking, place)},
                         {"value", fixed_text(place.value, 4)},
                         {"sort", fmt::format("{}", place.value)},
                         {"bars", json::array({bar_model(place, largest_of(ranking))})},
-                        {"behind", first ? kNoNumber
-                                         : fmt::format("{} to {}", fixed_text(place.behind_best.low, 4),
-                                                       fixed_text(place.behind_best.high, 4))},
-                        {"behind_sort", first ? "" : fmt::format("{}", place.behind_best.low)}});
+                        {"behind", behind ? fmt::format("{} to {}", fixed_text(behind->low, 4),
+                                                        fixed_text(behind->high, 4))
+                                          : kNoNumber},
+                        {"behind_sort", behind ? fmt::format("{}", behind->low) : ""}});
     }
+    const std::string left_out = left_out_text(results, ranking);
     return {{"views", fmt::format("{}", fmt::join(ranking.view_keys, ", "))},
-            {"preset", ranking.preset},
-            {"metric", metric_text(ranking.metric)},
+            {"count", std::to_string(ranking.view_keys.size())},
+            {"radius", short_text(ranking.radius_m)},
+            {"metric", ranking_metric_label(ranking.metric)},
+            {"has_left_out", !left_out.empty()},
+            {"left_out", left_out},
             {"rows", std::move(rows)}};
 }
 
@@ -193,7 +212,7 @@ nlohmann::json section::ranking(const PageSource& source) {
         if (ranking.view_keys.size() == 1) {
             model["views"].push_back(view_table(columns, results, ranking));
         } else {
-            model["overall"].push_back(overall_table(ranking));
+            model["overall"].push_back(overall_table(results, ranking));
         }
     }
     model["has_failures"] = !model["failures"].empty();

@@ -2,6 +2,7 @@
 #include "report/number_text.h"
 #include "report/page_template.h"
 #include "report/section.h"
+#include "results/comparable_views.h"
 #include "results/sweep_rows.h"
 
 #include <fmt/format.h>
@@ -24,7 +25,7 @@ json number(std::optional<double> value) {
 
 /// The points of one view as the script's charts read them: for each method its settings by cost.
 json chart_data(const Rows& rows, std::optional<double> budget_ms) {
-    std::map<std::string, std::vector<const SweepRow*>> by_method;
+    std::map<std::string, Rows> by_method;
     for (const SweepRow* row : rows) {
         if (row->cost_ms && row->error) by_method[row->cell->method_label].push_back(row);
     }
@@ -43,7 +44,8 @@ json chart_data(const Rows& rows, std::optional<double> budget_ms) {
                             {"fitted", number(row->fitted_error)},
                             {"front", row->on_front}});
         }
-        curves.push_back({{"label", label}, {"points", std::move(list)}});
+        const bool bound = points.front()->cell->role == kBoundRole;
+        curves.push_back({{"label", label}, {"bound", bound}, {"points", std::move(list)}});
     }
     return {{"curves", std::move(curves)}, {"budget_ms", number(budget_ms)}};
 }
@@ -184,12 +186,17 @@ json view_model(const ViewRecord& view, const Rows& rows, const SweepRecord& swe
     return model;
 }
 
-json all_views_model(const std::vector<SweepRow>& combined, std::size_t views, const SweepRecord& sweep) {
+json over_views_model(const SweepRowsOverViews& all, const SweepRecord& sweep) {
     Rows rows;
-    for (const SweepRow& row : combined) rows.push_back(&row);
+    for (const SweepRow& row : all.rows) rows.push_back(&row);
+    std::vector<std::string> keys;
+    for (const ViewRecord* view : all.views) keys.push_back(view->key);
+    const ViewRecord& first = *all.views.front();
     json model = rows_model(rows, sweep);
-    model["key"] = fmt::format("All {} views", views);
-    model["about"] = "settings that were measured in every one of them";
+    model["key"] = fmt::format("Over {} views", all.views.size());
+    model["about"] =
+        fmt::format("{}, {}×{}, ranked at R {} m; settings that were measured in every one of them",
+                    fmt::join(keys, ", "), first.width, first.height, short_text(first.radius_m));
     model["light"] = "of the means of the passes over views";
     model["unit"] = "errors are roots of the mean square over views, costs are means";
     return model;
@@ -225,6 +232,19 @@ json source_model(const json& definition) {
     return model;
 }
 
+/// Why there is no number over all of a sweep's views; empty where there is one.
+std::string apart_text(const std::vector<std::pair<const ViewRecord*, Rows>>& views) {
+    std::vector<const ViewRecord*> all;
+    for (const auto& [view, rows] : views) all.push_back(view);
+    const std::size_t groups = comparable_views(all).size();
+    if (groups < 2) return {};
+    return fmt::format(
+        "The {} views are ranked at different radii or drawn in different sizes, {} in all: numbers over "
+        "views "
+        "cover those alike. --radius ranks all of them at one.",
+        all.size(), groups);
+}
+
 json sweep_model(const Results& results, const SweepRecord& sweep) {
     const std::vector<SweepRow> rows = sweep_rows(results, sweep);
     std::vector<std::pair<const ViewRecord*, Rows>> views;
@@ -234,16 +254,18 @@ json sweep_model(const Results& results, const SweepRecord& sweep) {
         if (found == views.end()) found = views.insert(views.end(), {row.view, {}});
         found->second.push_back(&row);
     }
+    std::vector<std::string> notes = sweep.notes;
+    if (const std::string apart = apart_text(views); !apart.empty()) notes.push_back(apart);
     json model = {{"title", sweep.title},
+                  {"has_notes", !notes.empty()},
+                  {"notes", notes},
                   {"source", source_model(sweep.definition)},
                   {"count", std::to_string(rows.size())},
                   {"confidence", percent_text(sweep.timing_confidence, 0)},
                   {"axes", fmt::format("{}", fmt::join(sweep.axes, ", "))},
-                  {"has_notes", !sweep.notes.empty()},
-                  {"notes", sweep.notes},
                   {"views", json::array()}};
-    if (const std::vector<SweepRow> combined = rows_over_views(rows); !combined.empty())
-        model["views"].push_back(all_views_model(combined, views.size(), sweep));
+    for (const SweepRowsOverViews& all : rows_over_views(rows))
+        model["views"].push_back(over_views_model(all, sweep));
     for (const auto& [view, of_view] : views) model["views"].push_back(view_model(*view, of_view, sweep));
     return model;
 }

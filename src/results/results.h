@@ -2,6 +2,7 @@
 
 #include "metrics/analysis.h"
 #include "metrics/metric.h"
+#include "metrics/simultaneous.h"
 
 #include <nlohmann/json.hpp>
 
@@ -137,13 +138,18 @@ struct LengthRecord {
     std::string unit;    ///< "m", "m2"
     std::string origin;  ///< one of the four above
 };
+/// What a method is for: to be used, or to show how far others could go ("role" in its descriptor). A bound
+/// stands in tables and charts under a name that says so; it has no rank, leads nothing and is on no front.
+inline constexpr const char* kMethodRole = "method";
+inline constexpr const char* kBoundRole = "bound";
 
 /// One scene x view x method x preset.
 struct CellRecord {
     std::string id;  ///< unique: "atrium/wide/hbao/performance-wide"
     std::string view_key;
-    std::string method;  ///< id
-    std::string method_label;
+    std::string method;              ///< id
+    std::string method_label;        ///< a bound's ends in "(bound)"
+    std::string role = kMethodRole;  ///< or kBoundRole
     std::string preset;
     std::string setting;                               ///< what is not as the preset has it, "noise none"
     std::string filter;                                ///< "none" or a filter's id
@@ -171,43 +177,51 @@ struct CellRecord {
 /// The method as readers know it, with its setting where it has one: "Alchemy AO, noise none".
 std::string shown_name(const CellRecord& cell);
 
-/// A metric or a mask's area of one method over a ranking's views: the mean, and how sure it is.
+/// A metric or a mask's area of one method over a ranking's views, and how sure it is.
 struct MeasureRecord {
     double value = 0;
     std::optional<Interval> interval;  ///< 95 % confidence; empty for what cannot be resampled
 };
 
-/// One method in a ranking.
+/// One method with its settings in a ranking.
 struct PlaceRecord {
     std::string method;
-    std::string method_label;
+    std::string method_label;  ///< with its setting
+    std::string preset;
     std::string filter;
     std::vector<std::string> cell_ids;  ///< one for each of the ranking's views
-    double value = 0;                   ///< the ranking's metric; of several views the mean
-    Interval interval;                  ///< of it, 95 % confidence
-    /// 1 and how many others are surely closer to the truth: their difference's 95 % interval is below 0.
-    int rank = 1;
-    std::vector<std::size_t> ties;  ///< places of this ranking neither surely closer nor surely farther
-    Interval behind_best;           ///< of value - the first place's value, paired; 0 for the first place
+    double value = 0;                   ///< the ranking's metric over the views, by measure_over_views()
+    Interval interval;                  ///< of it alone, 95 % confidence
+    std::optional<RankRange> rank;      ///< those of a ranking hold together; empty for a bound
+    std::vector<std::size_t> ties;      ///< ranked places that it cannot be told apart from
+    /// Of value - the first ranked place's, simultaneous with all others of the ranking; empty for that one,
+    /// and for bounds.
+    std::optional<Interval> behind_first;
     /// Of every metric and mask area that all of the cells have, by id (kMissingArea, kFalseArea for areas).
     std::map<std::string, MeasureRecord> measures;
 };
 
-/// Cells that can be compared fairly: of one preset, on one view or on the same several ones.
+/// "2", "1–3" where it cannot be told surely, "bound" without a rank.
+std::string rank_text(const PlaceRecord& place);
+
+/// Everything that succeeded on one view, whatever its preset, or on each of several views that one number
+/// may cover (see comparable_views()).
 struct RankingRecord {
     std::vector<std::string> view_keys;
-    std::string preset;
-    std::string metric;               ///< "rmse_debiased", or "rmse" where one of them lacks it
+    double radius_m = 0;              ///< at which all of them are ranked
+    std::string metric;               ///< see ranking_metric()
     std::vector<PlaceRecord> places;  ///< by value, closest first; cells that failed are left out
 };
 
 /// One cell against the cell of the same id in an earlier run.
 struct ChangeRecord {
     std::string cell_id;
-    std::string metric;            ///< "rmse_debiased", or "rmse" where one of them lacks it
+    std::string metric;            ///< see ranking_metric()
     std::optional<double> before;  ///< of the earlier run
     std::optional<double> now;
-    std::optional<Interval> change;  ///< of now - before, 95 % confidence, paired; empty where not comparable
+    /// Of now - before, paired; all changes of a run hold together with 95 % confidence. Empty where not
+    /// comparable.
+    std::optional<Interval> change;
     /// "better" or "worse" where the interval leaves 0 out, "same" where it does not, "worse" for a cell that
     /// failed now alone, "not comparable" else.
     std::string verdict;
@@ -300,8 +314,7 @@ struct Results {
     double peak_memory_mib = 0;
     std::vector<ViewRecord> views;
     std::vector<CellRecord> cells;
-    std::vector<RankingRecord>
-        rankings;  ///< one for each view and preset, then one over views for each preset
+    std::vector<RankingRecord> rankings;     ///< one for each view, then those over views
     std::optional<BaselineRecord> baseline;  ///< empty where none was asked for
     std::vector<TableRecord> tables;
     std::vector<SweepRecord> sweeps;

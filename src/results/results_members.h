@@ -129,6 +129,7 @@ void visit_members(Visit& visit, Record& cell) {
     visit("view_key", cell.view_key);
     visit("method", cell.method);
     visit("method_label", cell.method_label);
+    visit("role", cell.role);
     visit("preset", cell.preset);
     visit("setting", cell.setting);
     visit("filter", cell.filter);
@@ -154,17 +155,24 @@ void visit_members(Visit& visit, Record& cell) {
     visit("image_file", cell.image_file);
 }
 
+template <class Visit, RecordOf<RankRange> Record>
+void visit_members(Visit& visit, Record& record) {
+    visit("best", record.best);
+    visit("worst", record.worst);
+}
+
 template <class Visit, RecordOf<PlaceRecord> Record>
 void visit_members(Visit& visit, Record& record) {
     visit("method", record.method);
     visit("method_label", record.method_label);
+    visit("preset", record.preset);
     visit("filter", record.filter);
     visit("cell_ids", record.cell_ids);
     visit("value", record.value);
     visit("interval", record.interval);
     visit("rank", record.rank);
     visit("ties", record.ties);
-    visit("behind_best", record.behind_best);
+    visit("behind_first", record.behind_first);
     visit("measures", record.measures);
 }
 
@@ -177,7 +185,7 @@ void visit_members(Visit& visit, Record& record) {
 template <class Visit, RecordOf<RankingRecord> Record>
 void visit_members(Visit& visit, Record& record) {
     visit("view_keys", record.view_keys);
-    visit("preset", record.preset);
+    visit("radius_m", record.radius_m);
     visit("metric", record.metric);
     visit("places", record.places);
 }

@@ -1,8 +1,10 @@
 #include "results/export/csv_line.h"
 #include "results/lengths_text.h"
+#include "results/ranked_value.h"
 #include "results/sweep_rows.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -36,11 +38,6 @@ class Line {
     std::vector<std::string> fields_;
 };
 
-std::optional<double> metric_of(const CellRecord& cell, const std::string& id) {
-    const auto found = cell.ranked.find(id);
-    return found == cell.ranked.end() ? std::nullopt : found->second.value;
-}
-
 // In the order of kFrameColumns.
 void add_frame(Line& line, const std::optional<FrameRecord>& frame) {
     for (const double FrameRecord::*number :
@@ -60,16 +57,17 @@ constexpr std::array kFrameColumns{"lighting_ms",
                                    "frames_per_second_unfiltered"};
 
 // What belongs to one view alone is left empty over several.
-std::string line_of(const SweepRecord& sweep, const SweepRow& row, const std::set<std::string>& axes) {
+std::string line_of(const SweepRecord& sweep, const SweepRow& row, const std::string& views,
+                    const std::set<std::string>& axes) {
     const CellRecord& cell = *row.cell;
     const ViewRecord* view = row.view;
     const auto of_view = [&](std::optional<double> number) {
         return view != nullptr ? number : std::nullopt;
     };
     Line line;
-    line.add(sweep.title).add(view != nullptr ? view->key : std::string("all views"));
+    line.add(sweep.title).add(views);
     line.add(of_view(view != nullptr ? view->width : 0)).add(of_view(view != nullptr ? view->height : 0));
-    line.add(cell.method).add(cell.preset).add(cell.filter);
+    line.add(cell.method).add(cell.role).add(cell.preset).add(cell.filter);
     for (const std::string& axis : axes) {
         const auto found = row.point->at.find(axis);
         if (found == row.point->at.end())
@@ -87,7 +85,7 @@ std::string line_of(const SweepRecord& sweep, const SweepRow& row, const std::se
     line.add(of_view(view != nullptr ? std::optional(view->radius_px_median) : std::nullopt));
     line.add(view != nullptr ? lengths_text(cell) : std::string());
     line.add(row.error).add(row.raw_error).add(row.fitted_error).add(row.unfiltered_error).add(row.bias);
-    for (const char* id : {"ssim", "flip"}) line.add(of_view(metric_of(cell, id)));
+    for (const char* id : {"ssim", "flip"}) line.add(of_view(value_of(cell.ranked, id)));
     line.add(std::string(row.on_front ? "1" : "0")).add(cell.error);
     return line.text();
 }
@@ -98,7 +96,8 @@ std::string sweeps_as_csv(const Results& results) {
     std::set<std::string> axes;
     for (const SweepRecord& sweep : results.sweeps) axes.insert(sweep.axes.begin(), sweep.axes.end());
     Line head;
-    for (const char* name : {"sweep", "view", "width", "height", "method", "preset_run", "filter_run"})
+    for (const char* name :
+         {"sweep", "view", "width", "height", "method", "role", "preset_run", "filter_run"})
         head.add(std::string(name));
     for (const std::string& axis : axes) head.add("at." + axis);
     for (const char* name : {"gbuffer_ms", "ao_ms", "filter_ms", "cost_ms", "cost_low_ms", "cost_high_ms"})
@@ -111,8 +110,13 @@ std::string sweeps_as_csv(const Results& results) {
     std::string csv = head.text();
     for (const SweepRecord& sweep : results.sweeps) {
         const std::vector<SweepRow> rows = sweep_rows(results, sweep);
-        for (const SweepRow& row : rows) csv += line_of(sweep, row, axes);
-        for (const SweepRow& row : rows_over_views(rows)) csv += line_of(sweep, row, axes);
+        for (const SweepRow& row : rows) csv += line_of(sweep, row, row.view->key, axes);
+        for (const SweepRowsOverViews& all : rows_over_views(rows)) {
+            std::vector<std::string> keys;
+            for (const ViewRecord* view : all.views) keys.push_back(view->key);
+            const std::string views = fmt::format("{}", fmt::join(keys, " "));
+            for (const SweepRow& row : all.rows) csv += line_of(sweep, row, views, axes);
+        }
     }
     return csv;
 }

@@ -2,7 +2,10 @@
 
 #include "core/error.h"
 #include "metrics/median_interval.h"
+#include "metrics/over_views.h"
 #include "metrics/pareto.h"
+#include "results/comparable_views.h"
+#include "results/ranked_value.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -24,11 +27,6 @@ const Record& named(const std::vector<Record>& records, const std::string& id, I
     return *found;
 }
 
-std::optional<double> value_of(const MetricMap& metrics, const std::string& id) {
-    const auto found = metrics.find(id);
-    return found == metrics.end() ? std::nullopt : found->second.value;
-}
-
 void add_costs(SweepRow& row, const SweepRecord& sweep) {
     const CellRecord& cell = *row.cell;
     row.fetches = cell.fetches_per_pixel;
@@ -48,7 +46,11 @@ void add_costs(SweepRow& row, const SweepRecord& sweep) {
 
 void mark_front(std::vector<SweepRow>& rows, const std::vector<std::size_t>& indices) {
     std::vector<CostAndError> points;
-    for (const std::size_t i : indices) points.push_back({rows[i].cost_ms, rows[i].error});
+    for (const std::size_t i : indices) {
+        // A bound is not for use: it beats nothing.
+        const bool bound = rows[i].cell->role == kBoundRole;
+        points.push_back(bound ? CostAndError{} : CostAndError{rows[i].cost_ms, rows[i].error});
+    }
     const std::vector<bool> front = pareto_front(points);
     for (std::size_t k = 0; k < indices.size(); ++k) rows[indices[k]].on_front = front[k];
 }
@@ -56,14 +58,15 @@ void mark_front(std::vector<SweepRow>& rows, const std::vector<std::size_t>& ind
 using Number = std::optional<double> SweepRow::*;
 
 /// Empty where one of the rows lacks it.
-std::optional<double> mean_power(const std::vector<const SweepRow*>& rows, Number number, double power) {
-    double sum = 0;
+std::optional<double> combined(const std::vector<const SweepRow*>& rows, Number number,
+                               double (*over)(std::span<const double>)) {
+    std::vector<double> values;
     for (const SweepRow* row : rows) {
         const std::optional<double> value = row->*number;
         if (!value) return std::nullopt;
-        sum += std::pow(*value, power);
+        values.push_back(*value);
     }
-    return std::pow(sum / static_cast<double>(rows.size()), 1 / power);
+    return over(values);
 }
 
 /// Of the means of the passes; empty where one of the rows has none.
@@ -81,17 +84,17 @@ std::optional<FrameRecord> mean_frame(const std::vector<const SweepRow*>& rows) 
                     sum.filter_ms / count);
 }
 
-SweepRow over_views(const std::vector<const SweepRow*>& rows) {
+SweepRow over_views_of(const std::vector<const SweepRow*>& rows) {
     SweepRow all;
     all.point = rows.front()->point;
     all.cell = rows.front()->cell;
     for (const Number cost : {&SweepRow::cost_ms, &SweepRow::cost_low_ms, &SweepRow::cost_high_ms,
                               &SweepRow::relative_cost, &SweepRow::fetches, &SweepRow::bias})
-        all.*cost = mean_power(rows, cost, 1);
+        all.*cost = combined(rows, cost, over_views::mean);
     all.frame = mean_frame(rows);
     for (const Number error :
          {&SweepRow::error, &SweepRow::raw_error, &SweepRow::fitted_error, &SweepRow::unfiltered_error})
-        all.*error = mean_power(rows, error, 2);
+        all.*error = combined(rows, error, over_views::root_mean_square);
     if (std::ranges::all_of(rows, [](const SweepRow* row) { return row->within_budget.has_value(); }))
         all.within_budget =
             std::ranges::all_of(rows, [](const SweepRow* row) { return *row->within_budget; });
@@ -123,27 +126,33 @@ std::vector<SweepRow> sweep_rows(const Results& results, const SweepRecord& swee
     return rows;
 }
 
-std::vector<SweepRow> rows_over_views(const std::vector<SweepRow>& rows) {
-    std::set<const ViewRecord*> views;
-    std::map<std::map<std::string, nlohmann::json>, std::vector<const SweepRow*>> by_setting;
-    std::vector<const std::vector<const SweepRow*>*> in_order;
+std::vector<SweepRowsOverViews> rows_over_views(const std::vector<SweepRow>& rows) {
+    std::vector<const ViewRecord*> views;
     for (const SweepRow& row : rows) {
-        views.insert(row.view);
-        auto& same = by_setting[row.point->at];
-        if (same.empty()) in_order.push_back(&same);
-        same.push_back(&row);
+        if (std::ranges::find(views, row.view) == views.end()) views.push_back(row.view);
     }
-    std::vector<SweepRow> all;
-    if (views.size() < 2) return all;
-    for (const auto* same : in_order) {
-        const bool everywhere = same->size() == views.size();
-        const bool worked =
-            std::ranges::all_of(*same, [](const SweepRow* row) { return row->cell->error.empty(); });
-        if (everywhere && worked) all.push_back(over_views(*same));
+    std::vector<SweepRowsOverViews> all;
+    for (const auto& group : comparable_views(views)) {
+        if (group.size() < 2) continue;
+        std::map<std::map<std::string, nlohmann::json>, std::vector<const SweepRow*>> by_setting;
+        std::vector<const std::vector<const SweepRow*>*> in_order;
+        for (const SweepRow& row : rows) {
+            if (std::ranges::find(group, row.view) == group.end()) continue;
+            auto& same = by_setting[row.point->at];
+            if (same.empty()) in_order.push_back(&same);
+            same.push_back(&row);
+        }
+        SweepRowsOverViews combined{group, {}};
+        for (const auto* same : in_order) {
+            const bool worked =
+                std::ranges::all_of(*same, [](const SweepRow* row) { return row->cell->error.empty(); });
+            if (same->size() == group.size() && worked) combined.rows.push_back(over_views_of(*same));
+        }
+        std::vector<std::size_t> indices(combined.rows.size());
+        std::iota(indices.begin(), indices.end(), std::size_t{0});
+        mark_front(combined.rows, indices);
+        if (!combined.rows.empty()) all.push_back(std::move(combined));
     }
-    std::vector<std::size_t> indices(all.size());
-    std::iota(indices.begin(), indices.end(), std::size_t{0});
-    mark_front(all, indices);
     return all;
 }
 

@@ -23,18 +23,25 @@ struct SweepRow {
     std::optional<double> fitted_error;      ///< debiased RMSE after the best fit of strength and exponent
     std::optional<double> unfiltered_error;  ///< debiased RMSE before the filter
     std::optional<double> bias;
-    bool on_front = false;              ///< of cost and error among the rows of its view
+    bool on_front = false;              ///< of cost and error among the rows of its view; never a bound
     std::optional<bool> within_budget;  ///< empty without a budget
 };
 
 /// The rows in the sweep's order. Throws file_error where it names a cell or view that the results lack.
 std::vector<SweepRow> sweep_rows(const Results& results, const SweepRecord& sweep);
 
-/// The settings that were measured in every view of the sweep, each as one row over all of them: errors as
-/// the root of the mean square over views, so that every view counts the same; costs, bias and fetches as
-/// means over views (the ends of their intervals too, which is wider than the interval of the mean). The
-/// front is that of these rows. Empty for a sweep of one view.
-std::vector<SweepRow> rows_over_views(const std::vector<SweepRow>& rows);
+/// Rows over a group of views, two or more.
+struct SweepRowsOverViews {
+    std::vector<const ViewRecord*> views;
+    std::vector<SweepRow> rows;
+};
+
+/// For each group of comparable_views() of the sweep the settings that were measured in every one of them,
+/// each as one row: errors as the root of the mean square over views, as rankings have them; costs, bias and
+/// fetches as means over views (the ends of their intervals too, which is wider than the interval of the
+/// mean). The front is that of these rows. Groups of one view, and those without such a setting, are left
+/// out.
+std::vector<SweepRowsOverViews> rows_over_views(const std::vector<SweepRow>& rows);
 
 /// "samples 8, radius 0.5": where a point lies on the axes, without its method.
 std::string point_text(const SweepPointRecord& point);

@@ -53,6 +53,10 @@ std::string Parameter::valid() const {
     return valid_values(*this);
 }
 
+std::string MethodDescriptor::shown_label() const {
+    return role == MethodRole::bound ? label + " (bound)" : label;
+}
+
 const Parameter* MethodDescriptor::find_parameter(std::string_view parameter) const {
     const auto found = std::find_if(parameters.begin(), parameters.end(),
                                     [&](const Parameter& p) { return p.id == parameter; });

@@ -64,6 +64,9 @@ struct ReferenceRadius {
     double metres = 0;
 };
 
+/// What a method is for: to be used in frames, or to show how far others could go, at no usable cost.
+enum class MethodRole { method, bound };
+
 /// How a method enters a score where the user does not say.
 struct ScoredAs {
     std::vector<std::string> presets = {"default"};
@@ -84,6 +87,7 @@ struct Pass {
 struct MethodDescriptor {
     std::string id;  ///< the folder's name
     std::string label;
+    MethodRole role = MethodRole::method;
     std::string paper;                    ///< author, title, year
     std::string summary;                  ///< one line
     std::vector<std::string> deviations;  ///< from the paper, each a sentence
@@ -101,6 +105,9 @@ struct MethodDescriptor {
     OwnTruth truth;
     ScoredAs scored;
     std::filesystem::path folder;
+
+    /// The label as results and pages show it: a bound's says that it is one, "Ray march (bound)".
+    std::string shown_label() const;
 
     /// The parameter of that id, null when there is none.
     const Parameter* find_parameter(std::string_view parameter) const;

@@ -120,7 +120,7 @@ std::string gbuffer_shader(const std::string& name) {
 
 json method_data(const MethodDescriptor& method, std::uint64_t seed) {
     json data = {{"id", method.id},
-                 {"label", method.label},
+                 {"label", method.shown_label()},
                  {"summary", method.summary},
                  {"parameters", json::array()},
                  {"presets", json::object()},

@@ -309,6 +309,12 @@ ScoredAs parse_scored(const MethodDescriptor& method, StrictObject object) {
     return scored;
 }
 
+MethodRole parse_role(const std::string& name, const std::string& where) {
+    if (name == "method") return MethodRole::method;
+    if (name == "bound") return MethodRole::bound;
+    throw file_error(fmt::format("is \"{}\"", name), where, "method, bound");
+}
+
 MethodDescriptor load_descriptor(const fs::path& folder, const std::set<std::string>& inputs,
                                  bool is_filter) {
     const fs::path file = folder / "method.json";
@@ -321,6 +327,7 @@ MethodDescriptor load_descriptor(const fs::path& folder, const std::set<std::str
     method.id = folder.filename().string();
     check_id(method.id, where, '-');
     method.label = top.text("label");
+    if (!is_filter) method.role = parse_role(top.text_or("role", "method"), top.where("role"));
     method.paper = top.text("paper");
     method.summary = top.text("summary");
     method.deviations = top.texts_or_empty("deviations");

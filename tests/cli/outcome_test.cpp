@@ -9,6 +9,9 @@
 #include <gtest/gtest.h>
 #include <pugixml.hpp>
 
+#include <fstream>
+#include <map>
+
 namespace aoscore {
 namespace {
 
@@ -125,7 +128,44 @@ TEST(Exports, OfAScoreHaveARowForEachCellAndJUnitTheTrippedLimits) {
             test.child("properties").find_child_by_attribute("property", "name", "rmse");
         EXPECT_EQ(rmse.attribute("value").as_double(), *cell.ranked.at("rmse").value) << cell.id;
         EXPECT_THAT(test.child("failure").attribute("message").value(), HasSubstr("ssim is"));
+        EXPECT_EQ(cell.view_key + "/" + test.attribute("name").value(), cell.id);
     }
+}
+
+void write_bound(const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "method.json") << R"({"label": "My limit", "role": "bound", "paper": "-",
+        "summary": "-", "passes": [{"fragment": "ao.frag", "inputs": ["linear_depth"]}]})";
+    std::ofstream(folder / "ao.frag")
+        << "#include \"contract/ao_pass.glsl\"\n"
+           "float visibility(vec2 image_px, vec3 position) { return min(1.0, centre_linear_depth()); }\n";
+}
+
+TEST(Exports, SayOfABoundThatItIsOne) {
+    const auto folder = output_dir();
+    write_bound(folder / "mine/my-bound");
+    const std::map<std::string, std::string> marks{{".csv", "wall/facing,bound,my-bound,bound,default"},
+                                                   {".json", "\"method_label\": \"My limit (bound)\""},
+                                                   {".md", "| wall/facing | bound | my-bound | bound |"},
+                                                   {".tex", "wall/facing & bound & my-bound & bound"},
+                                                   {".xml", "<property name=\"role\" value=\"bound\""}};
+    std::string arguments =
+        "score wall --view facing --size 64x48 --samples 16 --methods alchemy,my-bound --methods-dir mine "
+        "--out o";
+    for (const ExportFormat& format : export_formats())
+        arguments += " --export out" + std::string(format.extension);
+    const ProgramRun run = run_aoscore(arguments, folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    for (const ExportFormat& format : export_formats()) {
+        const std::string extension(format.extension);
+        ASSERT_TRUE(marks.contains(extension)) << "how does " << extension << " mark a bound?";
+        EXPECT_THAT(read_file(folder / ("out" + extension)), HasSubstr(marks.at(extension))) << extension;
+    }
+    EXPECT_THAT(read_file(folder / "out.csv"), HasSubstr("wall/facing,1,alchemy,method,default"))
+        << "what a bound reaches takes no rank away";
+    const std::string page = read_file(folder / "o/index.html");
+    EXPECT_THAT(page, HasSubstr("Alchemy AO alone was scored"));
+    EXPECT_THAT(page, HasSubstr("My limit (bound)"));
 }
 
 TEST(Exports, AWrongPathFailsBeforeTheWorkBegins) {

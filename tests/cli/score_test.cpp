@@ -74,18 +74,18 @@ TEST(Score, RunsAMethodAsItsDescriptorSaysAndShowsIt) {
         const auto mode = cell.parameters.find("resolution");
         resolutions[cell.method + "/" + cell.preset] = mode == cell.parameters.end() ? "full" : mode->second;
     }
-    const std::map<std::string, nlohmann::json> expected{
-        {"ray-march/default", "half"}, {"ray-march/thin", "half"}, {"ssao/default", "full"}};
+    const std::map<std::string, nlohmann::json> expected{{"ray-march/default", "half"},
+                                                         {"ssao/default", "full"}};
     EXPECT_EQ(resolutions, expected);
 
     const auto asked = run_aoscore(
-        "score wall --methods ray-march --preset thin --resolution full --size 48x32 --samples 4 --out full",
+        "score wall --methods ray-march --preset solid --resolution full --size 48x32 --samples 4 --out full",
         folder);
     ASSERT_EQ(asked.exit_code, 0) << asked.err;
     EXPECT_THAT(asked.err, ::testing::Not(HasSubstr("is drawn with")));
     const Results full = read_results(folder / "full");
     for (const CellRecord& cell : full.cells) {
-        EXPECT_EQ(cell.preset, "thin");
+        EXPECT_EQ(cell.preset, "solid");
         EXPECT_FALSE(cell.parameters.contains("resolution"));
     }
 }

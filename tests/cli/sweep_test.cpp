@@ -77,11 +77,15 @@ TEST(Sweep, HasOneFrontOverTheViewsOfSeveralScenes) {
         folder);
     ASSERT_EQ(run.exit_code, 64) << "neither scene has both views: " << run.out;
     const auto both = run_aoscore(
-        "sweep wall pit --methods alchemy --vary samples=2,8 --size 32x24 --samples 8 --out out", folder);
+        "sweep wall pit --radius 1 --methods alchemy --vary samples=2,8 --size 32x24 --samples 8 --out out",
+        folder);
     ASSERT_EQ(both.exit_code, 0) << both.err;
     const Results results = read_results(folder / "out");
     const std::vector<SweepRow> rows = sweep_rows(results, results.sweeps.at(0));
-    const std::vector<SweepRow> all = rows_over_views(rows);
+    const std::vector<SweepRowsOverViews> groups = rows_over_views(rows);
+    ASSERT_EQ(groups.size(), 1u);
+    const auto& [group_views, all] = groups[0];
+    EXPECT_EQ(group_views.size(), results.views.size());
     ASSERT_EQ(all.size(), 2u);
     ASSERT_EQ(rows.size(), 2 * results.views.size());
     for (const SweepRow& combined : all) {
@@ -97,8 +101,21 @@ TEST(Sweep, HasOneFrontOverTheViewsOfSeveralScenes) {
         EXPECT_NEAR(*combined.cost_ms, costs / views, 1e-9);
     }
     EXPECT_THAT(read_file(folder / "out/index.html"),
-                HasSubstr(fmt::format("All {} views", results.views.size())));
-    EXPECT_THAT(read_file(folder / "out/sweep.csv"), HasSubstr(",all views,"));
+                HasSubstr(fmt::format("Over {} views", results.views.size())));
+    EXPECT_THAT(read_file(folder / "out/sweep.csv"),
+                HasSubstr(fmt::format(",{} {}", results.views[0].key, results.views[1].key)));
+}
+
+TEST(Sweep, DoesNotMixScenesThatAreRankedAtDifferentRadii) {
+    const auto folder = output_dir();
+    const auto run = run_aoscore(
+        "sweep wall pit --methods alchemy --vary samples=2,8 --size 32x24 --samples 8 --out out", folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Results results = read_results(folder / "out");
+    for (const SweepRowsOverViews& group : rows_over_views(sweep_rows(results, results.sweeps.at(0)))) {
+        for (const ViewRecord* view : group.views) EXPECT_EQ(view->scene, group.views.front()->scene);
+    }
+    EXPECT_THAT(read_file(folder / "out/index.html"), HasSubstr("are ranked at different radii"));
 }
 
 TEST(Claims, AreJudgedFromWhatWasMeasuredForThem) {

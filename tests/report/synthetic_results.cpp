@@ -130,7 +130,8 @@ CellRecord cell_record(const std::string& view, const MethodFacts& facts, const 
     cell.analysis = analyse({truth, shifted(truth, facts.shift), Mask(kWidth, kHeight, 1), &error}, {},
                             kMaskThreshold, 1);
     cell.fetches_per_pixel = facts.fetches;
-    cell.ranked = metric_map(facts.rmse, facts.shift);
+    const double rmse = preset == "quality" ? 0.8 * facts.rmse : facts.rmse;
+    cell.ranked = metric_map(rmse, facts.shift);
     cell.own = metric_map(facts.rmse / 2, facts.shift / 2);
     if (cell.filter != "none") cell.raw = metric_map(facts.rmse * 1.5, facts.shift);
     cell.image_file = "cells/" + view + "-" + facts.id + "-" + preset + ".exr";
@@ -149,36 +150,35 @@ std::map<std::string, MeasureRecord> measures_of(const CellRecord& cell) {
     return measures;
 }
 
-/// By view and preset, without ties.
+/// One a view, where every method is surely apart from the others.
 std::vector<RankingRecord> rankings_of(const std::vector<CellRecord>& cells) {
     std::vector<RankingRecord> rankings;
     for (const CellRecord& cell : cells) {
         if (!cell.analysis) continue;
-        auto found = std::ranges::find_if(rankings, [&](const RankingRecord& r) {
-            return r.view_keys.front() == cell.view_key && r.preset == cell.preset;
-        });
-        if (found == rankings.end()) {
-            found = rankings.insert(rankings.end(), {{cell.view_key}, cell.preset, "rmse_debiased", {}});
-        }
+        auto found = std::ranges::find_if(
+            rankings, [&](const RankingRecord& r) { return r.view_keys.front() == cell.view_key; });
+        if (found == rankings.end())
+            found = rankings.insert(rankings.end(), {{cell.view_key}, 0.5, "rmse_debiased", {}});
         const double value = *cell.ranked.at("rmse_debiased").value;
         found->places.push_back({cell.method,
                                  cell.method_label,
+                                 cell.preset,
                                  cell.filter,
                                  {cell.id},
                                  value,
                                  {value - 0.002, value + 0.002},
-                                 1,
+                                 {},
                                  {},
                                  {},
                                  measures_of(cell)});
     }
     for (RankingRecord& ranking : rankings) {
-        std::ranges::sort(ranking.places, {}, &PlaceRecord::value);
+        std::ranges::stable_sort(ranking.places, {}, &PlaceRecord::value);
         for (std::size_t i = 0; i < ranking.places.size(); ++i) {
             PlaceRecord& place = ranking.places[i];
-            place.rank = static_cast<int>(i) + 1;
+            place.rank = RankRange{static_cast<int>(i) + 1, static_cast<int>(i) + 1};
             const double behind = place.value - ranking.places.front().value;
-            if (i > 0) place.behind_best = {behind - 0.001, behind + 0.001};
+            if (i > 0) place.behind_first = Interval{behind - 0.001, behind + 0.001};
         }
     }
     return rankings;

@@ -1,4 +1,3 @@
-#include "report/closeness.h"
 #include "report/section.h"
 #include "report/synthetic_results.h"
 #include "support/support.h"
@@ -28,120 +27,153 @@ struct SyntheticPage {
     PageSource source() const { return {results, pictures, live}; }
 };
 
+RankingRecord over_both_views(const Results& results) {
+    RankingRecord over_views = results.rankings.front();
+    over_views.view_keys.push_back("atrium/close");
+    for (PlaceRecord& place : over_views.places) place.cell_ids.push_back(place.cell_ids.front());
+    return over_views;
+}
+
 TEST(Verdict, NamesTheClosestMethodItsLeadAndItsCost) {
     SyntheticPage page;
-    page.read_pictures();
     const json model = section::verdict(page.source());
-    ASSERT_EQ(model["details"].size(), 3U);
-    const std::string sentence = model["details"][0];
-    EXPECT_THAT(sentence, HasSubstr("atrium/wide (performance-wide)"));
-    EXPECT_THAT(sentence, HasSubstr("Alchemy AO comes closest"));
-    EXPECT_THAT(sentence, HasSubstr("0.0500"));
-    EXPECT_THAT(sentence, HasSubstr("38 % below HBAO (Hussain)"));
-    EXPECT_THAT(sentence, HasSubstr("0.28 times its milliseconds"));  // (80 + 5.5) / (300 + 5.5)
-    EXPECT_THAT(sentence, HasSubstr("12.0 against 36.5 fetches"));
+    ASSERT_EQ(model["details"].size(), 2U) << "one a view, whatever the presets";
+    EXPECT_EQ(
+        model["details"][0],
+        "On atrium/wide Alchemy AO, quality comes closest to the ray-traced truth: debiased RMSE 0.0400, "
+        "20 % below Alchemy AO, performance-wide, at 0.94 times its milliseconds and 12.0 against 12.0 "
+        "fetches a pixel.");  // 80 / (80 + 5.5)
+    EXPECT_EQ(
+        model["details"][1],
+        "On atrium/close HBAO (Hussain) comes closest to the ray-traced truth: debiased RMSE 0.0800, "
+        "60 % below Crytek SSAO, at 2.90 times its milliseconds and 36.5 against 16.0 fetches a pixel.");
 }
 
-TEST(Verdict, LeadsWithTheRankingOverViewsAndItsTies) {
+TEST(Verdict, LeadsWithTheRankingOverViewsAndSaysWhichTheyAre) {
     SyntheticPage page;
-    page.read_pictures();
-    RankingRecord over_views = page.results.rankings.front();
-    over_views.view_keys.push_back("atrium/close");
-    page.results.rankings.push_back(over_views);
-    EXPECT_EQ(section::verdict(page.source())["lead"],
-              "Over 2 views Alchemy AO comes closest to the ray-traced truth: mean debiased RMSE 0.0500.");
-    page.results.rankings.back().places.front().ties = {1, 2};
+    page.results.rankings.erase(page.results.rankings.begin() + 1);
+    page.results.rankings.push_back(over_both_views(page.results));
     EXPECT_EQ(
         section::verdict(page.source())["lead"],
-        "Over 2 views Alchemy AO comes closest to the ray-traced truth (mean debiased RMSE 0.0500), but not "
-        "surely: HBAO (Hussain), Crytek SSAO are tied with it.");
+        "Over atrium/wide and atrium/close at R 0.5 m Alchemy AO, quality comes closest to the ray-traced "
+        "truth: debiased RMSE 0.0400, 20 % below Alchemy AO, performance-wide.");
+    std::vector<PlaceRecord>& places = page.results.rankings.back().places;
+    for (std::size_t i = 0; i < 3; ++i) places[i].rank = RankRange{1, 3};
+    EXPECT_EQ(
+        section::verdict(page.source())["lead"],
+        "Over atrium/wide and atrium/close at R 0.5 m it cannot be told which of 6 methods comes closest "
+        "to the ray-traced truth: Alchemy AO, quality (0.0400), Alchemy AO, performance-wide (0.0500) and "
+        "HBAO (Hussain), quality (0.0640) by debiased RMSE.");
 }
 
-TEST(Verdict, LeavesFailedCellsOut) {
+TEST(Verdict, DoesNotLeadWithARankingOverViewsThatLacksWhatLeadsOnOne) {
     SyntheticPage page;
-    page.read_pictures();
+    page.results.rankings.push_back(over_both_views(page.results));
+    const std::string lead = section::verdict(page.source())["lead"];
+    EXPECT_THAT(lead, HasSubstr("depends on the view: of 2 views")) << "HBAO leads on close and is not in it";
+}
+
+TEST(Verdict, CountsTheViewsOnWhichAMethodSurelyLeads) {
+    SyntheticPage page;
+    for (const char* key : {"atrium/a", "atrium/b"}) {
+        page.results.rankings.push_back(page.results.rankings.front());
+        page.results.rankings.back().view_keys = {key};
+    }
+    page.results.rankings.back().places[0].rank = page.results.rankings.back().places[1].rank =
+        RankRange{1, 2};
     const json model = section::verdict(page.source());
-    EXPECT_THAT(model["details"][2].get<std::string>(), HasSubstr("HBAO (Hussain) comes closest"));
-    EXPECT_THAT(model["lead"].get<std::string>(),
-                HasSubstr("Alchemy AO leads in 2, HBAO (Hussain) leads in 1"));
+    EXPECT_EQ(
+        model["lead"],
+        "Which method comes closest to the ray-traced truth depends on the view: of 4 views Alchemy AO, "
+        "quality on 2, HBAO (Hussain) on 1 and on 1 it cannot be told.");
     EXPECT_TRUE(model["failed"].get<bool>());
 }
 
-TEST(Verdict, CallsADifferenceThatResamplingTurnsRoundATie) {
+TEST(Verdict, LetsNeitherABoundNorWhatIsAloneWin) {
     SyntheticPage page;
-    page.read_pictures();
+    page.results.rankings.resize(1);
     std::vector<PlaceRecord>& places = page.results.rankings.front().places;
-    places[0].ties = {1};
-    places[1].ties = {0};
-    const json model = section::verdict(page.source());
-    EXPECT_THAT(model["details"][0].get<std::string>(), HasSubstr("Alchemy AO and HBAO (Hussain) tie"));
-    EXPECT_THAT(model["lead"].get<std::string>(), HasSubstr("1 is a tie"));
-}
-
-TEST(Verdict, RanksByRmseWhereTheDebiasedOneIsMissing) {
-    SyntheticPage page;
-    page.read_pictures();
-    for (CellRecord& cell : page.results.cells) cell.ranked.erase("rmse_debiased");
-    const std::string sentence = section::verdict(page.source())["details"][0];
-    EXPECT_THAT(sentence, HasSubstr(": RMSE 0.0588"));  // sqrt(.05² + .031²)
-}
-
-TEST(Verdict, SaysThatNothingWasScored) {
-    SyntheticPage page;
-    page.results.cells.clear();
-    page.results.tables.clear();
-    EXPECT_EQ(section::verdict(page.source())["lead"], "Nothing was scored.");
+    places.resize(3);
+    places[0].rank.reset();
+    places[1].rank = places[2].rank = RankRange{1, 2};
+    EXPECT_EQ(
+        section::verdict(page.source())["lead"],
+        "On atrium/wide it cannot be told which of 2 methods comes closest to the ray-traced truth: "
+        "Alchemy AO, performance-wide (0.0500) and HBAO (Hussain) (0.0640) by debiased RMSE. Beside the "
+        "ranking, not for use: Alchemy AO, quality (0.0400).");
+    places.resize(2);
+    places[1].rank = RankRange{1, 1};
+    EXPECT_THAT(section::verdict(page.source())["lead"].get<std::string>(),
+                HasSubstr("Alchemy AO, performance-wide alone was scored: debiased RMSE 0.0500."));
+    places.resize(1);
+    EXPECT_THAT(section::verdict(page.source())["lead"].get<std::string>(),
+                HasSubstr("no method for use was scored"));
+    page.results.rankings.clear();
+    EXPECT_EQ(section::verdict(page.source())["lead"], "No method could be scored.");
 }
 
 TEST(Ranking, PutsTheClosestFirstAndWhatFailedApart) {
     SyntheticPage page;
     page.read_pictures();
     const json model = section::ranking(page.source());
-    ASSERT_EQ(model["views"].size(), 3U);
+    ASSERT_EQ(model["views"].size(), 2U);
     const json& wide = model["views"][0]["rows"];
+    ASSERT_EQ(wide.size(), 6U);
     EXPECT_EQ(wide[0]["method"], "Alchemy AO");
+    EXPECT_EQ(wide[0]["preset"], "quality");
     EXPECT_EQ(wide[0]["rank"]["rank"], "1");
-    EXPECT_FALSE(wide[0]["rank"]["tied"].get<bool>());
+    EXPECT_EQ(wide[0]["rank"]["ties"], "");
     EXPECT_EQ(wide.back()["method"], "Crytek SSAO");
     ASSERT_EQ(model["failures"].size(), 1U);
     EXPECT_EQ(model["failures"][0]["view"], "atrium/close");
     EXPECT_EQ(model["failures"][0]["error"], "7 pixels are NaN or infinite");
 }
 
-TEST(Ranking, SaysWhoIsTiedAndDrawsTheInterval) {
+TEST(Ranking, SaysWhatCannotBeToldApartAndDrawsTheInterval) {
     SyntheticPage page;
     page.read_pictures();
-    RankingRecord& ranking = page.results.rankings.front();
-    ranking.places[1].rank = 1;
-    ranking.places[0].ties = {1};
-    ranking.places[1].ties = {0};
+    std::vector<PlaceRecord>& places = page.results.rankings.front().places;
+    places[0].rank = RankRange{1, 2};
+    places[1].rank = RankRange{1, 3};
+    places[0].ties = {1};
+    places[1].ties = {0, 2};
+    places[5].rank.reset();
     const json model = section::ranking(page.source());
-    const json& first = model["views"][0]["rows"][0];
-    EXPECT_TRUE(first["rank"]["tied"].get<bool>());
-    EXPECT_EQ(first["rank"]["ties"], "tied with " + ranking.places[1].method_label);
+    const json& rows = model["views"][0]["rows"];
+    const json& first = rows[0];
+    EXPECT_EQ(first["rank"]["rank"], "1–2");
+    EXPECT_EQ(rows[1]["rank"]["rank"], "1–3");
+    EXPECT_LT(std::stod(first["rank"]["sort"].get<std::string>()),
+              std::stod(rows[1]["rank"]["sort"].get<std::string>()));
+    EXPECT_EQ(first["rank"]["ties"], "not surely apart from Alchemy AO, performance-wide");
+    EXPECT_EQ(rows[5]["rank"]["rank"], "bound");
     std::size_t bars = 0;
     for (const json& number : first["numbers"]) {
         EXPECT_EQ(number["ranks"].get<bool>(), !number["bars"].empty());
         if (number["bars"].empty()) continue;
         ++bars;
-        // 0.05 and 0.048 to 0.052 on a bar that ends at 0.202.
-        EXPECT_EQ(number["bars"][0]["at"], "24.75%");
-        EXPECT_EQ(number["bars"][0]["low"], "23.76%");
-        EXPECT_EQ(number["bars"][0]["high"], "25.74%");
+        // 0.04 and 0.038 to 0.042 on a bar that ends at 0.202.
+        EXPECT_EQ(number["bars"][0]["at"], "19.80%");
+        EXPECT_EQ(number["bars"][0]["low"], "18.81%");
+        EXPECT_EQ(number["bars"][0]["high"], "20.79%");
     }
     EXPECT_EQ(bars, 1U);
 }
 
-TEST(Ranking, AddsATableOverAllViewsWhereThereIsOne) {
+TEST(Ranking, AddsATableOverViewsThatSaysWhichAndWhatItLacks) {
     SyntheticPage page;
     page.read_pictures();
-    RankingRecord over_views = page.results.rankings.front();
-    over_views.view_keys.push_back("atrium/close");
-    page.results.rankings.push_back(over_views);
+    page.results.rankings.push_back(over_both_views(page.results));
     const json model = section::ranking(page.source());
     ASSERT_EQ(model["overall"].size(), 1U);
-    EXPECT_EQ(model["overall"][0]["views"], "atrium/wide, atrium/close");
-    EXPECT_EQ(model["overall"][0]["rows"][0]["value"], "0.0500");
+    const json& table = model["overall"][0];
+    EXPECT_EQ(table["views"], "atrium/wide, atrium/close");
+    EXPECT_EQ(table["radius"], "0.5");
+    EXPECT_EQ(table["rows"][0]["value"], "0.0400");
+    EXPECT_EQ(table["rows"][0]["behind"], "–");
+    EXPECT_EQ(table["rows"][1]["behind"], "0.0090 to 0.0110");
+    EXPECT_THAT(table["left_out"].get<std::string>(),
+                HasSubstr("HBAO (Hussain), performance-close (1 of 2 views)"));
 }
 
 TEST(Ranking, HoldsEachCellAgainstTheBaseline) {
@@ -199,6 +231,20 @@ TEST(Cost, FrontIsWhatNothingBeatsInTimeAndError) {
     ASSERT_EQ(charts[1]["front"].size(), 2U);
     EXPECT_EQ(charts[1]["front"][0]["method"], "Crytek SSAO");
     EXPECT_EQ(charts[1]["front"][1]["method"], "HBAO (Hussain)");
+}
+
+TEST(Cost, PutsNoBoundOnTheFront) {
+    SyntheticPage page;
+    for (CellRecord& cell : page.results.cells) {
+        if (cell.id == "atrium/wide/alchemy/quality") cell.role = kBoundRole;
+    }
+    const json chart = section::cost(page.source())["charts"][0];
+    ASSERT_EQ(chart["front"].size(), 1U) << "the same method with its filter is next";
+    EXPECT_EQ(chart["front"][0]["preset"], "performance-wide");
+    std::size_t bounds = 0;
+    for (const json& point : json::parse(chart["data"].get<std::string>()))
+        bounds += point["bound"].get<bool>();
+    EXPECT_EQ(bounds, 1U) << "it is shown all the same";
 }
 
 TEST(Failures, DivideMissingOcclusionByCauseAndLinkTheWorstRegions) {

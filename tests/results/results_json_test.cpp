@@ -87,6 +87,7 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     cell.view_key = "a/b";
     cell.method = "c";
     cell.method_label = "C";
+    cell.role = kBoundRole;
     cell.preset = "quality";
     cell.setting = "directions 8";
     cell.filter = "box-4x4";
@@ -108,12 +109,12 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     cell.image_file = "c.exr";
     results.cells = {cell};
     const CellRecord back = results_from_json(to_json(results), "results.json").cells.at(0);
-    const auto& [id, view_key, method, method_label, preset, setting, filter, parameters, lengths, error, ao,
+    const auto& [id, view_key, method, method_label, role, preset, setting, filter, parameters, lengths, error, ao,
                  blur, fixed_pass_ms, lighting, frame_ms, frame, frame_at_once, frame_by_pass,
                  fetches_per_pixel, nonfinite, ranked_truth, own_truth, ranked, own, raw, analysis,
                  image_file] = back;
-    EXPECT_EQ(std::tie(id, view_key, method, method_label, preset, setting, filter, parameters, error),
-              std::tie(cell.id, cell.view_key, cell.method, cell.method_label, cell.preset, cell.setting,
+    EXPECT_EQ(std::tie(id, view_key, method, method_label, role, preset, setting, filter, parameters, error),
+              std::tie(cell.id, cell.view_key, cell.method, cell.method_label, cell.role, cell.preset, cell.setting,
                        cell.filter, cell.parameters, cell.error));
     ASSERT_EQ(lengths.size(), 1U);
     EXPECT_EQ(lengths[0].id, "radius");
@@ -192,6 +193,7 @@ TEST(Results, ListOfMembersForgetsNone) {
     EXPECT_EQ(listed<TruthRecord>(), declared<TruthRecord>());
     EXPECT_EQ(listed<ViewRecord>(), declared<ViewRecord>());
     EXPECT_EQ(listed<CellRecord>(), declared<CellRecord>());
+    EXPECT_EQ(listed<RankRange>(), declared<RankRange>());
     EXPECT_EQ(listed<PlaceRecord>(), declared<PlaceRecord>());
     EXPECT_EQ(listed<RankingRecord>(), declared<RankingRecord>());
     EXPECT_EQ(listed<ChangeRecord>(), declared<ChangeRecord>());

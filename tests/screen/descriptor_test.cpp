@@ -133,6 +133,16 @@ TEST(Descriptor, UnknownKeyIsAnErrorWithItsPlace) {
     EXPECT_THAT(message, HasSubstr("parameters.step.menaing"));
 }
 
+TEST(Descriptor, RoleOfABoundIsPartOfItsName) {
+    const std::string bound = replaced(kDescriptor, "\"paper\"", "\"role\": \"bound\", \"paper\"");
+    const auto methods = load_methods(folder_with(bound, kFragment));
+    EXPECT_EQ(find_method(methods, "depth-edges").role, MethodRole::bound);
+    EXPECT_EQ(find_method(methods, "depth-edges").shown_label(), "Depth edges (bound)");
+    EXPECT_EQ(find_method(methods, "hbao").role, MethodRole::method);
+    EXPECT_EQ(find_method(methods, "hbao").shown_label(), "HBAO");
+    EXPECT_THAT(loading_error(replaced(bound, "\"bound\"", "\"winner\"")), HasSubstr("method, bound"));
+}
+
 TEST(Descriptor, ParameterThatNoPassUsesIsAnError) {
     EXPECT_THAT(loading_error(kDescriptor, replaced(kFragment, "p_step", "0.1 /* p_step */")),
                 HasSubstr("p_step"));

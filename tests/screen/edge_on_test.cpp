@@ -72,7 +72,7 @@ TEST_P(EdgeOn, RayMarchGivesWhatAFinerPictureGives) {
     const auto methods = load_methods();
     MethodRequest request;
     request.method = &find_method(methods, "ray-march");
-    request.parameters = request.method->values("default", {{"radius", kRadius}, {"steps", kSteps}});
+    request.parameters = request.method->values("solid", {{"radius", kRadius}, {"steps", kSteps}});
     const ImageF shader = renderer.run(request).raw;
     double squares = 0, count = 0;
     for (int y = 0; y < kSize; ++y) {

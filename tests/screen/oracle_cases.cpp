@@ -199,7 +199,7 @@ const std::vector<Case>& cases() {
          4},
         {"ray_march",
          "ray-march",
-         {{"directions", 256}, {"steps", 100}, {"radius", kRadius}},
+         {{"directions", 256}, {"steps", 100}, {"radius", kRadius}, {"occluders", "solid"}},
          ray_march,
          0.03,
          1},

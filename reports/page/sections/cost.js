@@ -53,7 +53,7 @@ for (const element of document.querySelectorAll('.cost-chart')) {
   const times = points.map(({ ms }) => ms);
   const largest = Math.max(...points.map(({ error, high }) => high ?? error));
   const data = [times, points.map(({ error, front }) => (front ? error : null)),
-    points.map(({ error, front }) => (front ? null : error))];
+    points.map(({ error, front, bound }) => (front || bound ? null : error)), points.map(({ error, bound }) => (bound ? error : null))];
   const options = () => {
     const dot = (colour) => ({ show: true, size: 9, width: 2, stroke: colour, fill: pageColour('paper') });
     return {
@@ -65,7 +65,8 @@ for (const element of document.querySelectorAll('.cost-chart')) {
         chartAxis(element.dataset.metric, { size: 60 })],
       series: [{}, { paths: uPlot.paths.stepped({ align: 1 }), stroke: pageColour('accent'), width: 2, spanGaps: true,
         points: { ...dot(pageColour('accent')), fill: pageColour('accent') } },
-      { paths: () => null, points: dot(pageColour('strong-line')) }],
+      { paths: () => null, points: dot(pageColour('strong-line')) },
+      { paths: () => null, points: { ...dot(pageColour('strong-line')), size: 6, width: 1 } }],
       hooks: { draw: [(chart) => drawBarsAndNames(chart, points)] },
     };
   };

@@ -12,7 +12,7 @@ const aligned = (curves, cost, error) => {
     return xs.map((x) => byCost.get(x) ?? null);
   };
   const front = [];
-  for (const p of points.flat().sort((a, b) => a[cost] - b[cost] || a[error] - b[error])) {
+  for (const p of points.filter((list, i) => !curves[i].bound).flat().sort((a, b) => a[cost] - b[cost] || a[error] - b[error])) {
     if (!front.length || p[error] < front[front.length - 1][error]) front.push(p);
   }
   return [xs, ...points.map(column), column(front)];

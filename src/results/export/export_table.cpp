@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <functional>
 #include <set>
+#include <tuple>
+#include <utility>
 
 namespace aoscore {
 namespace {
@@ -77,14 +79,15 @@ std::vector<std::string> radius_notes(const Results& results) {
     return notes;
 }
 
-std::optional<double> rank_of(const Results& results, const CellRecord& cell) {
+/// Its place in the ranking of its view; null where it failed.
+const PlaceRecord* place_of(const Results& results, const CellRecord& cell) {
     for (const RankingRecord& ranking : results.rankings) {
         if (ranking.view_keys.size() != 1) continue;
         for (const PlaceRecord& place : ranking.places) {
-            if (place.cell_ids.front() == cell.id) return place.rank;
+            if (place.cell_ids.front() == cell.id) return &place;
         }
     }
-    return std::nullopt;
+    return nullptr;
 }
 
 }  // namespace
@@ -106,9 +109,10 @@ ExportTable export_table(const Results& results,
     ExportTable table;
     table.title = results.command;
     table.document = to_json(results);
-    table.name_columns = {"view", "method", "preset", "filter"};
+    table.name_columns = {"view", "rank", "method", "role", "preset", "setting", "filter"};
     add_measures(table);
-    table.columns.push_back({"rank", "Rank", 0});
+    table.columns.push_back({"rank_best", "", 0, false});
+    table.columns.push_back({"rank_worst", "", 0, false});
     table.columns.push_back({"fetches_per_pixel", "Fetches", 1});
     table.columns.push_back({"ao_ms", "AO (ms)", 1});
     table.columns.push_back({"filter_ms", "", 1, false});
@@ -118,16 +122,20 @@ ExportTable export_table(const Results& results,
     table.text_columns = {"radius_rule", "lengths"};
     table.notes = radius_notes(results);
     for (const CellRecord& cell : results.cells) {
-        ExportRow row{{cell.view_key, cell.method, cell.preset, cell.filter},
-                      measures_of(cell.ranked, cell.analysis),
-                      {},
-                      cell.error,
-                      {}};
-        const auto view = std::ranges::find(results.views, cell.view_key, &ViewRecord::key);
-        const bool known = view != results.views.end();
+        const PlaceRecord* place = place_of(results, cell);
+        std::optional<double> best, worst;
+        if (place != nullptr && place->rank)
+            std::tie(best, worst) = std::pair(place->rank->best, place->rank->worst);
+        ExportRow row{
+            cell.id.starts_with(cell.view_key + "/") ? cell.id.substr(cell.view_key.size() + 1) : cell.id,
+            {cell.view_key, place != nullptr ? rank_text(*place) : "", cell.method, cell.role, cell.preset,
+             cell.setting, cell.filter},
+            measures_of(cell.ranked, cell.analysis),
+            cell.error,
+            {}};
         for (const auto& number :
-             {rank_of(results, cell), cell.fetches_per_pixel, cell.ao.median_ms, cell.blur.median_ms,
-              cell.frame_ms, known ? std::optional(view->radius_m) : std::nullopt,
+             {best, worst, cell.fetches_per_pixel, cell.ao.median_ms, cell.blur.median_ms, cell.frame_ms,
+              known ? std::optional(view->radius_m) : std::nullopt,
               known ? std::optional(view->radius_px_median) : std::nullopt}) {
             row.numbers.push_back(number);
         }

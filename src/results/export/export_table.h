@@ -20,6 +20,7 @@ struct ExportColumn {
 
 /// One image that was measured.
 struct ExportRow {
+    std::string name;                            ///< within its group, for formats that name rows
     std::vector<std::string> names;              ///< one a name column
     std::vector<std::optional<double>> numbers;  ///< one a number column; empty where it could not be had
     std::vector<std::string> texts;              ///< one a text column

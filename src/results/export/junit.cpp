@@ -2,7 +2,6 @@
 #include "results/export/export_format.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <pugixml.hpp>
 
 #include <algorithm>
@@ -14,15 +13,15 @@ namespace {
 // Every text is made printable: XML has no place for some code points, not even escaped.
 void add_case(pugi::xml_node suite, const ExportTable& table, const ExportRow& row) {
     pugi::xml_node test = suite.append_child("testcase");
-    const std::vector<std::string> own(row.names.begin() + 1, row.names.end());
     test.append_attribute("classname") = printable_lines(row.names.front()).c_str();
-    test.append_attribute("name") = printable_lines(fmt::format("{}", fmt::join(own, "/"))).c_str();
+    test.append_attribute("name") = printable_lines(row.name).c_str();
     pugi::xml_node properties = test.append_child("properties");
     const auto add_property = [&](const std::string& name, const std::string& value) {
         pugi::xml_node property = properties.append_child("property");
         property.append_attribute("name") = name.c_str();
         property.append_attribute("value") = printable(value).c_str();
     };
+    for (std::size_t i = 1; i < row.names.size(); ++i) add_property(table.name_columns[i], row.names[i]);
     for (std::size_t i = 0; i < row.numbers.size(); ++i) {
         if (row.numbers[i]) add_property(table.columns[i].key, fmt::format("{}", *row.numbers[i]));
     }

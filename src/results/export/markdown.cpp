@@ -41,7 +41,7 @@ std::string export_as::markdown(const ExportTable& table) {
     for (const std::string& note : table.notes) text += "\n" + escaped(note) + "\n";
     for (const ExportRow& row : table.rows) {
         if (!row.error.empty())
-            text += fmt::format("\n{} failed: {}\n", escaped(row.names[1]), escaped(row.error));
+            text += fmt::format("\n{} failed: {}\n", escaped(row.name), escaped(row.error));
     }
     return text;
 }

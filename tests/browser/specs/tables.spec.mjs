@@ -26,6 +26,8 @@ for (const view of results.views) {
     const { heads, rows } = await table(`#ranking table[data-view="${view.key}"]`);
     const ranking = results.rankings.find(({ view_keys: keys }) => keys.length === 1 && keys[0] === view.key);
     assert.deepEqual(rows.map(({ cell }) => cell), ranking.places.map(({ cell_ids: [id] }) => id));
+    const rankText = ({ rank }) => (rank === null ? 'bound' : [...new Set([rank.best, rank.worst])].join('–'));
+    assert.deepEqual(rows.map(({ texts: [rank] }) => rank), ranking.places.map(rankText));
     let compared = 0;
     for (const { cell: id, texts } of rows) {
       const cell = results.cells.find((other) => other.id === id);
@@ -124,8 +126,9 @@ test('charts show every method and the front is unbeaten', async () => {
       assert.equal(point.ms, cell.ao.median_ms + (cell.blur.median_ms ?? 0));
       assert.equal(point.error, cell.ranked.rmse_debiased.value);
       assert.deepEqual({ low: point.low, high: point.high }, cell.analysis.intervals.rmse_debiased);
-      const beaten = points.some(({ ms, error }) => ms <= point.ms && error <= point.error && (ms < point.ms || error < point.error));
-      assert.equal(point.front, !beaten, point.label);
+      const beaten = points.some(({ bound, ms, error }) => !bound && ms <= point.ms && error <= point.error && (ms < point.ms || error < point.error));
+      assert.equal(point.bound, cell.role === 'bound');
+      assert.equal(point.front, !beaten && !point.bound, point.label);
     }
   });
   for (const section of ['cost', 'failures', 'distributions']) await screenshot(page.locator(`#${section}`), section);
