@@ -81,12 +81,12 @@ vec3 tap_position(vec2 image_px) {
     return view_position(texel + 0.5, texel_linear_depth(texel));
 }
 
-// The same from level `mip` of the depth mips: the depth of a larger texel, on the line of sight through the full
+// Level `mip` of the depth mips: the depth of a larger texel, and its point on the line of sight through the full
 // picture's texel.
 const int kDepthMipLevels = 6;
-vec3 tap_mip_position(vec2 image_px, int mip) {
+float tap_mip_depth(vec2 image_px, int mip) {
 #if HALF_TAPS
-    if (mip == 0) return tap_position(image_px);  // the full picture is not to be read
+    if (mip == 0) return tap_linear_depth(image_px);  // the full picture is not to be read
 #endif
     COUNT_TAP
     vec2 texel = floor(image_px), inside = clamp(texel, vec2(0.0), u_size_px - 1.0);
@@ -95,5 +95,16 @@ vec3 tap_mip_position(vec2 image_px, int mip) {
 #if BORDER_FAR
     depth = inside == texel ? depth : u_far;
 #endif
-    return view_position(texel + 0.5, depth);
+    return depth;
 }
+
+vec3 tap_mip_position(vec2 image_px, int mip) {
+    float depth = tap_mip_depth(image_px, mip);
+#if HALF_TAPS
+    if (mip == 0) return view_position(tapped_texel(image_px) + 0.5, depth);
+#endif
+    return view_position(floor(image_px) + 0.5, depth);
+}
+
+// The nearest place whose texel exists: for methods that clamp to the edge whatever the run's border is.
+vec2 inside_picture(vec2 image_px) { return clamp(image_px, vec2(0.5), u_size_px - 0.5); }

@@ -27,6 +27,11 @@ std::string gl_text(GLenum name) {
     return text == nullptr ? "unknown" : reinterpret_cast<const char*>(text);
 }
 
+// A pass may write more than 1 where the mean over its filter's pixels is meant. NaN stays NaN.
+void cut_off_above_one(ImageF& image) {
+    for (float& v : image.pixels) v = v > 1 ? 1 : v;
+}
+
 }  // namespace
 
 struct ScreenRenderer::Impl {
@@ -117,6 +122,8 @@ MethodOutput ScreenRenderer::run(const MethodRequest& request) {
         runner.draw_filter(frame);
         output.visibility = runner.filtered();
     }
+    cut_off_above_one(output.raw);
+    cut_off_above_one(output.visibility);
     if (request.lighting != nullptr) {
         runner.draw_lighting(frame);
         output.lit = runner.lit();

@@ -15,10 +15,12 @@ TEST(OwnTruth, OfEveryPresetIsNamedByItsDescriptor) {
     }
 }
 
-// Intel multiplies the radius by 1.457, and any other radius likewise.
-TEST(OwnTruth, OfXegtaoIsItsFalloffAtTheMultipliedRadius) {
+// A truth over the reach of the taps: XeGTAO's radius is multiplied by 1.457, and any other radius likewise.
+TEST(OwnTruth, HasAFalloffAtAMultipliedRadiusWhereTheDescriptorSaysSo) {
     const auto methods = load_methods();
-    const MethodDescriptor& xegtao = find_method(methods, "xegtao");
+    MethodDescriptor xegtao = find_method(methods, "xegtao");
+    EXPECT_EQ(own_truth(xegtao, xegtao.values("default")).radius_m, 0.5);
+    xegtao.truth = {"xegtao", "radius", "radius_multiplier", ""};
     const TruthQuery usual = own_truth(xegtao, xegtao.values("default", {{"radius", 0.5}}));
     EXPECT_EQ(usual.falloff, Falloff::xegtao);
     EXPECT_DOUBLE_EQ(usual.radius_m, 0.5 * 1.457);

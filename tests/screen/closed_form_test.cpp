@@ -223,11 +223,25 @@ class ClosedForms : public ::testing::Test {
 double segment(double c) {
     return c < 1 ? 1 - closed_form::wall_visibility_cutoff(c, 1) : 0;
 }
-double mean_over_unit(const std::function<double(double)>& value) {
-    constexpr int kCount = 20000;
-    double sum = 0;
-    for (int i = 0; i < kCount; ++i) sum += value((i + 0.5) / kCount);
-    return sum / kCount;
+
+// N8AO's points behind the wall count less the deeper they lie under its top, at the height 1: the mean over
+// their distance and the hemisphere's disc.
+double n8ao_beside_the_wall(double c) {
+    constexpr int kCells = 120;
+    double sum = 0, count = 0;
+    for (int i = 0; i < kCells; ++i) {
+        for (int j = 0; j < kCells; ++j) {
+            const double x = (2 * i + 1.0) / kCells - 1, y = (2 * j + 1.0) / kCells - 1,
+                         z2 = 1 - x * x - y * y;
+            if (z2 < 0) continue;
+            for (int k = 0; k < kCells; ++k) {
+                const double t = (k + 0.5) / kCells, below = 1 - t * std::sqrt(z2);
+                sum += t * x > c ? formula::smooth_step(0, 1, 0.2 / below) : 0;
+                ++count;
+            }
+        }
+    }
+    return 1 - sum / count;
 }
 
 // V of the point tests and line samples beside a wall of the height of the radius, at c = d/R: 1 - the part
@@ -239,7 +253,7 @@ std::map<std::string, double> beside_the_cut_off_wall(double c) {
     const double faded = formula::kRadius / (-kFloor - formula::kRadius);
     return {
         {"hemisphere", 1 - segment(c)},
-        {"n8ao", 1 - mean_over_unit([&](double r) { return segment(c / r); })},
+        {"n8ao", n8ao_beside_the_wall(c)},
         {"ssao", 1 - cap(c)},
         {"starcraft", 1 - cap(c) * (1 - faded)},
         {"volumetric_sphere", 1 - cap(c)},

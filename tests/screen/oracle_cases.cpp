@@ -92,11 +92,15 @@ const std::vector<Case>& cases() {
          16},
         {"n8ao",
          "n8ao",
-         {{"samples", 256}, {"radius", kRadius}, {"bias", 0.0}},
+         {{"samples", 256}, {"radius", kRadius}, {"full_radius_log2", 16}},
          [](const Field& f, const Point& p) {
-             return point_test(
-                 f, p, [](Random& r) { return oracle::cosine_direction(r) * oracle::unit(r); },
-                 [&](const dvec3&, double z) { return smooth_step(0, 1, kRadius / std::abs(p.p.z - z)); });
+             const glm::dmat3 frame = oracle::basis(p.n);
+             return 1 - oracle::mean(60000, [&](Random& r) {
+                        const dvec3 s =
+                            p.p + frame * oracle::cosine_direction(r) * (oracle::unit(r) * kRadius);
+                        const double before = f.z(s.x, s.y) - s.z;
+                        return before > 0 ? smooth_step(0, 1, 0.2 * kRadius / before) : 0.0;
+                    });
          },
          0.02,
          16},
@@ -176,7 +180,13 @@ const std::vector<Case>& cases() {
          4},
         {"xegtao",
          "xegtao",
-         {{"slices", 32}, {"steps", 80}, {"radius", kRadius}, {"step_power", 1.0}, {"mip_offset", 16.0}},
+         {{"slices", 32},
+          {"steps", 80},
+          {"radius", kRadius},
+          {"step_power", 1.0},
+          {"mip_offset", 16.0},
+          {"acos", "exact"},
+          {"border", "of_run"}},
          xegtao,
          0.04,
          4},

@@ -153,8 +153,9 @@ class LiveRunner {
   }
 
   // A promise of a method's visibility, after the filter where there is one.
-  run({ method, parameters, filter, filterParameters, border, resolution }) {
+  async run({ method, parameters, filter, filterParameters, border, resolution }) {
     const raw = this.passes(method, parameters, border, null, resolution === 'half' ? 2 : 1);
-    return this.live.read(filter ? this.passes(filter, filterParameters, border, raw) : raw);
+    const values = await this.live.read(filter ? this.passes(filter, filterParameters, border, raw) : raw);
+    return values.map((v) => (v > 1 ? 1 : v));
   }
 }

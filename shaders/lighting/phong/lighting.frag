@@ -23,7 +23,8 @@ void main() {
     vec2 image_px = texel_centre(centre_texel());
     vec3 position = view_position(image_px, depth), normal = centre_normal_geometric();
     vec3 albedo = picture_texel(u_albedo, vec2(centre_texel())).rgb;
-    vec3 radiance = p_ambient * picture_texel(u_visibility, vec2(centre_texel())).r * albedo;
+    float visibility = min(picture_texel(u_visibility, vec2(centre_texel())).r, 1.0);  // a method may overshoot
+    vec3 radiance = p_ambient * visibility * albedo;
     vec3 to_viewer = -normalize(view_ray(image_px));
 #pragma unroll
     for (int i = 0; i < p_lights; ++i) {

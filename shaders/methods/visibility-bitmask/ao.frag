@@ -30,24 +30,54 @@ float count_bits(uint bits) {
     return float((bits * 0x01010101u) >> 24u);
 }
 
+// What a surface hides between its front, from the pixel, and the back behind it.
+uint sectors_behind(vec3 front, ViewSlice slice, float side) {
+    float start = kHalfPi - slice.normal_angle;
+    vec3 back = front - slice.view * p_thickness;
+    float front_place = clamp((side * slice_angle(front, slice) + start) / kPi, 0.0, 1.0);
+    float back_place = clamp((side * slice_angle(back, slice) + start) / kPi, 0.0, 1.0);
+    return sectors_between(min(front_place, back_place), max(front_place, back_place));
+}
+
 uint hidden_sectors(vec2 image_px, vec3 position, ViewSlice slice, float side, float shift) {
     vec2 reach_px = side * p_radius * slice.image_px;
     float least = inversesqrt(max(dot(reach_px, reach_px), 1e-12));  // one pixel
-    float start = kHalfPi - slice.normal_angle;
     uint hidden = 0u;
 #pragma unroll
     for (int j = 0; j < p_steps; ++j) {
         float part = max(pow((float(j) + shift) / float(p_steps), p_step_power), least);
         vec3 front = into_slice(tap_position(image_px + part * reach_px) - position, slice);
-        vec3 back = front - slice.view * p_thickness;
-        float front_place = clamp((side * slice_angle(front, slice) + start) / kPi, 0.0, 1.0);
-        float back_place = clamp((side * slice_angle(back, slice) + start) / kPi, 0.0, 1.0);
-        float distance_squared = dot(front, front);
         bool ahead = side * dot(front, slice.along) > 0.0;  // not the pixel itself
-        bool counts = ahead && distance_squared < p_radius * p_radius && part <= 1.0;
-        hidden |= counts ? sectors_between(min(front_place, back_place), max(front_place, back_place)) : 0u;
+        bool counts = ahead && dot(front, front) < p_radius * p_radius && part <= 1.0;
+        hidden |= counts ? sectors_behind(front, slice, side) : 0u;
     }
     return hidden;
+}
+
+// As its author's implementation marches: even steps of half the projected radius, or of a pixel where that is more, up to
+// the picture's edge, with no limit in space.
+uint hidden_sectors_by_steps(vec2 image_px, vec3 position, ViewSlice slice, float side, float shift) {
+    vec2 direction = side * normalize(slice.image_px);
+    float reach_px = max(0.5 * p_radius * pixels_per_metre(-position.z), float(p_steps));
+    uint hidden = 0u;
+#pragma unroll
+    for (int j = 0; j < p_steps; ++j) {
+        float step_px = reach_px / float(p_steps + 1);
+        vec2 tap_px = image_px + direction * max(step_px * abs(float(j) + shift), float(j + 1));
+        int mip = p_mips ? min((j + 1) / 2, 4) : 0;
+        bool counts = all(greaterThan(tap_px, vec2(0.0))) && all(lessThan(tap_px, u_size_px));
+        vec3 front = view_position(tap_px, tap_mip_depth(inside_picture(tap_px), mip)) - position;
+        hidden |= counts ? sectors_behind(front, slice, side) : 0u;
+    }
+    return hidden;
+}
+
+// x: turn of the slices, y: shift of the steps, which may be negative.
+vec2 marching_noise() {
+    if (p_noise != noise_implementation) return pixel_noise().xy;
+    ivec2 texel = noise_texel();
+    float jitter = 2.0 * hash_noise(texel, 0u).x - 1.0;
+    return vec2(interleaved_gradient(vec2(texel)), 0.25 * float((texel.y - texel.x) & 3) + jitter);
 }
 
 // ∫_0^θ cos(t-γ) |sin t| dt at the i-th edge between sectors, θ = γ - π/2 + iπ/32: the slice's arc, with the sign of
@@ -73,12 +103,21 @@ float open_part(uint hidden, ViewSlice slice) {
 float visibility(vec2 image_px, vec3 position) {
     vec3 normal = centre_normal_geometric();
     vec3 line_of_sight = view_ray(image_px);
-    vec4 noise = pixel_noise();
+    vec2 noise = marching_noise();
     float sum = 0.0;
     for (int i = 0; i < p_slices; ++i) {
-        ViewSlice slice = view_slice((float(i) + noise.x) * (kPi / float(p_slices)), position, normal, line_of_sight);
-        uint hidden = hidden_sectors(image_px, position, slice, -1.0, noise.y) |
-                      hidden_sectors(image_px, position, slice, 1.0, noise.y);
+        float azimuth = (float(i) + noise.x) * (kPi / float(p_slices));
+        uint hidden = 0u;
+        ViewSlice slice;
+        if (p_march == march_radius) {
+            slice = view_slice(azimuth, position, normal, line_of_sight);
+            hidden = hidden_sectors(image_px, position, slice, -1.0, noise.y) |
+                     hidden_sectors(image_px, position, slice, 1.0, noise.y);
+        } else {
+            slice = screen_slice(azimuth, position, normal, line_of_sight);
+            hidden = hidden_sectors_by_steps(image_px, position, slice, -1.0, noise.y) |
+                     hidden_sectors_by_steps(image_px, position, slice, 1.0, noise.y);
+        }
         sum += open_part(hidden, slice);
     }
     return limited_visibility(sum / float(p_slices));

@@ -1,0 +1,3 @@
+#include "disc_mean.glsl"
+
+float filtered(ivec2 texel) { return disc_mean(texel, pixel_noise().w); }

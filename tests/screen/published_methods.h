@@ -1,0 +1,41 @@
+#pragma once
+
+#include "published_picture.h"
+
+namespace aoscore::testing::published {
+
+/// What an implementation gives a pixel, before any filter. Lengths in metres; what is not here is the
+/// implementation's default.
+using Estimator = std::function<double(int x, int y)>;
+
+/// N8AO 2.1 without its power. 16 samples.
+Estimator n8ao(const Picture& picture, const Noise& noise, double radius, bool normals_from_depth);
+/// XeGTAO 1.30; may be more than 1.
+Estimator xegtao(const Picture& picture, const Noise& noise, double radius, int slices, int steps);
+/// three.js' GTAOPass 0.187.
+Estimator three_gtao(const Picture& picture, double radius, double thickness);
+/// NVIDIA's HBAO+ without its power.
+Estimator hbao_plus(const Picture& picture, const Noise& noise, double radius);
+/// Ports of ASSAO: CACAO at quality high, Godot's at its default quality. The pattern's places in the unit disc
+/// are an input, as is the tangent of half the angle of view.
+Estimator cacao(const Picture& picture, const std::vector<glm::dvec2>& pattern, double radius,
+                double tan_half);
+Estimator godot_ssao(const Picture& picture, const std::vector<glm::dvec2>& pattern, double radius,
+                     double tan_half);
+/// SAO's reference implementation, 11 samples.
+Estimator sao(const Picture& picture, double radius);
+/// Filament's SSAO at quality low, at full resolution.
+Estimator filament_ssao(const Picture& picture, double radius);
+/// SSRT3's occlusion, one frame; the noise's first number in place of its sine.
+Estimator visibility_bitmask(const Picture& picture, const Noise& noise, double radius, double thickness);
+
+/// Filters: of an image of visibility, over which the implementation's own filter with its power.
+ImageF xegtao_denoised(const Picture& picture, const ImageF& visibility);
+ImageF n8ao_denoised(const Picture& picture, const Noise& noise, const ImageF& visibility, double radius);
+ImageF three_denoised(const Picture& picture, const Noise& noise, const ImageF& visibility, double depth_phi);
+ImageF hbao_plus_blurred(const Picture& picture, const ImageF& visibility);
+ImageF cacao_blurred(const Picture& picture, const ImageF& visibility);
+ImageF filament_blurred(const Picture& picture, const ImageF& visibility);
+ImageF sao_blurred(const Picture& picture, const ImageF& visibility);
+
+}  // namespace aoscore::testing::published

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "core/image.h"
+#include "scene/camera.h"
+#include "screen/screen.h"
+
+#include <glm/glm.hpp>
+
+#include <functional>
+#include <vector>
+
+/// Published implementations, evaluated in double precision on a G-buffer that a scene's view has drawn: from
+/// their mathematics and constants, sharing nothing with the shaders but that G-buffer.
+namespace aoscore::testing::published {
+
+/// A G-buffer in perspective. Places are pixels from the top left corner, y downwards; view space has y up
+/// and looks down -z.
+class Picture {
+  public:
+    Picture(const CameraFrame& frame, GBufferImages images);
+
+    int width() const { return images_.linear_depth.width; }
+    int height() const { return images_.linear_depth.height; }
+    double near() const { return near_; }
+    double far() const { return far_; }
+
+    /// Of the texel, or the nearest one in the picture.
+    double depth(int x, int y) const;
+    bool surface(int x, int y) const;
+    glm::dvec3 normal(int x, int y) const;
+    glm::dvec3 smooth_normal(int x, int y) const;
+
+    /// On the line of sight through a place.
+    glm::dvec3 point(double x, double y, double depth) const;
+    glm::dvec3 point(int x, int y) const { return point(x + 0.5, y + 0.5, depth(x, y)); }
+    glm::dvec2 place(const glm::dvec3& point) const;
+    double pixels_per_metre(double depth) const { return height() / (2 * tan_y_ * depth); }
+
+    /// From the depths around, extrapolated from the better side (Wu, Accurate Normal Reconstruction from
+    /// Depth Buffer, 2019); turned to the camera.
+    glm::dvec3 normal_from_depth(int x, int y) const;
+
+  private:
+    GBufferImages images_;
+    double near_, far_, tan_x_, tan_y_;
+};
+
+/// Levels of depth, each half the size of the one before; `reduce` makes a texel (x, y) of the four of the
+/// finer level at (2x, 2y), row by row.
+class DepthLevels {
+  public:
+    using Reduce = std::function<double(const double (&four)[4], int x, int y)>;
+    DepthLevels(const Picture& picture, const Reduce& reduce);
+    /// Of the level's texel that covers a full texel; the nearest one in the picture.
+    double depth(int level, int x, int y) const;
+
+  private:
+    std::vector<ImageF> levels_;
+};
+
+/// One of the four in turn (McGuire, Mara and Luebke, Scalable Ambient Obscurance, 2012).
+double rotated_pick(const double (&four)[4], int x, int y);
+/// Their mean, without those that lie farther than `reach` before the farthest, with less of those that lie
+/// near that (Intel, XeGTAO, 2021).
+double farthest_mean(const double (&four)[4], double reach);
+
+/// Of an image's pixel, or the nearest one in it; and bilinear between the pixels' centres.
+double clamped(const ImageF& image, int x, int y);
+double bilinear(const ImageF& image, const glm::dvec2& at);
+
+/// Four numbers in [0,1) a pixel.
+using Noise = std::function<glm::dvec4(int x, int y)>;
+/// Jarzynski and Olano, Hash Functions for GPU Rendering, 2020: pcg4d of pixel, seed and 0, 24 bits.
+Noise hash_noise(std::uint64_t seed);
+/// The R2 sequence along a Hilbert curve of 64x64 pixels; two numbers, the rest 0.
+Noise hilbert_noise();
+/// The program's tile of 4x4, which is an input.
+Noise tiled_noise(std::uint64_t seed);
+
+}  // namespace aoscore::testing::published

@@ -1,0 +1,219 @@
+// Methods as published, against their published mathematics in double precision on the G-buffer of a scene's
+// own view: 1,000 pixels chosen at random.
+#include "hand_made.h"
+#include "published_methods.h"
+#include "scene/scene.h"
+#include "screen/kernel.h"
+#include "support/support.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <ostream>
+#include <random>
+
+namespace aoscore::testing {
+namespace {
+
+using namespace published;
+
+constexpr int kWidth = 240, kHeight = 136;
+constexpr std::uint64_t kSeed = 1;
+constexpr double kRadius = 0.5;
+const double kTanHalf = std::tan(60 * std::numbers::pi / 360);  // the view's
+
+// The points of a method's disc, which the program generates.
+std::vector<glm::dvec2> disc_pattern(int points) {
+    const Kernel kernel{"disc", std::to_string(points), "disc", "volume", "none", "low_discrepancy"};
+    std::vector<glm::dvec2> pattern;
+    for (const glm::vec3& p : generate_kernel(kernel, kSeed)) pattern.emplace_back(p.x, p.y);
+    return pattern;
+}
+
+// The G-buffer, drawn once for all cases.
+struct Stage {
+    Stage() {
+        const Scene scene = load_scene("atrium");
+        const auto view = std::find_if(scene.views.begin(), scene.views.end(),
+                                       [](const View& v) { return v.id == "wide"; });
+        const CameraFrame frame(view->camera, kWidth, kHeight);
+        renderer.set_scene(scene);
+        renderer.draw_gbuffer(frame, gbuffer_inputs());
+        picture.emplace(frame, renderer.read_gbuffer());
+    }
+    ScreenRenderer renderer;
+    std::optional<Picture> picture;
+    std::vector<MethodDescriptor> methods = load_methods(), filters = load_filters();
+};
+
+struct PublishedCase {
+    const char* name;
+    const char* method;
+    const char* preset;
+    ParameterValues settings;
+    std::function<Estimator(const Picture&)> estimator;
+    /// After the preset's filter; empty where there is none of the implementation's own.
+    std::function<ImageF(const Picture&, const ImageF&)> filter;
+    /// Of the pixels, how many may be farther off than kNear: taps that roundings push over a texel's edge.
+    double share_off;
+};
+
+void PrintTo(const PublishedCase& c, std::ostream* out) {
+    *out << c.name;
+}
+
+constexpr double kNear = 0.005;
+
+const std::vector<PublishedCase>& cases() {
+    static const std::vector<PublishedCase> all = {
+        {"n8ao",
+         "n8ao",
+         "published",
+         {},
+         [](const Picture& p) { return n8ao(p, hash_noise(kSeed), kRadius, true); },
+         [](const Picture& p, const ImageF& v) { return n8ao_denoised(p, hash_noise(kSeed), v, kRadius); },
+         0.02},
+        {"n8ao_default",
+         "n8ao",
+         "default",
+         {},
+         [](const Picture& p) { return n8ao(p, tiled_noise(kSeed), kRadius, false); },
+         {},
+         0.02},
+        {"xegtao_high",
+         "xegtao",
+         "high",
+         {},
+         [](const Picture& p) { return xegtao(p, hilbert_noise(), kRadius, 3, 3); },
+         xegtao_denoised,
+         0.02},
+        {"xegtao_low",
+         "xegtao",
+         "low",
+         {},
+         [](const Picture& p) { return xegtao(p, hilbert_noise(), kRadius, 1, 2); },
+         xegtao_denoised,
+         0.02},
+        {"three_gtao",
+         "three-gtao",
+         "default",
+         {{"radius", kRadius}, {"thickness", 4 * kRadius}},
+         [](const Picture& p) { return three_gtao(p, kRadius, 4 * kRadius); },
+         [](const Picture& p, const ImageF& v) { return three_denoised(p, hash_noise(kSeed), v, 2); },
+         0.02},
+        {"hbao_plus",
+         "hbao-plus",
+         "nvidia",
+         {},
+         [](const Picture& p) { return hbao_plus(p, tiled_noise(kSeed), kRadius); },
+         hbao_plus_blurred,
+         0.02},
+        {"cacao",
+         "cacao",
+         "published",
+         {{"radius", kRadius}},
+         [](const Picture& p) { return cacao(p, disc_pattern(12), kRadius, kTanHalf); },
+         cacao_blurred,
+         0.02},
+        {"godot_ssao",
+         "cacao",
+         "godot",
+         {{"radius", kRadius}},
+         [](const Picture& p) { return godot_ssao(p, disc_pattern(5), kRadius, kTanHalf); },
+         {},
+         0.02},
+        {"sao", "sao", "published", {}, [](const Picture& p) { return sao(p, 1); }, sao_blurred, 0.02},
+        {"filament_ssao",
+         "filament-ssao",
+         "published",
+         {{"radius", kRadius}},
+         [](const Picture& p) { return filament_ssao(p, kRadius); },
+         filament_blurred,
+         0.02},
+        {"visibility_bitmask",
+         "visibility-bitmask",
+         "published",
+         {},
+         [](const Picture& p) { return visibility_bitmask(p, hash_noise(kSeed), kRadius, kRadius / 5); },
+         {},
+         0.03},
+    };
+    return all;
+}
+
+class Published : public ::testing::TestWithParam<PublishedCase> {
+  protected:
+    static void SetUpTestSuite() { stage_ = std::make_unique<Stage>(); }
+    static void TearDownTestSuite() { stage_.reset(); }
+    static Stage& stage() { return *stage_; }
+
+    // Random pixels that show a surface.
+    static std::vector<glm::ivec2> pixels() {
+        std::mt19937_64 random(7);
+        std::uniform_int_distribution<int> column(0, kWidth - 1), row(0, kHeight - 1);
+        std::vector<glm::ivec2> chosen;
+        while (chosen.size() < 1000) {
+            const glm::ivec2 pixel(column(random), row(random));
+            if (stage().picture->surface(pixel.x, pixel.y)) chosen.push_back(pixel);
+        }
+        return chosen;
+    }
+    static void expect_near(const char* what, const ImageF& shader,
+                            const std::function<double(int, int)>& expected, double share_off) {
+        std::size_t off = 0;
+        double squares = 0, sum = 0;
+        const auto chosen = pixels();
+        for (const glm::ivec2& p : chosen) {
+            const double difference = static_cast<double>(shader.at(p.x, p.y)) - expected(p.x, p.y);
+            off += std::abs(difference) > kNear ? 1 : 0;
+            squares += difference * difference;
+            sum += difference;
+        }
+        const auto count = static_cast<double>(chosen.size());
+        std::printf("%-14s %-9s farther off than %g: %zu of %zu; rmsd %.5f, bias %+.5f\n", GetParam().name,
+                    what, kNear, off, chosen.size(), std::sqrt(squares / count), sum / count);
+        EXPECT_LE(static_cast<double>(off), share_off * count) << what;
+        EXPECT_LT(std::sqrt(squares / count), 0.01) << what;
+    }
+
+  private:
+    static std::unique_ptr<Stage> stage_;
+};
+std::unique_ptr<Stage> Published::stage_;
+
+TEST_P(Published, AgreesWithItsImplementationInDoublePrecisionOnAScenesOwnView) {
+    const PublishedCase& c = GetParam();
+    MethodRequest request =
+        request_for(find_method(stage().methods, c.method), stage().filters, c.preset, c.settings);
+    request.seed = kSeed;
+    const MethodOutput output = stage().renderer.run(request);
+    write_png((output_dir() / "raw.png").string(), output.raw);
+    write_png((output_dir() / "visibility.png").string(), output.visibility);
+
+    const Picture& picture = *stage().picture;
+    const Estimator estimate = c.estimator(picture);
+    ImageF whole(kWidth, kHeight, 1.0F);
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            if (picture.surface(x, y)) whole.at(x, y) = static_cast<float>(estimate(x, y));
+        }
+    }
+    const auto read = [](const ImageF& image) {
+        return [&image](int x, int y) { return std::min(static_cast<double>(image.at(x, y)), 1.0); };
+    };
+    expect_near("raw", output.raw, read(whole), c.share_off);
+    if (!c.filter) return;
+    const ImageF filtered = c.filter(picture, whole);
+    expect_near("filtered", output.visibility, read(filtered), 2 * c.share_off);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, Published, ::testing::ValuesIn(cases()),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+}  // namespace
+}  // namespace aoscore::testing
