@@ -112,7 +112,7 @@ TEST(Usage, ListsMayStandBeforeTheScene) {
     const std::string rest = " --size 32x24 --samples 4 ";
     for (const std::string arguments :
          {"score --methods alchemy,hbao wall --view facing --out a",
-          "score --set radius=0.5 intensity=1 wall --view facing --methods alchemy --out b",
+          "score --set radius=0.5 sigma=1 wall --view facing --methods alchemy --out b",
           "score --fail 'rmse>2' --warn 'rmse > 2' --methods alchemy wall --view facing --out c",
           "reference --radius 0.5,1 plane --out d.exr"}) {
         const ProgramRun run = run_aoscore(arguments + rest, folder);
