@@ -131,8 +131,11 @@ ExportTable export_table(const Results& results,
             {cell.view_key, place != nullptr ? rank_text(*place) : "", cell.method, cell.role, cell.preset,
              cell.setting, cell.filter},
             measures_of(cell.ranked, cell.analysis),
+            {},
             cell.error,
             {}};
+        const auto view = std::ranges::find(results.views, cell.view_key, &ViewRecord::key);
+        const bool known = view != results.views.end();
         for (const auto& number :
              {best, worst, cell.fetches_per_pixel, cell.ao.median_ms, cell.blur.median_ms, cell.frame_ms,
               known ? std::optional(view->radius_m) : std::nullopt,
