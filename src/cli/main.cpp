@@ -16,6 +16,7 @@
 #include <exception>
 #include <filesystem>
 #include <sstream>
+#include <system_error>
 #include <vector>
 
 namespace aoscore {
@@ -118,6 +119,11 @@ int main(int argc, char** argv) {
     } catch (const std::filesystem::filesystem_error& e) {
         aoscore::log_error(fmt::format("aoscore: {}: {}", e.path1().string(), e.code().message()));
         code = ExitCode::file_error;
+    } catch (const std::system_error& e) {
+        const bool exhausted =
+            e.code() == std::errc::resource_unavailable_try_again || e.code() == std::errc::not_enough_memory;
+        aoscore::log_error(fmt::format(
+            "aoscore: {}{}", exhausted ? "not enough memory or threads: " : "internal error: ", e.what()));
     } catch (const std::exception& e) {
         aoscore::log_error(fmt::format("aoscore: internal error: {}", e.what()));
     }

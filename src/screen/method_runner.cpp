@@ -276,9 +276,11 @@ void MethodRunner::draw_lighting(const Frame& frame) {
 
 // Where a pass has shaded nothing it has fetched nothing. A pass at full resolution shades all surfaces: the
 // compiler drops what follows a loop that never ends, the result among it.
-void MethodRunner::settle_counts(const Step& step, ImageF& counted) const {
+void MethodRunner::settle_counts(const Step& step, const InputSettings& settings, ImageF& counted) {
     const bool shades_all = step.build.scale == 1 && !step.build.dual;
-    const ImageF depth = shades_all ? read(gbuffer_->texture("linear_depth")) : ImageF();
+    // The depth that the pass has read: a coarse format may have moved a surface onto the background.
+    const ImageF depth =
+        shades_all ? read(inputs_.texture("linear_depth", step.build, settings, 0)) : ImageF();
     for (std::size_t i = 0; i < counted.size(); ++i) {
         float& count = counted.pixels[i];
         const bool no_result = shades_all && count == kUnshaded && depth.pixels[i] < gbuffer_->far_depth();
@@ -314,7 +316,7 @@ ImageF MethodRunner::count_fetches(const MethodRequest& request) {
         draw(steps[i], {target, counts.name()}, {request.normals, request.precision}, previous);
         ImageF counted(width, height);
         read_texture(counts.name(), GL_RED, counted.pixels.data());
-        settle_counts(steps[i], counted);
+        settle_counts(steps[i], {request.normals, request.precision}, counted);
         // A coarse pixel's taps are shared by all those that it stands for.
         const float share = 1.0F / static_cast<float>(scale * scale);
         for (int y = 0; y < height_; ++y) {

@@ -67,7 +67,7 @@ class MethodRunner {
     const PassProgram* program(const Step& step);
     static void try_users_shader(const PassBuild& build, const Pass& pass, const ShaderSource& source);
     /// Throws file_error where the rasteriser has ended a pixel's loops.
-    void settle_counts(const Step& step, ImageF& counted) const;
+    void settle_counts(const Step& step, const InputSettings& settings, ImageF& counted);
     void check_listed_inputs(const PassBuild& build, const Pass& pass, const PassProgram& made);
 
     void allocate();

@@ -50,7 +50,8 @@ GlContext::GlContext() : state_(std::make_unique<State>()) {
                                             0,
                                             0};
     state_->context = OSMesaCreateContextAttribs(attributes.data(), nullptr);
-    if (state_->context == nullptr) throw internal_error("OSMesa gives no OpenGL 3.3 core context", "OpenGL");
+    if (state_->context == nullptr)
+        throw internal_error("OSMesa gives no OpenGL 3.3 core context, perhaps for want of memory", "OpenGL");
     make_current();
 }
 

@@ -146,7 +146,7 @@ TEST(MethodFolder, ThatIsBadIsNamedInAWarningAndTheOthersAreListedAndScored) {
     EXPECT_THAT(bad.err, HasSubstr("mine/bad/method.json: line 1"));
 }
 
-TEST(ViewFile, WithANumberThatNoDoubleHoldsExitsWith4) {
+TEST(ResultsFile, WithANumberThatNoDoubleHoldsExitsWith4) {
     const auto folder = output_dir();
     std::ofstream(folder / "results.json") << R"({"schema_version": 1e999})";
     const ProgramRun run = run_aoscore("report results.json", folder);
@@ -162,18 +162,6 @@ TEST(Interrupts, TwoInQuickSuccessionAreOne) {
     EXPECT_EQ(run.exit_code, 130) << run.err;
     EXPECT_THAT(run.err, HasSubstr("interrupted"));
     EXPECT_FALSE(fs::exists(folder / "o")) << "a stopped run must leave nothing";
-}
-
-TEST(Memory, ThatDoesNotSufficeIsNamed) {
-    const auto folder = output_dir();
-    for (const char* mib : {"60", "100", "160", "300", "500"}) {
-        const ProgramRun run =
-            run_aoscore("score sphere --size 640x360 --samples 4 --methods alchemy --out o", folder,
-                        std::string("sh -c 'ulimit -v ") + mib + R"(000; "$@"' sh)");
-        if (run.exit_code == 0) continue;
-        EXPECT_EQ(run.exit_code, 70) << mib << " MB: " << run.err;
-        EXPECT_THAT(run.err, HasSubstr("memory")) << mib << " MB";
-    }
 }
 
 }  // namespace
