@@ -34,7 +34,7 @@ TEST(LiveFile, HasTheWholeRegistryAndEveryCamera) {
 
 TEST(LiveFile, SaysOfEveryViewHowLongPresetsAreThere) {
     const CameraFrame frame(Camera(), 32, 16);
-    const Registry registry = load_registry({});
+    const Registry registry = load_registry();
     const std::filesystem::path folder = testing::output_dir();
     write_live_file(folder, registry, "", {{"drawn", {frame, 1.0}}, {"own", {frame, std::nullopt}}}, 3);
     const nlohmann::json views = nlohmann::json::parse(read_file(folder / kLiveFile))["views"];
