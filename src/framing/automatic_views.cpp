@@ -12,9 +12,16 @@
 namespace aoscore {
 namespace {
 
-constexpr double kRadiusPerDiagonal = 0.02, kRadiusPerDepth = 0.1;
-constexpr double kMostlyRooms = 0.5, kPartlyRooms = 0.1, kPartlyHollow = 0.15;
-constexpr std::size_t kInside = 3, kInsideBeside = 2, kOutside = 2;
+constexpr double kRadiusPerDepth = 0.1;
+const std::string kRadiusNote = "its radius is ";
+/// Shares of air in rooms, of places in hollows, and of the diagonal that one sees in them: a building is
+/// mostly rooms, however small each is; caverns in a thing, such as between the parts of an engine, are few
+/// and narrow.
+constexpr double kMostlyRooms = 0.5, kPartlyRooms = 0.15, kPartlyHollow = 0.15, kRoomySight = 0.06;
+constexpr std::size_t kInside = 3, kOutside = 2;
+/// A room is looked into from outside where that picture is worth this share of the best one from inside;
+/// then also from inside where that one is worth this share of the former.
+constexpr double kLooksIn = 0.95;
 
 double median_depth(const Glance& glance) {
     std::vector<double> depths;
@@ -31,8 +38,7 @@ struct Radius {
 };
 
 Radius radius_for(const std::vector<Candidate>& chosen, const Bounds& main) {
-    Radius radius{kRadiusPerDiagonal * main.diagonal(),
-                  fmt::format("{:g} % of the diagonal of the scene's main part", 100 * kRadiusPerDiagonal)};
+    Radius radius{kRadiusPerDiagonal * main.diagonal(), main_part_radius_rule()};
     for (const Candidate& candidate : chosen) {
         if (candidate.glance.points.empty()) continue;
         const double most = kRadiusPerDepth * median_depth(candidate.glance);
@@ -43,17 +49,32 @@ Radius radius_for(const std::vector<Candidate>& chosen, const Bounds& main) {
     return radius;
 }
 
+bool has_rooms(const RoomSurvey& survey, const MainPart& main) {
+    if (survey.rooms >= kMostlyRooms) return true;
+    return (survey.rooms >= kPartlyRooms || survey.hollows >= kPartlyHollow) &&
+           survey.sight_m >= kRoomySight * main.bounds.diagonal();
+}
+
 void add_views(std::vector<View>& views, const std::vector<Candidate>& candidates, const std::string& id,
                const Radius& radius) {
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         View view = automatic_view_of(i == 0 ? id : fmt::format("{}_{}", id, i + 1), candidates[i].camera);
         if (radius.metres > 0) view.radius_m = radius.metres;
-        view.note = "its radius is " + radius.rule;
+        view.note = kRadiusNote + radius.rule;
         views.push_back(std::move(view));
     }
 }
 
 }  // namespace
+
+std::string main_part_radius_rule() {
+    return fmt::format("{:g} % of the diagonal of the scene's main part", 100 * kRadiusPerDiagonal);
+}
+
+std::string automatic_radius_rule(const View& view) {
+    const bool is_stated = view.kind == View::Kind::automatic && view.note.starts_with(kRadiusNote);
+    return is_stated ? view.note.substr(kRadiusNote.size()) : "";
+}
 
 View automatic_view_of(const std::string& id, const Camera& camera) {
     View view;
@@ -71,12 +92,16 @@ std::vector<View> automatic_views(const Scene& scene, double aspect) {
     const Trial trial{scout, main, kRadiusPerDiagonal * main.bounds.diagonal(), aspect, scene.bounds};
     const RoomSurvey survey = survey_rooms(scout, main.bounds);
     std::vector<Candidate> inside, outside;
-    if (survey.rooms >= kMostlyRooms) {
-        inside = inside_cameras(trial, survey, kInside);
-    } else if (survey.rooms >= kPartlyRooms || survey.hollows >= kPartlyHollow) {
-        inside = inside_cameras(trial, survey, kInsideBeside);
+    if (has_rooms(survey, main)) inside = inside_cameras(trial, survey, kInside);
+    if (inside.empty()) {
+        outside = outside_cameras(trial, Around::three_quarters, kOutside);
+    } else {
+        outside = outside_cameras(trial, Around::straight_too, 1);
+        if (outside.front().worth < kLooksIn * inside.front().worth) outside.clear();
+        inside.resize(std::min(inside.size(), kInside - outside.size()));
+        for (const Candidate& look : outside)
+            std::erase_if(inside, [&](const Candidate& c) { return c.worth < kLooksIn * look.worth; });
     }
-    if (inside.size() < kInside) outside = outside_cameras(trial, inside.empty() ? kOutside : 1);
     std::vector<Candidate> all = outside;
     all.insert(all.end(), inside.begin(), inside.end());
     const Radius radius = radius_for(all, main.bounds);

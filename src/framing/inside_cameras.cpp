@@ -18,6 +18,8 @@ constexpr int kAzimuths = 6;
 constexpr double kClearance = 0.1, kApart = 0.6, kClose = 0.2;
 /// A next view is so many median sights away, or turned by at least this.
 constexpr double kOtherSeat = 1.5, kOtherWay_deg = 75;
+/// A view worth less than this share of the first one is left out.
+constexpr double kWorthwhile = 0.6;
 
 std::vector<Seat> seats_apart(const RoomSurvey& survey) {
     std::vector<Seat> chosen;
@@ -31,6 +33,19 @@ std::vector<Seat> seats_apart(const RoomSurvey& survey) {
     }
     if (chosen.empty() && !survey.seats.empty()) chosen.push_back(survey.seats.front());
     return chosen;
+}
+
+/// How much of a room a picture shows: 1 where its median depth is that of all sights and a tenth of it is at
+/// least four times as far as another tenth; less for a wall that fills it, or a parapet before the camera.
+double room_shown(const Glance& glance, double sight_m) {
+    constexpr double kWall = 0.3, kDeep = 4;
+    if (glance.points.empty()) return 0;
+    std::vector<double> depths;
+    for (const Glance::Point& p : glance.points) depths.push_back(p.depth_m);
+    std::ranges::sort(depths);
+    const double ratio = depths[depths.size() * 9 / 10] / depths[depths.size() / 10];
+    const double depth = kWall + (1 - kWall) * std::log(ratio) / std::log(kDeep);
+    return std::min(1.0, depth) * std::min(1.0, depths[depths.size() / 2] / sight_m);
 }
 
 bool is_another(const Candidate& a, const Candidate& b, double sight_m) {
@@ -59,9 +74,12 @@ std::vector<Candidate> inside_cameras(const Trial& trial, const RoomSurvey& surv
         }
     }
     try_cameras(trial, kClose * survey.sight_m, candidates);
+    for (Candidate& candidate : candidates) candidate.worth *= room_shown(candidate.glance, survey.sight_m);
     std::vector<Candidate> chosen;
     while (chosen.size() < count && !candidates.empty()) {
-        chosen.push_back(best_of(candidates));
+        const Candidate& best = best_of(candidates);
+        if (!chosen.empty() && best.worth < kWorthwhile * chosen.front().worth) break;
+        chosen.push_back(best);
         std::erase_if(candidates,
                       [&](const Candidate& c) { return !is_another(c, chosen.back(), survey.sight_m); });
     }

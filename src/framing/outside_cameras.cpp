@@ -14,6 +14,7 @@ constexpr double kFovy_deg = 45;
 constexpr double kMargin = 0.04;
 constexpr double kAzimuths_deg[] = {35, -35, 55, -55, 125, -125, 145, -145};  // from +z to +x
 constexpr double kElevations_deg[] = {20, 35, 50};
+constexpr double kStraightAzimuths_deg[] = {0, 90, 180, -90}, kStraightElevation_deg = 5;
 /// A view from behind, or from high above, must be worth so much more than one from the front.
 constexpr double kBehind = 0.85, kAbove = 0.9;
 constexpr double kOtherSide_deg = 80;
@@ -24,18 +25,25 @@ struct Direction {
     double preference = 1;
 };
 
-std::vector<Direction> directions() {
+Direction direction_at(double azimuth_deg, double elevation_deg) {
+    const double azimuth = glm::radians(azimuth_deg), elevation = glm::radians(elevation_deg);
+    Direction direction{azimuth_deg,
+                        {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
+                         std::cos(azimuth) * std::cos(elevation)}};
+    if (std::abs(azimuth_deg) > 90) direction.preference *= kBehind;
+    if (elevation_deg > kElevations_deg[1]) direction.preference *= kAbove;
+    return direction;
+}
+
+std::vector<Direction> directions(Around around) {
     std::vector<Direction> all;
     for (const double elevation_deg : kElevations_deg) {
-        for (const double azimuth_deg : kAzimuths_deg) {
-            const double azimuth = glm::radians(azimuth_deg), elevation = glm::radians(elevation_deg);
-            Direction direction{azimuth_deg,
-                                {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
-                                 std::cos(azimuth) * std::cos(elevation)}};
-            if (std::abs(azimuth_deg) > 90) direction.preference *= kBehind;
-            if (elevation_deg > kElevations_deg[1]) direction.preference *= kAbove;
-            all.push_back(direction);
-        }
+        for (const double azimuth_deg : kAzimuths_deg)
+            all.push_back(direction_at(azimuth_deg, elevation_deg));
+    }
+    if (around == Around::straight_too) {
+        for (const double azimuth_deg : kStraightAzimuths_deg)
+            all.push_back(direction_at(azimuth_deg, kStraightElevation_deg));
     }
     return all;
 }
@@ -57,8 +65,8 @@ double degrees_between(double a, double b) {
 
 }  // namespace
 
-std::vector<Candidate> outside_cameras(const Trial& trial, std::size_t count) {
-    std::vector<Direction> left = directions();
+std::vector<Candidate> outside_cameras(const Trial& trial, Around around, std::size_t count) {
+    std::vector<Direction> left = directions(around);
     const std::vector<glm::dvec3> points = with_extent(trial.main);
     std::vector<Candidate> candidates;
     for (const Direction& d : left) {
