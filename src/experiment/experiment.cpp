@@ -77,9 +77,10 @@ std::vector<PreparedView> prepare(const ExperimentPlan& plan, const Registry& re
         const ViewPlan& wanted = plan.views[i];
         const std::shared_ptr<const Scene> scene = scenes.of(wanted);
         const double aspect = static_cast<double>(wanted.width) / wanted.height;
-        for (View& view : wanted_views(*scene, wanted.view, aspect, store)) {
+        RankingRadii radii(*scene);
+        for (View& view : wanted_views(*scene, wanted.load, wanted.view, aspect, store)) {
             CameraFrame(view.camera, wanted.width, wanted.height);
-            PreparedView p{&wanted, i, scene, view, ranking_radius(wanted.radius_m, view, *scene), {}};
+            PreparedView p{&wanted, i, scene, view, radii.of(wanted.radius_m, view), {}};
             if (p.radius.automatic) log_warning(scene->id + ": " + radius_warning(p.radius, view));
             for (const CellPlan& cell : wanted.cells)
                 p.cells.push_back(resolve(cell, registry, plan.seed, drawn_for(plan, p.radius)));
