@@ -49,6 +49,12 @@ void hold_standard_streams() {
     }
 }
 
+/// Prints what CLI11 has to say, which ends with a line break of its own.
+void complain(std::string text) {
+    if (text.ends_with('\n')) text.pop_back();
+    if (!text.empty()) log_error(text);
+}
+
 ExitCode run_program(int argc, char** argv) {
     hold_standard_streams();
     CLI::App program{
@@ -75,7 +81,7 @@ ExitCode run_program(int argc, char** argv) {
     for (const AddCommand add : kCommands) commands.push_back(add(program, global));
     const std::vector<std::string> words = arguments(argc, argv);
     if (words.empty()) {
-        fmt::print(stderr, "{}", program.help());
+        complain(program.help());
         return ExitCode::usage;
     }
     try {
@@ -88,9 +94,7 @@ ExitCode run_program(int argc, char** argv) {
         std::ostringstream out, err;
         const int code = program.exit(e, out, err);
         write_output(out.str());
-        std::string complaint = err.str();
-        if (complaint.ends_with('\n')) complaint.pop_back();
-        if (!complaint.empty()) log_error(complaint);
+        if (const std::string text = err.str(); !text.empty()) complain("aoscore: " + text);
         return code == 0 ? ExitCode::ok : ExitCode::usage;
     }
     set_quiet(global.quiet);

@@ -57,8 +57,8 @@ void Outcome::print(const Gates::Tripped& tripped, const std::string& where) {
 
 void Outcome::print_summary(const Gates::Tripped& tripped, const std::string& where) {
     if (tripped.count() < 2) return;
-    fmt::print(stderr, "{} limits of --fail and {} of --warn tripped{}\n", tripped.failures.size(),
-               tripped.warnings.size(), where);
+    log_error(fmt::format("{} limits of --fail and {} of --warn tripped{}", tripped.failures.size(),
+                          tripped.warnings.size(), where));
 }
 
 ExitCode Outcome::conclude(const Results& results) {
@@ -87,7 +87,7 @@ ExitCode Outcome::conclude(const Results& results) {
         const std::string reason = emptiness(view);
         if (reason.empty()) continue;
         comparable = false;
-        fmt::print(stderr, "fail {}: {}\n", view.key, reason);
+        log_error(fmt::format("fail {}: {}", view.key, reason));
     }
     if (!all.failures.empty() || !comparable) return ExitCode::gate_failed;
     return failed_cells(results) > 0 ? ExitCode::cells_failed : all.exit_code();

@@ -13,8 +13,14 @@
 namespace aoscore {
 namespace {
 
+[[noreturn]] void fail(int error) {
+    throw file_error("cannot be written: " + std::generic_category().message(error != 0 ? error : EIO),
+                     "standard output");
+}
+
 void write(const std::string& bytes) {
-    if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) flush_output();
+    errno = 0;
+    if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) fail(errno);
 }
 
 }  // namespace
@@ -29,10 +35,7 @@ void print_path(const std::filesystem::path& path) {
 
 void flush_output() {
     errno = 0;
-    const bool flushed = std::fflush(stdout) == 0;
-    const int why = errno != 0 ? errno : EIO;
-    if (!flushed || std::ferror(stdout) != 0)
-        throw file_error("cannot be written: " + std::generic_category().message(why), "standard output");
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) fail(errno);
 }
 
 }  // namespace aoscore

@@ -2,6 +2,7 @@
 
 #include "core/files.h"
 #include "core/machine.h"
+#include "core/output.h"
 #include "core/stopwatch.h"
 #include "core/threads.h"
 #include "metrics/analysis.h"
@@ -68,8 +69,8 @@ Cost cost_of(const std::function<void()>& work) {
 }
 
 void print_cost(std::string_view what, const Cost& cost, const std::string& note = {}) {
-    fmt::print("{:<30} {:>8.1f} ms {:>8.1f} ms processor  {}\n", what, 1000 * cost.wall_s,
-               1000 * cost.processor_s, note);
+    print_result("{:<30} {:>8.1f} ms {:>8.1f} ms processor  {}\n", what, 1000 * cost.wall_s,
+                 1000 * cost.processor_s, note);
 }
 
 void measure(std::string_view what, const std::function<void()>& work) {
@@ -128,7 +129,7 @@ void compare_ssim(const Pair& pair, const std::function<double()>& ssim) {
     std::filesystem::remove_all(folder);
     print_cost("SSIM", ours, fmt::format("{:.12f}", value));
     if (!theirs) {
-        fmt::print("python3-skimage is not there to compare with\n");
+        print_result("python3-skimage is not there to compare with\n");
         return;
     }
     print_cost("SSIM by scikit-image, double", theirs->in_double,
@@ -144,8 +145,8 @@ void bench_compare(std::uint64_t seed) {
     const ImageF standard_error(kWidth, kHeight, 0.02F);
     MapSums maps;
     const MetricInput input{pair.truth, pair.test, valid, &standard_error, &maps};
-    fmt::print("{}, {} threads; {}x{}, fastest of {} runs\n", cpu_name(), thread_count(), kWidth, kHeight,
-               kRuns);
+    print_result("{}, {} threads; {}x{}, fastest of {} runs\n", cpu_name(), thread_count(), kWidth, kHeight,
+                 kRuns);
     compare_ssim(pair, [&] { return *metric("ssim").measure(input).value; });
     for (const Metric& row : metrics()) measure(row.label, [&] { row.measure(input); });
     measure("all metrics together", [&] { evaluate(input); });

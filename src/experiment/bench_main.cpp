@@ -2,6 +2,7 @@
 
 #include "core/files.h"
 #include "core/machine.h"
+#include "core/output.h"
 #include "core/stopwatch.h"
 #include "experiment/experiment.h"
 #include "scene/scene.h"
@@ -18,7 +19,7 @@ namespace {
 constexpr int kSamples = 64;
 
 void print_row(const char* what, double seconds, double total_seconds) {
-    fmt::print("{:<44} {:>8.2f} s {:>7.1f} %\n", what, seconds, 100 * seconds / total_seconds);
+    print_result("{:<44} {:>8.2f} s {:>7.1f} %\n", what, seconds, 100 * seconds / total_seconds);
 }
 
 double reading_and_gbuffer_seconds() {
@@ -59,17 +60,17 @@ void bench_main(std::uint64_t seed) {
         for (const double ms : cell.ao.runs_ms) timed_s += ms / 1000;
         for (const double ms : cell.blur.runs_ms) timed_s += ms / 1000;
     }
-    fmt::print("{}, {} threads, {}\n", results.cpu, results.threads, results.gl_renderer);
+    print_result("{}, {} threads, {}\n", results.cpu, results.threads, results.gl_renderer);
     print_row(fmt::format("main job without its page, cold, {} rays a pixel", kSamples).c_str(), total_s,
               total_s);
     print_row("  tracing the truths", truth_s, total_s);
     print_row("  timed runs of the methods", timed_s, total_s);
     print_row("  everything else", total_s - truth_s - timed_s, total_s);
     print_row("reading and first G-buffer of the atrium", gbuffer_s, total_s);
-    fmt::print("{:<44} {:>8.0f} MiB\n", "peak memory", peak_memory_mib());
+    print_result("{:<44} {:>8.0f} MiB\n", "peak memory", peak_memory_mib());
     for (const ViewRecord& view : results.views) {
-        fmt::print("{:<44} {:>8.1f} million rays a second\n", "truth " + view.key,
-                   static_cast<double>(view.truth_rays) / view.truth_seconds / 1e6);
+        print_result("{:<44} {:>8.1f} million rays a second\n", "truth " + view.key,
+                     static_cast<double>(view.truth_rays) / view.truth_seconds / 1e6);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/log.h"
+#include "core/output.h"
 #include "experiment/ranking_radius.h"
 #include "experiment/timing.h"
 #include "screen/lengths.h"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <ctime>
 #include <string>
 #include <vector>
@@ -106,11 +106,11 @@ double ratio(const Row& row) {
 }
 
 void print_row(const Row& row) {
-    fmt::print("{:<34} {:<7} {:>9.1f} {:>9.1f} {:>7.2f} ±{:<5.2f} {:>9.1e} {:>9.1e}\n", row.name,
-               row.has_kernel ? "kernel" : "-", *summarize(row.runs_ms[1]).median_ms,
-               *summarize(row.runs_ms[0]).median_ms, ratio(row), *summarize(row.ratios).spread_ms, row.rms,
-               row.largest);
-    std::fflush(stdout);
+    print_result("{:<34} {:<7} {:>9.1f} {:>9.1f} {:>7.2f} ±{:<5.2f} {:>9.1e} {:>9.1e}\n", row.name,
+                 row.has_kernel ? "kernel" : "-", *summarize(row.runs_ms[1]).median_ms,
+                 *summarize(row.runs_ms[0]).median_ms, ratio(row), *summarize(row.ratios).spread_ms, row.rms,
+                 row.largest);
+    flush_output();
 }
 
 void print_summary(const std::vector<Row>& rows) {
@@ -122,11 +122,11 @@ void print_summary(const std::vector<Row>& rows) {
                                         [](const Row& a, const Row& b) { return ratio(a) < ratio(b); });
     if (!kernel_ratios.empty()) {
         const std::size_t count = kernel_ratios.size();
-        fmt::print("median over the {} {}, default presets: {:.2f} times faster\n", count,
-                   count == 1 ? "method with a kernel table" : "methods with kernel tables",
-                   *summarize(kernel_ratios).median_ms);
+        print_result("median over the {} {}, default presets: {:.2f} times faster\n", count,
+                     count == 1 ? "method with a kernel table" : "methods with kernel tables",
+                     *summarize(kernel_ratios).median_ms);
     }
-    if (least != rows.end()) fmt::print("least: {}, {:.2f} times\n", least->name, ratio(*least));
+    if (least != rows.end()) print_result("least: {}, {:.2f} times\n", least->name, ratio(*least));
 }
 
 }  // namespace
@@ -137,10 +137,10 @@ void bench_methods(const Scene& scene, const View& view, const MethodsBenchmark&
     ScreenRenderer renderer;
     renderer.set_scene(scene);
     renderer.draw_gbuffer(CameraFrame(view.camera, benchmark.width, benchmark.height), gbuffer_inputs());
-    fmt::print("{}/{}, {}x{}, {}; processor milliseconds\n", scene.id, view.id, benchmark.width,
-               benchmark.height, renderer.renderer());
-    fmt::print("{:<34} {:<7} {:>9} {:>9} {:>7} {:<6} {:>9} {:>9}\n", "method/preset", "", "uniforms",
-               "constants", "ratio", "", "rms", "largest");
+    print_result("{}/{}, {}x{}, {}; processor milliseconds\n", scene.id, view.id, benchmark.width,
+                 benchmark.height, renderer.renderer());
+    print_result("{:<34} {:<7} {:>9} {:>9} {:>7} {:<6} {:>9} {:>9}\n", "method/preset", "", "uniforms",
+                 "constants", "ratio", "", "rms", "largest");
     int rounds = 0;
     for (Row& row : rows) {
         compare_pictures(renderer, row);

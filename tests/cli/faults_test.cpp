@@ -154,6 +154,21 @@ TEST(ResultsFile, WithANumberThatNoDoubleHoldsExitsWith4) {
     EXPECT_THAT(run.err, HasSubstr("results.json: line 1, column"));
 }
 
+// The rasteriser crashes where memory is refused to it.
+TEST(Memory, ThatALimitLeavesTooLittleOfIsTheWordOfTheError) {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "a sanitizer's address space has no limit";
+#endif
+    for (const char* command : {"gbuffer wall --size 16x16 --out g.exr --threads 64",
+                                "score wall --view facing --size 16x16 --samples 4 --methods alchemy --out o "
+                                "--threads 64"}) {
+        const ProgramRun run =
+            run_aoscore(command, output_dir(), R"(sh -c 'ulimit -v 2000000; exec "$@"' sh)");
+        EXPECT_EQ(run.exit_code, 70) << command << "\n" << run.err;
+        EXPECT_THAT(run.err, HasSubstr("memory")) << command;
+    }
+}
+
 // What `timeout -s INT` does: one signal for the process, one for its group.
 TEST(Interrupts, TwoInQuickSuccessionAreOne) {
     const auto folder = output_dir();
