@@ -23,7 +23,9 @@ TEST(ExportText, OfEveryFormatHoldsNoCharacterThatIsNone) {
     table.title = "a\uFFFEtitle";
     table.name_columns = {"truth", "test"};
     table.columns = {{"rmse", "RMSE"}};
-    table.rows.push_back({{"a\uFFFE", "b\u202E\u2028\x01\xFF"}, {0.5}, "broken\uFFFF", {"tripped\x1b"}});
+    const std::string hostile = "b\u202E\u2028\x01\xFF";
+    table.text_columns = {"lengths"};
+    table.rows.push_back({hostile, {"a\uFFFE", hostile}, {0.5}, {hostile}, "broken\uFFFF", {"tripped\x1b"}});
     for (const ExportFormat& format : export_formats()) {
         if (format.extension == ".json") continue;  // the document, which the caller has made
         const std::string text = format.write(table);

@@ -77,9 +77,9 @@ struct Assao {
                 const int x = px + 2 * side * static_cast<int>(std::lround(offset.x)),
                           y = py + 2 * side * static_cast<int>(std::lround(offset.y));
                 const double depth = level == 0 ? picture.depth(x, y) : levels.depth(level + 1, x, y);
-                const dvec3 v = picture.point(x + 0.5, y + 0.5, depth) - p;
-                const double weight = 0.4 + 0.6 * std::clamp(2 - std::max(v.z, 0.0) / radius, 0.0, 1.0);
-                sum += weight * obscurance(v, n, reach);
+                const dvec3 to_tap = picture.point(x + 0.5, y + 0.5, depth) - p;
+                const double weight = 0.4 + 0.6 * std::clamp(2 - std::max(to_tap.z, 0.0) / radius, 0.0, 1.0);
+                sum += weight * obscurance(to_tap, n, reach);
                 weights += weight;
             }
         }
