@@ -14,8 +14,6 @@
 namespace aoscore::importer {
 namespace {
 
-constexpr std::size_t kMaxFileBytes = std::size_t{2} << 30;
-
 /// A file system without files.
 class NoFiles : public Assimp::IOSystem {
   public:
@@ -46,7 +44,8 @@ AssimpFile::AssimpFile(const std::filesystem::path& file, const char* extension)
     importer_.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
     importer_.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
     importer_.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ALL_GEOMETRY_LAYERS, false);
-    const std::string content = read_file(file, kMaxFileBytes);
+    const std::string content = read_file(file, kMaxBytes);
+    if (content.empty()) throw file_error("is empty", "");
     if (importer_.ReadFileFromMemory(content.data(), content.size(), 0, extension) == nullptr) {
         throw file_error("cannot be understood: " + gltf::printable(importer_.GetErrorString()), "");
     }

@@ -3,6 +3,7 @@
 #include <assimp/Importer.hpp>
 #include <assimp/scene.h>
 
+#include <cstddef>
 #include <filesystem>
 
 namespace aoscore::importer {
@@ -11,6 +12,8 @@ namespace aoscore::importer {
 /// no other file.
 class AssimpFile {
   public:
+    static constexpr std::size_t kMaxBytes = std::size_t{2} << 30;
+
     /// `extension` names the reader: "fbx". Throws file_error with Assimp's words.
     AssimpFile(const std::filesystem::path& file, const char* extension);
 

@@ -1,9 +1,11 @@
 #include "importer/assimp_reader.h"
 
 #include "core/error.h"
+#include "core/files.h"
 #include "importer/assimp_file.h"
 #include "importer/assimp_materials.h"
 #include "importer/fbx_settings.h"
+#include "importer/fbx_visibility.h"
 #include "importer/surface_builder.h"
 
 #include <fmt/format.h>
@@ -138,6 +140,20 @@ void for_each_node(const aiScene& scene, Visit visit) {
     }
 }
 
+/// Other programs hide such nodes; which of them, and with what below them, they do not agree on.
+void warn_of_hidden_nodes(ImportJob& job, const aiScene& scene) {
+    std::size_t hidden = count_invisible_nodes(read_file(job.file, AssimpFile::kMaxBytes));
+    for_each_node(scene, [&](const aiNode& node, const glm::dmat4&) {
+        bool is_shown = true;
+        if (node.mNumMeshes > 0 && node.mMetaData != nullptr && node.mMetaData->Get("Show", is_shown) &&
+            !is_shown)
+            ++hidden;
+    });
+    if (hidden > 0)
+        job.warn(
+            fmt::format("{} nodes are hidden in the file (Show or Visibility): drawn all the same", hidden));
+}
+
 void read_surfaces(ImportJob& job, const aiScene& scene, bool normals) {
     AssimpMaterials materials(job, scene);
     AssimpMeshes meshes(job, scene, materials, normals);
@@ -154,14 +170,11 @@ void read_fbx(ImportJob& job) {
     const AssimpFile file(job.file, "fbx");
     read_surfaces(job, file.scene(), true);
     read_fbx_settings(job, file.scene());
+    warn_of_hidden_nodes(job, file.scene());
     if (file.scene().mNumCameras > 0) {
         job.warn(fmt::format("{} cameras are not read: give your own with --views or --eye",
                              file.scene().mNumCameras));
     }
-}
-
-void read_ply(ImportJob& job) {
-    read_surfaces(job, AssimpFile(job.file, "ply").scene(), true);
 }
 
 void read_stl(ImportJob& job) {

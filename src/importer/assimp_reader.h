@@ -8,9 +8,6 @@ namespace aoscore::importer {
 /// cameras, unit and axes. Throws file_error.
 void read_fbx(ImportJob& job);
 
-/// Reads a Stanford polygon file, text or binary (Turk, "The PLY Polygon File Format", 1994), through Assimp.
-void read_ply(ImportJob& job);
-
 /// Reads a stereolithography file, text or binary, through Assimp. Its normals are those of facets: flat.
 void read_stl(ImportJob& job);
 

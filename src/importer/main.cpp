@@ -6,6 +6,7 @@
 #include "importer/assimp_reader.h"
 #include "importer/confinement.h"
 #include "importer/obj_reader.h"
+#include "importer/ply_reader.h"
 #include "scene/import/import_formats.h"
 
 #include <fcntl.h>

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <regex>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -61,6 +63,65 @@ TEST(Ply, IsReadAsTextAndInBothByteOrders) {
         EXPECT_NEAR(area_of(folder.load("a.PLY", binary_ply(big_endian))), 3.0, 1e-6);
 }
 
+TEST(Ply, OfBinaryNumbersMayBeginWithAnyByte) {
+    const ImportFolder folder;
+    // 0x0A is a line feed, 0x0D a carriage return, in the lowest byte of the first coordinate.
+    for (const char first : {'\n', '\r', ' ', '\0'}) {
+        std::string text = binary_ply(false);
+        text[text.find("end_header\n") + 11] = first;
+        EXPECT_NEAR(area_of(folder.load("a.ply", text)), 3.0, 1e-6) << static_cast<int>(first);
+    }
+}
+
+TEST(Ply, HeaderMayEndItsLinesAsAnySystemDoes) {
+    const ImportFolder folder;
+    const std::string whole = binary_ply(false);
+    const std::size_t end = whole.find("end_header\n") + 11;
+    for (const std::string line_end : {"\r\n", "\r"}) {
+        std::string text = std::regex_replace(whole.substr(0, end), std::regex("\n"), line_end);
+        EXPECT_NEAR(area_of(folder.load("a.ply", text + "\n" + whole.substr(end + 1))), 3.0, 1e-6);
+    }
+}
+
+TEST(Ply, ElementsMayStandInAnyOrderAmongOthers) {
+    const ImportFolder folder;
+    const Scene scene = folder.load(
+        "a.ply",
+        "ply\nformat ascii 1.0\nWritten by hand\nobj_info none\nelement camera 2\nproperty float f\n"
+        "property list uint8 int8 more\nelement face 1\nproperty uchar red\n"
+        "property list uint8 uint32 vertex_index\nelement vertex 3\nproperty float64 z\nproperty float32 "
+        "x\nproperty float y\nelement edge 1\nproperty int a\nproperty int b\nend_header\n"
+        "1.5 2 7 8\n2.5 0\n255 3 0 1 2\n0 0 0\n0 2 0\n0 0 +2e0\n0 1\n");
+    EXPECT_NEAR(area_of(scene), 2.0, 1e-6);
+    EXPECT_EQ(warnings_of(scene).find("more than its header"), std::string::npos) << warnings_of(scene);
+}
+
+TEST(Ply, StripsAreTrianglesOfOneWinding) {
+    const ImportFolder folder;
+    // Two squares, each a strip of two triangles; all face +z.
+    const Scene scene =
+        folder.load("a.ply",
+                    "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty "
+                    "float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+                    "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n9 0 1 2 3 -1 2 3 4 5\n");
+    EXPECT_EQ(scene.triangle_count, 4u);
+    EXPECT_NEAR(area_of(scene), 2.0, 1e-6);
+    const std::vector<glm::dvec3> points = aoscore::testing::all_corners(scene);
+    for (std::size_t i = 0; i + 2 < points.size(); i += 3)
+        EXPECT_GT(glm::cross(points[i + 1] - points[i], points[i + 2] - points[i]).z, 0) << i;
+}
+
+TEST(Ply, WhatItsHeaderDoesNotStateIsSaid) {
+    const ImportFolder folder;
+    const std::string rows = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    EXPECT_THAT(warnings_of(folder.load("a.ply", text_ply(rows + "3 0 1 2\n", 3, 1))),
+                HasSubstr("more than its header states"));
+    EXPECT_THAT(warnings_of(folder.load("a.ply", text_ply(rows + "2 0 1\n", 3, 2))),
+                HasSubstr("1 faces of fewer than three corners"));
+    EXPECT_THAT(folder.refusal("points.ply", text_ply("0 0 0\n1 0 0\n0 1 0\n", 3, 0)),
+                HasSubstr("3 points are left out"));
+}
+
 TEST(Ply, NormalsAreSmoothWhereGiven) {
     const ImportFolder folder;
     const std::string normals = "property float nx\nproperty float ny\nproperty float nz\n";
@@ -80,13 +141,19 @@ TEST(Ply, WhatIsBrokenIsRefused) {
         const char* says;
     } cases[] = {{"", ""},
                  {"solid", ""},
-                 {"ply\n", ""},
+                 {"ply\n", "within its header"},
+                 {"ply\nelement vertex 3\nend_header\n", "no format"},
+                 {"ply\nformat ascii 1.0\nelement vertex 99999999999999999999\nend_header\n", "count"},
+                 {"ply\nformat ascii 1.0\nelement vertex 9999999999999999999\nend_header\n", "no usable"},
+                 {"ply\nformat ascii 1.0\nelement vertex 1\nproperty half x\nend_header\n", "type half"},
+                 {"ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nend_header\n1\n", "x, y or z"},
                  {text_ply("0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n", 3, 1), "names vertex 7"},
-                 {text_ply("0 0 0\n1 0 0\n0 1 0\n3 0 1 -2\n", 3, 1), ""},
-                 {text_ply("0 0 nan\n1 0 0\n0 1 0\n3 0 1 2\n", 3, 1), ""},
+                 {text_ply("0 0 0\n1 0 0\n0 1 0\n3 0 1 -2\n", 3, 1), "names vertex -2"},
+                 {text_ply("0 0 nan\n1 0 0\n0 1 0\n3 0 1 2\n", 3, 1), "coordinate"},
+                 {text_ply("0 0 x\n1 0 0\n0 1 0\n3 0 1 2\n", 3, 1), "vertex 1"},
                  {text_ply("0 0 1e39\n1 0 0\n0 1 0\n3 0 1 2\n", 3, 1), "coordinate"},
                  {text_ply("0 0 0\n1 0 0\n0 1 0\n", 3, 0), "no usable geometry"},
-                 {text_ply("0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 2000000000, 2000000000), ""},
+                 {text_ply("0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 2000000000, 2000000000), "ends before it"},
                  {text_ply("0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", -1, -1), ""},
                  {text_ply("0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n", 3, 1), ""},
                  {whole.substr(0, whole.size() - 9), ""},

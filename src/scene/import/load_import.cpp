@@ -108,7 +108,7 @@ PlainScene load_import(const fs::path& file, Format format, bool albedo_textures
     repair(plain.scene);
     if (plain.scene.instances.empty()) {
         throw file_error("has no usable geometry: no triangle with an area" + words(plain.scene.warnings),
-                         where, fmt::format("an {} file with faces", format_name(format)));
+                         where, fmt::format("{} with faces", format_name(format)));
     }
     plain.scene.file = file;
     return plain;
