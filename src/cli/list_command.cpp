@@ -61,7 +61,8 @@ void list_views(const std::string& scene_name, const ViewChoice& choice) {
     const Scene scene = load_with_warnings(scene_name, choice.load);
     std::vector<View> views;
     for (const std::string& id : choice.views.empty() ? std::vector<std::string>{"all"} : choice.views) {
-        for (View& view : wanted_views(scene, id, kListedAspect, store)) views.push_back(std::move(view));
+        for (View& view : wanted_views(scene, choice.load, id, kListedAspect, store))
+            views.push_back(std::move(view));
     }
     for (const View& view : views) {
         log_info(

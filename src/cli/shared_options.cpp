@@ -218,9 +218,9 @@ Scene load_with_warnings(const std::string& name_or_path, const LoadOptions& opt
 View one_view(const Scene& scene, const ViewChoice& choice, const ImageSize& size,
               const std::filesystem::path& cache) {
     if (choice.views.size() > 1) throw usage_error("several views", "--view", "one");
-    const std::vector<View> views =
-        wanted_views(scene, planned_views(choice).front(), static_cast<double>(size.width) / size.height,
-                     MeasurementStore(MeasurementStore::folder_in(cache)));
+    const std::vector<View> views = wanted_views(scene, choice.load, planned_views(choice).front(),
+                                                 static_cast<double>(size.width) / size.height,
+                                                 MeasurementStore(MeasurementStore::folder_in(cache)));
     if (views.size() > 1) {
         log_info(fmt::format("{} has {} such views; taking {} (choose with --view)", scene.id, views.size(),
                              views.front().id));

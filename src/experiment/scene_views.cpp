@@ -3,6 +3,7 @@
 #include "core/hash.h"
 #include "experiment/measuring_code.h"
 #include "framing/automatic_views.h"
+#include "scene/scene_frame.h"
 #include "scene/view_choice.h"
 
 #include <nlohmann/json.hpp>
@@ -69,13 +70,15 @@ std::vector<View> kept_automatic_views(const Scene& scene, double aspect, const 
 
 }  // namespace
 
-std::vector<View> wanted_views(const Scene& scene, const std::string& choice, double aspect,
-                               const MeasurementStore& store) {
+std::vector<View> wanted_views(const Scene& scene, const LoadOptions& loaded_with, const std::string& choice,
+                               double aspect, const MeasurementStore& store) {
     const bool is_stated =
         std::ranges::any_of(scene.views, [&](const View& view) { return view.id == choice; });
     const bool is_automatic = !is_stated && (choice.starts_with("auto") || scene.views.empty());
-    return choose_views(scene.id, is_automatic ? kept_automatic_views(scene, aspect, store) : scene.views,
-                        choice);
+    if (!is_automatic) return choose_views(scene.id, scene.views, choice);
+    std::vector<View> views = kept_automatic_views(scene, aspect, store);
+    for (View& view : views) view.options += frame_options(loaded_with);
+    return choose_views(scene.id, views, choice);
 }
 
 }  // namespace aoscore

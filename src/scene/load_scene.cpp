@@ -131,8 +131,7 @@ void name_options(View& view, const LoadOptions& options) {
         view.options = (is_named ? "--views " + shell_quoted(options.view_file.string()) + " " : "") +
                        "--view " + shell_quoted(view.id);
     }
-    if (options.metres_per_unit) view.options += " --unit " + unit_text(*options.metres_per_unit);
-    if (options.up) view.options += *options.up == UpAxis::y ? " --up y" : " --up z";
+    view.options += frame_options(options);
 }
 
 /// What is the same for built-in scenes and files: views, origin, digest. Bounds are measured already.

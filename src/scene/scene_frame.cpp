@@ -94,6 +94,13 @@ std::string unit_text(double metres_per_unit) {
     return fmt::format("{}", metres_per_unit);
 }
 
+std::string frame_options(const LoadOptions& options) {
+    std::string words;
+    if (options.metres_per_unit) words += " --unit " + unit_text(*options.metres_per_unit);
+    if (options.up) words += *options.up == UpAxis::y ? " --up y" : " --up z";
+    return words;
+}
+
 std::optional<SceneFrame> recognise(const ViewFile& views, const Bounds& bounds, bool may_scale,
                                     bool may_turn) {
     for (const UpAxis up : {UpAxis::y, UpAxis::z}) {

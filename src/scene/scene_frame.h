@@ -27,6 +27,8 @@ void apply_frame(Scene& scene, const SceneFrame& frame);
 std::optional<double> parse_unit(std::string_view text);
 /// "cm" for 0.01; the number itself where it has no name.
 std::string unit_text(double metres_per_unit);
+/// The words of a command line that say what the options say of a file's unit and axes: " --unit cm --up z".
+std::string frame_options(const LoadOptions& options);
 
 /// The frame in which a scene with these bounds is the one that a view file was made for: the one it has,
 /// else a uniform factor, that of a common unit where one fits, and then the same with z up. `may_scale` and

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 namespace aoscore {
@@ -19,9 +20,10 @@ Scene load(const std::string& file) {
 }
 
 const Camera& own_camera(const Scene& scene) {
-    return std::find_if(scene.views.begin(), scene.views.end(),
-                        [](const View& view) { return view.source.starts_with("camera node "); })
-        ->camera;
+    const auto found = std::find_if(scene.views.begin(), scene.views.end(),
+                                    [](const View& view) { return view.kind == View::Kind::node; });
+    if (found == scene.views.end()) throw std::runtime_error(scene.id + " has no camera of its own");
+    return found->camera;
 }
 
 Truth truth_of(const Scene& scene) {

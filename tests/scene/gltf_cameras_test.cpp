@@ -42,6 +42,21 @@ TEST(GltfCameras, LookAlongTheirNodesMinusZ) {
     EXPECT_DOUBLE_EQ(view.camera.fovy_rad, 0.8);
 }
 
+TEST(GltfCameras, AreThereInScenesOfAnySize) {
+    for (const float size : {1e-4F, 1e4F}) {
+        GltfFile file;
+        file.add_box({-size, -size, -size}, {size, size, size});
+        file.add_node({{"mesh", 0}});
+        file.document["cameras"] = {
+            {{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", size}}}}};
+        file.add_node({{"camera", 0}, {"translation", {0, 0, 5 * size}}});
+        const Scene scene = file.load(output_dir());
+        ASSERT_EQ(scene.views.size(), 1u) << size;
+        const glm::dvec3 sight = scene.views[0].camera.target - scene.views[0].camera.position;
+        EXPECT_LT(glm::distance(glm::normalize(sight), {0, 0, -1}), 1e-9);
+    }
+}
+
 TEST(GltfCameras, ScaleOfTheNodeDoesNotTouchTheView) {
     const auto folder = output_dir();
     GltfFile plain = camera_file({{"translation", {0, 0, 5}}});

@@ -27,7 +27,8 @@ std::string view_id(const std::string& name, std::set<std::string>& taken) {
     return unique;
 }
 
-std::optional<Camera> camera_at(const glm::dmat4& world_from_node) {
+/// The target is a unit of length away, or nearer by where the whole scene is smaller than that.
+std::optional<Camera> camera_at(const glm::dmat4& world_from_node, const Bounds& bounds) {
     const glm::dvec3 x(world_from_node[0]), up(world_from_node[1]), back(world_from_node[2]);
     const double lengths = glm::length(x) * glm::length(up) * glm::length(back);
     if (!(lengths > 0) || glm::length(glm::cross(up, back)) < 1e-9 * glm::length(up) * glm::length(back)) {
@@ -35,7 +36,8 @@ std::optional<Camera> camera_at(const glm::dmat4& world_from_node) {
     }
     Camera camera;
     camera.position = glm::dvec3(world_from_node[3]);
-    camera.target = camera.position - glm::normalize(back);
+    const double diagonal = bounds.diagonal();
+    camera.target = camera.position - glm::normalize(back) * (diagonal > 0 ? std::min(1.0, diagonal) : 1.0);
     camera.up = glm::normalize(up);
     return camera;
 }
@@ -75,7 +77,7 @@ std::vector<View> read_cameras(Document& document, const std::vector<PlacedNode>
         if (node.camera < 0) continue;
         const tinygltf::Camera& source = document.model->cameras[static_cast<std::size_t>(node.camera)];
         const std::string place = fmt::format("nodes[{}]", placed.node);
-        auto camera = camera_at(placed.world_from_node);
+        auto camera = camera_at(placed.world_from_node, bounds);
         if (!camera) {
             document.warn(place + ": its camera is scaled to nothing and left out");
             continue;
