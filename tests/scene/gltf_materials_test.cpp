@@ -53,7 +53,9 @@ TEST(GltfMaterials, OpaqueIsNeverCutAndItsTextureNotDecoded) {
 TEST(GltfMaterials, AlbedoTexturesAreDecodedWhenAskedForAndDoNotChangeTheDigest) {
     GltfFile file = textured_file(json::object());
     const auto folder = output_dir();
-    const Scene plain = file.load(folder), coloured = file.load(folder, LoadOptions{.albedo_textures = true});
+    LoadOptions with_albedo;
+    with_albedo.albedo_textures = true;
+    const Scene plain = file.load(folder), coloured = file.load(folder, with_albedo);
     ASSERT_EQ(coloured.textures.size(), 1u);
     EXPECT_EQ(coloured.textures[0].texels.at(1, 0), glm::u8vec4(200, 100, 50, 0));
     EXPECT_EQ(coloured.meshes[0].texcoords.size(), 3u);

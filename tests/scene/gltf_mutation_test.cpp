@@ -58,7 +58,7 @@ TEST(GltfMutations, OfStreamsPosesAndInstancesLoadOrAreRefusedButNeverCrash) {
             const std::string bad = aoscore::testing::spoilt(in_text ? json : bytes, random);
             std::ofstream(in_text ? text : data, std::ios::binary) << bad;
             try {
-                ASSERT_FALSE(aoscore::load_scene(text.string()).views.empty());
+                ASSERT_GT(aoscore::load_scene(text.string()).triangle_count, 0u);
                 ++loaded;
             } catch (const aoscore::Error& error) {
                 ASSERT_EQ(error.exit_code(), aoscore::ExitCode::file_error) << error.what();

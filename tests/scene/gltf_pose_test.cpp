@@ -106,11 +106,11 @@ TEST(GltfSkins, WithoutInverseBindMatricesTheyAreIdentitiesAndTooFewAreRefused) 
 
 TEST(GltfSkins, OneMeshWithTwoSkinsStandsInTwoPlaces) {
     GltfFile file = skinned(kHalfHeld);
-    file.document["skins"].push_back({{"joints", {2, 1}}});
+    file.document["skins"].push_back({{"joints", {1, 2}}});
     file.add_node({{"mesh", 0}, {"skin", 1}});
     const Scene scene = file.load(output_dir());
     ASSERT_EQ(scene.instances.size(), 2u);
-    expect_corners(scene, {{0, 0, 0}, {1, 1, 0}, {0, 1.5, 0}, {0, 2, 0}, {1, 0, 0}, {0, 2, 0}});
+    expect_corners(scene, {{0, 0, 0}, {1, 1, 0}, {0, 1.5, 0}, {0, 0, 0}, {1, 2, 0}, {0, 2, 0}});
 }
 
 /// A triangle with two morph targets: one moves the second vertex by (0, 0, 4), one the third by (0, 6, 0).

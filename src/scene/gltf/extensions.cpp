@@ -73,7 +73,6 @@ const std::vector<Extension>& extensions() {
         {"KHR_audio_emitter", none},
         {"KHR_audio_graph", none},
         {"KHR_implicit_shapes", none},  // shapes for physics, not drawn
-        {"KHR_interactivity", none},
         {"KHR_lights_punctual", none},
         {"KHR_materials_anisotropy", none},
         {"KHR_materials_clearcoat", none},
@@ -103,7 +102,6 @@ const std::vector<Extension>& extensions() {
         {"MSFT_packing_occlusionRoughnessMetallic", none},
         {"OMI_physics_body", none},
         {"OMI_physics_shape", none},
-        {"VRM", none},  // its materials' cut-outs are in alphaMode too
         {"VRMC_materials_hdr_emissiveMultiplier", none},
         {"VRMC_materials_mtoon", none},  // outlines are no surfaces
         {"VRMC_node_constraint", none},
@@ -115,6 +113,7 @@ const std::vector<Extension>& extensions() {
         {"EXT_mesh_primitive_restart", surfaces, "strips and fans do not begin again within a primitive"},
         {"EXT_primitive_voxels", surfaces, "voxels are not drawn"},
         {"KHR_gaussian_splatting", surfaces, "splats are not drawn: they have no surface"},
+        {"KHR_interactivity", surfaces, "what its graph moves or hides at the start stands as in the file"},
         {"KHR_techniques_webgl", surfaces, "what its shaders displace or cut away stands as the file's mesh"},
         {"KHR_texture_procedurals", surfaces, "what a procedural texture cuts away is solid"},
         {"MPEG_accessor_timed", surfaces, "meshes that change over time stand as the file holds them"},
@@ -123,6 +122,7 @@ const std::vector<Extension>& extensions() {
         {"MPEG_scene_dynamic", surfaces, "the scene is drawn as the file holds it, without its updates"},
         {"MPEG_texture_video", surfaces, "what a video cuts away is solid"},
         {"NV_materials_mdl", surfaces, "what its materials displace or cut away stands as the file's mesh"},
+        {"VRM", surfaces, "what only its own materials cut away is solid"},
     };
     return table;
 }
