@@ -1,7 +1,7 @@
 #include "core/error.h"
 #include "core/files.h"
-#include "mutate.h"
 #include "scene/scene.h"
+#include "support/spoilt.h"
 #include "support/support.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,8 @@ TEST_P(SpoiledFile, LoadsOrIsRefusedInOneLineButNeverCrashesUs) {
     int loaded = 0, refused = 0;
     for (int i = 0; i < 60; ++i) {
         const fs::path file = folder / (std::to_string(i) + "." + format);
-        std::ofstream(file, std::ios::binary) << (i == 0 ? original : mutate(original, random));
+        std::ofstream(file, std::ios::binary)
+            << (i == 0 ? original : aoscore::testing::spoilt(original, random));
         try {
             const aoscore::Scene scene = aoscore::load_scene(file.string());
             ASSERT_GT(scene.triangle_count, 0u);

@@ -1,6 +1,5 @@
 #include "core/error.h"
 #include "core/files.h"
-#include "mutate.h"
 #include "scene/scene.h"
 #include "support/spoilt.h"
 #include "support/support.h"
@@ -33,7 +32,7 @@ TEST(MutatedFiles, LoadOrAreRefusedButNeverCrash) {
             std::ofstream(file, std::ios::binary) << aoscore::testing::spoilt(original, random);
             try {
                 const aoscore::Scene scene = aoscore::load_scene(file.string());
-                ASSERT_FALSE(scene.views.empty());
+                ASSERT_GT(scene.triangle_count, 0u);
                 ++loaded;
             } catch (const aoscore::Error& error) {
                 ASSERT_EQ(error.exit_code(), aoscore::ExitCode::file_error) << error.what();
