@@ -13,6 +13,9 @@ constexpr std::size_t kPlaces = 400;
 constexpr int kRays = 40;
 constexpr double kRoomFronts = 0.7, kHollowHits = 0.95, kHollowFronts = 0.2, kSolidFronts = 0.05;
 constexpr double kEyeHeight = 1.0 / 3;  // of the room's
+/// Where surfaces are nearer than this part of the box all around, a place lies in a surface: all places of a
+/// flat scene do.
+constexpr double kLeastSight = 1e-6;
 
 struct Surroundings {
     double hits = 0, fronts = 0;  // shares of the rays
@@ -67,8 +70,10 @@ struct Place {
     Seat seat;
 };
 
-Place ask(const Scout& scout, const glm::dvec3& at) {
-    Place found{kind_of(look_around(scout, at)), {}};
+Place ask(const Scout& scout, const glm::dvec3& at, double least_sight_m) {
+    const Surroundings first = look_around(scout, at);
+    if (first.median_m <= least_sight_m) return {};
+    Place found{kind_of(first), {}};
     if (found.kind != Kind::room && found.kind != Kind::hollow) return found;
     found.seat.position = at_eye_height(scout, at);
     const Surroundings around = look_around(scout, found.seat.position);
@@ -81,7 +86,8 @@ Place ask(const Scout& scout, const glm::dvec3& at) {
 
 RoomSurvey survey_rooms(const Scout& scout, const Bounds& box) {
     std::vector<Place> places(kPlaces);
-    parallel_for(kPlaces, [&](std::size_t i) { places[i] = ask(scout, place(box, i)); });
+    const double least_sight_m = kLeastSight * box.diagonal();
+    parallel_for(kPlaces, [&](std::size_t i) { places[i] = ask(scout, place(box, i), least_sight_m); });
     const auto count = [&](Kind kind) {
         return static_cast<double>(std::ranges::count(places, kind, &Place::kind));
     };
