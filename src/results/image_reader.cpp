@@ -1,4 +1,5 @@
 #include "core/error.h"
+#include "results/exr_header.h"
 #include "results/image_file.h"
 #include "results/image_frame.h"
 #include "results/image_limits.h"
@@ -170,6 +171,7 @@ ImageFile read_image(const fs::path& path) {
     OIIO::ImageSpec as_stored;
     as_stored["oiio:UnassociatedAlpha"] = 1;  // Colour is not to be multiplied by alpha.
     try {
+        require_plausible_exr_header(path);
         const auto input = OIIO::ImageInput::open(where, &as_stored);
         if (!input) {
             const std::string reason = OIIO::geterror();

@@ -145,6 +145,23 @@ TEST(HostileImage, ExrThatClaimsMoreValuesThanItsBytesCanHoldIsRefusedBeforeAnyt
     EXPECT_THAT(reading(folder / "huge.exr"), HasSubstr("claims tiles of 16x16777216 pixels"));
 }
 
+TEST(HostileImage, ExrWhoseAttributeIsLongerThanTheFileIsRefusedBeforeAnythingIsAllocated) {
+    const auto folder = output_dir();
+    const ImageF y(16, 16);
+    write_exr(folder / "small.exr", std::vector<ChannelView>{{"Y", &y}}, {{"note", "short"}});
+    read_image(folder / "small.exr");
+    const std::string whole = read_file(folder / "small.exr");
+    const std::string size("\x05\0\0\0", 4);
+    const std::size_t at = whole.find(size + "short");
+    ASSERT_NE(at, std::string::npos);
+    for (const std::string& claimed : {std::string("\0\0\0\x7f", 4), std::string("\xff\xff\xff\xff", 4)}) {
+        std::string bytes = whole;
+        bytes.replace(at, 4, claimed);
+        write_bytes(folder / "long.exr", bytes);
+        EXPECT_THAT(reading(folder / "long.exr"), HasSubstr("its attribute note claims"));
+    }
+}
+
 TEST(HostileImage, WhateverALibrarySaysTheErrorIsOneLine) {
     const auto folder = output_dir();
     const ImageF y = testing::random_visibility(64, 48, 1);
