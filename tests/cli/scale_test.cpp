@@ -88,7 +88,8 @@ TEST(Lengths, AreTheRunsUnlessTheUserOrThePresetSaysOtherwise) {
             "score wall --size 48x32 --samples 4 --radius 2 --methods alchemy --out page " + options, folder);
         EXPECT_EQ(run.exit_code, 0) << run.err;
         std::map<std::string, std::pair<double, std::string>> found;
-        for (const LengthRecord& length : read_results(folder / "page").cells.front().lengths)
+        const Results results = read_results(folder / "page");
+        for (const LengthRecord& length : results.cells.front().lengths)
             found[length.id] = {length.value, length.origin};
         return found;
     };
