@@ -62,7 +62,7 @@ json rank_model(const RankingRecord& ranking, const PlaceRecord& place) {
         others.empty() ? "" : fmt::format("not surely apart from {}", fmt::join(others, ", "));
     return {{"rank", rank_text(place)},
             {"sort", place.rank ? fmt::format("{}", place.rank->best + place.rank->worst / 1e4) : ""},
-            {"ties", place.rank ? ties : "shows how far others could go, and is not for use: not ranked"}};
+            {"ties", place.rank ? ties : "a bound, not for use: not ranked"}};
 }
 
 json row_model(const Columns& columns, const CellRecord& cell) {
