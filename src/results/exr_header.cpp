@@ -15,6 +15,7 @@ namespace {
 
 // The layout is that of OpenEXR's document "OpenEXR File Layout".
 constexpr std::uint32_t kMagic = 0x01312f76, kSeveralParts = 0x1000;
+constexpr std::uint32_t kBoxBytes = 16;
 
 /// Little-endian.
 std::uint32_t read_number(std::istream& in) {
@@ -32,6 +33,16 @@ std::string read_word(std::istream& in) {
     return word;
 }
 
+void require_plausible_window(std::istream& in, std::uintmax_t bytes, const std::string& where) {
+    std::array<std::int64_t, 4> corners{};  // least x and y, greatest x and y
+    for (std::int64_t& corner : corners) corner = static_cast<std::int32_t>(read_number(in));
+    const std::int64_t width = corners[2] - corners[0] + 1, height = corners[3] - corners[1] + 1;
+    if (1.0 * width * height <= static_cast<double>(bytes) * kMostValuesAByteOfDwa) return;
+    throw file_error(
+        fmt::format("claims a picture of {}x{} pixels, more than {} bytes can hold", width, height, bytes),
+        where, "a whole EXR file");
+}
+
 /// Skips the attributes of one part; false where there are none.
 bool skip_attributes(std::istream& in, std::uintmax_t bytes, const std::string& where) {
     bool any = false;
@@ -44,7 +55,11 @@ bool skip_attributes(std::istream& in, std::uintmax_t bytes, const std::string& 
             throw file_error(fmt::format("its attribute {} claims {} bytes of the {} that there are",
                                          printable(name), size, bytes),
                              where, "a whole EXR file");
-        in.seekg(size, std::ios::cur);
+        if (name == "dataWindow" && size == kBoxBytes) {
+            require_plausible_window(in, bytes, where);
+        } else {
+            in.seekg(size, std::ios::cur);
+        }
     }
     return any && in;
 }

@@ -24,9 +24,6 @@ namespace fs = std::filesystem;
 /// Refuses an EXR whose header claims more values than the file's bytes can hold, in its picture or in one of
 /// its tiles: memory would be filled with what is not there. `bytes` is the file's size.
 void require_plausible_exr(const OIIO::ImageSpec& spec, std::uintmax_t bytes, const std::string& where) {
-    // Deflate makes a byte of at most 1032 (RFC 1951), 516 values of 16 bits. DWA's keeps 2 bytes of a block
-    // of 64 equal values before that.
-    constexpr double kMostValuesAByte = 516, kMostValuesAByteOfDwa = 64.0 / 2 * 1032;
     const bool dwa = std::string_view(spec.get_string_attribute("compression")).starts_with("dwa");
     const double most = static_cast<double>(bytes) * (dwa ? kMostValuesAByteOfDwa : kMostValuesAByte);
     const double picture = 1.0 * spec.width * spec.height * spec.nchannels;

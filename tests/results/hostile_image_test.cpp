@@ -162,6 +162,17 @@ TEST(HostileImage, ExrWhoseAttributeIsLongerThanTheFileIsRefusedBeforeAnythingIs
     }
 }
 
+TEST(HostileImage, ExrOfMoreLinesThanItsBytesCanHoldIsRefusedBeforeTheirTableIsAllocated) {
+    const auto folder = output_dir();
+    const ImageF y(16, 16);
+    write_exr(folder / "small.exr", std::vector<ChannelView>{{"Y", &y}}, {});
+    std::string bytes = read_file(folder / "small.exr");
+    const std::size_t at = bytes.find(std::string("\x0f\0\0\0\x0f\0\0\0", 8), bytes.find("dataWindow")) + 4;
+    bytes.replace(at, 4, std::string("\xff\xff\xff\x1f", 4));
+    write_bytes(folder / "tall.exr", bytes);
+    EXPECT_THAT(reading(folder / "tall.exr"), HasSubstr("claims a picture of 16x536870912 pixels"));
+}
+
 TEST(HostileImage, WhateverALibrarySaysTheErrorIsOneLine) {
     const auto folder = output_dir();
     const ImageF y = testing::random_visibility(64, 48, 1);
