@@ -57,6 +57,16 @@ TEST(GltfCameras, AreThereInScenesOfAnySize) {
     }
 }
 
+TEST(GltfCameras, SeeASceneThatWasMadeSmallerThanTheirNearPlanes) {
+    GltfFile file = camera_file({{"translation", {0, 0, 5}}});
+    file.document["nodes"].push_back({{"scale", {0.001, 0.001, 0.001}}, {"children", {0, 1}}});
+    file.document["scenes"][0]["nodes"] = {2};
+    const Scene scene = file.load(output_dir());
+    EXPECT_LT(scene.views[0].camera.near, 0.004);
+    EXPECT_GT(scene.views[0].camera.far, 0.006);
+    EXPECT_TRUE(aoscore::testing::has_warning(scene, "lies beyond all of the scene"));
+}
+
 TEST(GltfCameras, ScaleOfTheNodeDoesNotTouchTheView) {
     const auto folder = output_dir();
     GltfFile plain = camera_file({{"translation", {0, 0, 5}}});

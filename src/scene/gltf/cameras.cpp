@@ -56,10 +56,17 @@ void set_lens(Camera& camera, const tinygltf::Camera& source, const Bounds& boun
         stated_near = source.orthographic.znear;
         stated_far = source.orthographic.zfar;
     }
+    // A node's scale does not count for cameras: whoever makes a scene smaller leaves it all before their
+    // near planes.
+    if (glm::distance(camera.position, bounds.centre()) + bounds.diagonal() / 2 < stated_near) {
+        document.warn(fmt::format("{}: znear {:.3g} m lies beyond all of the scene and is not used", place,
+                                  stated_near));
+        stated_near = 0;
+    }
     const DepthRange range = useful_depth_range(camera, bounds, stated_near, stated_far);
     camera.near = range.near;
     camera.far = range.far;
-    if (camera.projection == Camera::Projection::perspective && range.near > stated_near) {
+    if (camera.projection == Camera::Projection::perspective && stated_near > 0 && range.near > stated_near) {
         document.warn(
             fmt::format("{}: znear {:.3g} m is raised to {:.3g} m, or depth would lose its precision", place,
                         stated_near, range.near));
