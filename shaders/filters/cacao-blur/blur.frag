@@ -1,5 +1,5 @@
 // The mean of the pixel, by a half, and its four neighbours in the smaller picture, as far as no edge lies between.
-#include "edges.glsl"
+#include "filters/cacao-blur/edges.glsl"
 
 float filtered(ivec2 texel) {
     vec4 open = stored_open(texel);

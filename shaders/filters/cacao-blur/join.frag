@@ -1,6 +1,6 @@
 // The four smaller pictures joined: a pixel's own value and, bilinear and pushed away from edges, those of the pictures
 // beside, above and across.
-#include "edges.glsl"
+#include "filters/cacao-blur/edges.glsl"
 
 // Of the smaller picture that begins at pixel `first`, at a place in its own pixels.
 float bilinear_of(ivec2 first, vec2 at) {

@@ -1,0 +1,1 @@
+#include "filters/cacao-blur/blur.frag"
