@@ -46,5 +46,6 @@ test('a worst region jumps to its place on the stage', async () => {
 
 test('the closest method is shown first', async () => {
   const { page } = await open({ which: 'synthetic' });
-  assert.deepEqual((await layers(page))[1], 'output atrium/wide/alchemy/performance-wide gray');
+  // Its RMSE is four fifths of that of the preset before it.
+  assert.deepEqual((await layers(page))[1], 'output atrium/wide/alchemy/quality gray');
 });
