@@ -77,7 +77,8 @@ json view_file(const std::vector<std::string>& ids) {
 
 std::vector<std::string> ids_in(const std::string& listed) {
     std::vector<std::string> ids;
-    for (const json& view : json::parse(listed).at("views")) ids.push_back(view.at("id"));
+    const json file = json::parse(listed);
+    for (const json& view : file.at("views")) ids.push_back(view.at("id"));
     return ids;
 }
 

@@ -3,6 +3,7 @@
 #include "scene/gltf_file.h"
 #include "support/support.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,10 +31,15 @@ void write_scene(const std::filesystem::path& folder, const std::string& name, d
     file.write(folder, name);
 }
 
-/// Scored with every method, without a radius or view.
+/// Scored with every method from one place, without a radius.
 Results scored(const std::filesystem::path& folder, double scale) {
     write_scene(folder, "room", scale);
-    const auto run = run_aoscore("score room.gltf --size 128x72 --samples 16 --out page", folder);
+    const auto at = [&](double x, double y, double z) {
+        return fmt::format("{},{},{}", x * scale, y * scale, z * scale);
+    };
+    const auto run = run_aoscore("score room.gltf --fovy 40 --eye " + at(3.4, 1.2, 3.2) + " --target " +
+                                     at(1.8, 0.4, 1.2) + " --size 128x72 --samples 16 --out page",
+                                 folder);
     EXPECT_EQ(run.exit_code, 0) << run.err;
     return read_results(folder / "page");
 }
@@ -56,8 +62,9 @@ std::vector<std::string> order_of(const Results& results) {
 
 class Units : public ::testing::TestWithParam<double> {};
 
-// Float roundings move a tap over a texel's edge, or a ray past one, in a few pixels of 9216.
-constexpr double kNoise = 1e-3;
+// Float roundings move a tap over a texel's edge, or a ray past one, in a few pixels of 9216: the error of
+// n8ao/published differs by 6e-5 at a scale of 1000, that of all others by less than 2e-5.
+constexpr double kNoise = 2e-4;
 
 TEST_P(Units, AreScoredAndRankedAsMetres) {
     const auto folder = output_dir();
@@ -78,7 +85,7 @@ TEST_P(Units, AreScoredAndRankedAsMetres) {
     EXPECT_NEAR(b.radius_px_median, a.radius_px_median, 1e-2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Score, Units, ::testing::Values(1e-3, 25.4e-3, 0.01, 10.0, 1e3),
+INSTANTIATE_TEST_SUITE_P(Score, Units, ::testing::Values(1e-3, 1e3),
                          [](const auto& tested) { return "scale_" + std::to_string(tested.index); });
 
 TEST(Lengths, AreTheRunsUnlessTheUserOrThePresetSaysOtherwise) {
