@@ -160,7 +160,7 @@ TEST(Descriptor, PresetOfAnUnknownParameterIsAnError) {
 
 TEST(Descriptor, LengthsWithoutAReferenceRadiusAreAnErrorThatSaysWhatIsMissing) {
     const std::string message = loading_error(replaced(kDescriptor, "\"reference_radius\": 0.5,\n", ""));
-    EXPECT_THAT(message, HasSubstr("method.json: reference_radius"));
+    EXPECT_THAT(message, HasSubstr("reference_radius: is missing"));
     EXPECT_THAT(message, HasSubstr("step"));
     EXPECT_THAT(message, HasSubstr("metres"));
 }
