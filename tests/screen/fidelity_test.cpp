@@ -1,4 +1,5 @@
 #include "hand_made.h"
+#include "published_methods.h"
 #include "screen/lengths.h"
 #include "support/support.h"
 
@@ -29,6 +30,19 @@ class Fidelity : public ::testing::TestWithParam<std::string> {
         request.mirror = mirror;
         request.uniform_form = true;  // one shader for all settings of a test
         return renderer_.run(request).raw;
+    }
+    double filament_on_what_was_drawn(int width, int height) {
+        const GBufferImages images = renderer_.read_gbuffer();
+        const published::Picture picture(CameraFrame(front_camera(), width, height), images);
+        const auto radius = method().values("default").at("radius").get<double>();
+        const published::Estimator estimate = published::filament_ssao(picture, radius);
+        ImageF visibility(width, height, 1.0F);
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
+                if (picture.surface(x, y)) visibility.at(x, y) = static_cast<float>(estimate(x, y));
+            }
+        }
+        return mean_over(visibility, images.surface);
     }
     bool reads_depth_mips() const {
         const auto& inputs = method().passes.front().inputs;
@@ -78,16 +92,19 @@ TEST_P(Fidelity, ScalingTheSceneAndItsRadiusTogetherChangesNothing) {
     }
 }
 
-// In any unit: roundings push a tap over a texel's edge, or a point through a surface, here and there.
+// In any unit: roundings push a tap over a texel's edge, or a point through a surface, here and there (in up
+// to 0.2 % of the pixels where this was measured). Where nothing ends a pixel's reach, one comparison that
+// falls the other way, such as of depths at a line sweep's edge, is seen by every pixel behind it (9 %).
 TEST_P(Fidelity, MillimetresInchesAndKilometresAreDrawnAlike) {
     constexpr double kRadius_m = 0.4;
+    const double most = method().find_parameter("radius") == nullptr ? 0.1 : 0.005;
     const auto drawn_for = [&](double radius_m) { return values_for_radius(method(), radius_m, "default"); };
     const ImageF before = run(corner_scene(), corner_camera(), 160, 90, drawn_for(kRadius_m));
     const Mask seen = surface();
     for (const double factor : {1e-3, 0.0254, 0.01, 10.0, 1e3}) {
         const ImageF after = run(scaled(corner_scene(), factor), scaled(corner_camera(), factor), 160, 90,
                                  drawn_for(factor * kRadius_m));
-        EXPECT_LE(share_of_different(before, after), 0.02) << factor;
+        EXPECT_LE(share_of_different(before, after), most) << factor;
         EXPECT_NEAR(mean_over(before, seen), mean_over(after, seen), 2e-4) << factor;
     }
 }
@@ -183,8 +200,7 @@ TEST_P(Fidelity, TiltedPlaneReadsOpen) {
         {"line-sweep", 5e-3},
         {"sao", 0.01},
         // Taps have their texel's depth at a place beside its centre.
-        {"three-gtao", 0.1},
-        {"filament-ssao", 0.1},
+        {"three-gtao", 5e-3},
     };
     for (const double degrees : {0.0, 30.0, 60.0}) {
         const double angle = degrees * std::numbers::pi / 180;
@@ -206,6 +222,9 @@ TEST_P(Fidelity, TiltedPlaneReadsOpen) {
             }
             expected = std::pow(std::min(sum, 1.0), 2.2);
         }
+        // A root enlarges what its taps, of one depth a texel, find of a slope: its published mathematics in
+        // double precision reads a plane a quarter closed in so small a picture.
+        if (GetParam() == "filament-ssao") expected = filament_on_what_was_drawn(160, 90);
         const auto found = tolerances.find(GetParam());
         const double tolerance = GetParam() == "xegtao"      ? 0.1
                                  : found == tolerances.end() ? 1e-3
