@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 namespace aoscore {
@@ -70,6 +71,16 @@ TEST(AbroadScenes, AViewFileOfAnotherUnitIsRefusedOnceTheUnitIsFixed) {
                              testing::output_dir());
     EXPECT_EQ(run.exit_code, 4) << run.err;
     EXPECT_THAT(run.err, HasSubstr("is for a scene with bounds"));
+}
+
+TEST(AbroadScenes, TheCommandOfAnAutomaticViewSaysUnitAndAxis) {
+    const fs::path folder = testing::output_dir();
+    std::ofstream(folder / "a.obj") << "v 0 0 0\nv 100 0 0\nv 100 0 100\nv 0 100 0\nf 1 2 3\nf 1 2 4\n";
+    const auto run =
+        testing::run_aoscore("reference a.obj --unit cm --up z --size 32x18 --samples 1 --out x.exr", folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(read_image(folder / "x.exr").attributes.at("comments"),
+                HasSubstr("/a.obj --view auto_outside --unit cm --up z "));
 }
 
 TEST(AbroadScenes, UnitsThatAreNoneAreRefused) {

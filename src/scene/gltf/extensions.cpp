@@ -67,6 +67,7 @@ const std::vector<Extension>& extensions() {
         {"EXT_mesh_primitive_edge_visibility", none},
         {"EXT_structural_metadata", none},
         {"FB_geometry_metadata", none},
+        {"FB_ngon_encoding", none},  // which triangles make up a polygon
         {"GODOT_single_root", none},
         {"GRIFFEL_bim_data", none},
         {"KHR_animation_pointer", none},  // nothing moves at rest
