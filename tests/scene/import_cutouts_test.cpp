@@ -82,6 +82,29 @@ TEST(Cutouts, ComeFromTheAlphaOfColoursThatIsAStencilAndSaySo) {
     EXPECT_THAT(warnings_of(solid), HasSubstr("drawn solid"));
 }
 
+TEST(Cutouts, OfAPlyComeFromItsOneTextureByVerticesOrByCornersOfFaces) {
+    const ImportFolder folder;
+    folder.write_png("leaf.png", top_left_hole(true));
+    const std::string start =
+        "ply\nformat ascii 1.0\ncomment TextureFile leaf.png\nelement vertex 4\nproperty float x\n"
+        "property float y\nproperty float z\n";
+    const std::string by_vertex =
+        "property float s\nproperty float t\nelement face 1\nproperty list uchar int vertex_indices\n"
+        "end_header\n0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n0 1 0 0 1\n4 0 1 2 3\n";
+    const std::string by_corner =
+        "element face 1\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n"
+        "end_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3 8 0 0 1 0 1 1 0 1\n";
+    for (const std::string& rest : {by_vertex, by_corner}) {
+        const Scene scene = folder.load("a.ply", start + rest);
+        EXPECT_TRUE(material_of(scene).is_cutout());
+        const glm::vec2 top_left = texcoord_at(scene, {0, 1, 0}), top_right = texcoord_at(scene, {1, 1, 0});
+        const glm::vec2 bottom_left = texcoord_at(scene, {0, 0, 0}),
+                        middle = (bottom_left + top_right) / 2.0f;
+        EXPECT_EQ(alpha_of(scene, glm::mix(top_left, middle, 0.5f)), 0.0f);
+        EXPECT_EQ(alpha_of(scene, glm::mix(bottom_left, middle, 0.5f)), 1.0f);
+    }
+}
+
 TEST(Cutouts, FindImagesByTheNamesOfOtherMachines) {
     for (const char* name : {"Textures\\Mask.PNG", "C:\\Users\\me\\scene\\textures\\mask.png",
                              "../textures/mask.png", "/home/me/mask.png", "-clamp on textures/mask.png"}) {
