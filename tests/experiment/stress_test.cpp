@@ -236,11 +236,19 @@ TEST(Stress, RunsEveryMethodOnPicturesOfOnePixelAndOfOddSizes) {
 TEST(Stress, FindsTheBoundOfOneLayerBrokenWhereMethodsBreakByTheirNature) {
     StressPlan plan = small_plan({"gtao", "monte-carlo-points", "hbao"}, {"tilt", "inside"});
     plan.samples = 16;
+    // A power after a filter enlarges what the bound keeps below its limit.
+    std::set<std::string> enlarging;
+    for (const MethodDescriptor& filter : load_filters()) {
+        if (filter.find_parameter("exponent") != nullptr &&
+            filter.values("default").at("exponent").get<double>() > 1)
+            enlarging.insert(filter.id);
+    }
     std::size_t breaking = 0;
     for (const StressAxisRecord& axis : run_stress(plan, output_dir()).axes) {
         for (const StressSettingRecord& setting : axis.settings) {
             for (const StressCell& cell : setting.cells) {
                 if (cell.breaks.empty() || cell.subject == "one-layer") continue;
+                if (enlarging.contains(cell.subject)) continue;
                 ++breaking;
                 EXPECT_NE(cell_of(setting, "one-layer").breaks, "")
                     << axis.id << " " << setting.id << " " << cell.subject;
