@@ -9,7 +9,9 @@ DepthRange useful_depth_range(const Camera& camera, const Bounds& bounds, double
     // With 24 or 32 bits of window depth, steps at the far end are then still below a ten-thousandth of the
     // depth.
     constexpr double kNearPerFar = 1e-5;
-    constexpr double kBehind = 1.001;
+    // So far behind the last corner that, with the least near plane, its window depth stays 8 steps of
+    // float32 below 1, where the background is: a surface nearer to the far plane would be lost.
+    constexpr double kBehind = 1.05;
     const glm::dvec3 forward = glm::normalize(camera.target - camera.position);
     double furthest = 0;
     for (int corner = 0; corner < 8; ++corner) {

@@ -9,10 +9,10 @@ struct DepthRange {
     double far = 0;
 };
 
-/// The depth range a camera needs for a scene, metres along its line of sight: far just behind the bounds'
-/// furthest corner unless `stated_far` is nearer (0: none is stated), near as stated but never below 1e-5 of
-/// far (0: none is stated). `camera` and `bounds` share their coordinates; only the camera's position, target
-/// and projection count.
+/// The depth range a camera needs for a scene, metres along its line of sight: far a twentieth behind the
+/// bounds' furthest corner unless `stated_far` is nearer (0: none is stated), near as stated but never below
+/// 1e-5 of far (0: none is stated). `camera` and `bounds` share their coordinates; only the camera's
+/// position, target and projection count.
 DepthRange useful_depth_range(const Camera& camera, const Bounds& bounds, double stated_near,
                               double stated_far);
 

