@@ -33,7 +33,7 @@ class Project {
         const std::string command =
             "cd " + shell_quoted(folder_.string()) +
             " && export AOSCORE_CACHE=\"$PWD/cache\" && cmake -G Ninja -S . -B build -D AOSCORE=" +
-            shell_quoted(AOSCORE_PROGRAM) +
+            shell_quoted(testing::program()) +
             " >configure.log 2>&1 && ctest --test-dir build --output-on-failure >test.log 2>&1";
         return std::system(command.c_str()) == 0;
     }

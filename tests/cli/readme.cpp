@@ -12,7 +12,7 @@ namespace aoscore::testing {
 namespace fs = std::filesystem;
 
 std::string readme_commands(const std::string& heading) {
-    std::istringstream lines(read_file(fs::path(AOSCORE_SOURCE_DIR) / "README.md"));
+    std::istringstream lines(read_file(source_dir() / "README.md"));
     std::string line, commands;
     bool inside = false;
     while (std::getline(lines, line)) {
@@ -28,9 +28,9 @@ ProgramRun run_readme_commands(const std::string& heading, const fs::path& folde
     write_atomically(folder / "run.sh", "#!/bin/bash\nexport AOSCORE_CACHE='" +
                                             (folder / "truth-cache").string() +
                                             "'\nif [ \"$1\" = score ]; then set -- \"$@\" " +
-                                            score_arguments + "; fi\nexec '" AOSCORE_PROGRAM "' \"$@\"\n");
+                                            score_arguments + "; fi\nexec '" + program() + "' \"$@\"\n");
     fs::permissions(folder / "run.sh", fs::perms::owner_all);
-    fs::create_directory_symlink(fs::path(AOSCORE_SOURCE_DIR) / "shaders", folder / "shaders");
+    fs::create_directory_symlink(source_dir() / "shaders", folder / "shaders");
     const int status =
         std::system(("cd '" + folder.string() + "' && bash commands.sh >out.txt 2>err.txt").c_str());
     ProgramRun run;

@@ -158,7 +158,7 @@ TEST_F(ViewFiles, DoNotChangeTheDigest) {
 }
 
 TEST(ShippedViewFiles, AreSound) {
-    const fs::path scenes = fs::path(AOSCORE_SOURCE_DIR) / "scenes";
+    const fs::path scenes = aoscore::testing::source_dir() / "scenes";
     for (const auto& entry : fs::recursive_directory_iterator(scenes)) {
         if (entry.path().filename() != "views.json") continue;
         EXPECT_NO_THROW({ EXPECT_FALSE(aoscore::read_view_file(entry.path()).title.empty()); })

@@ -21,9 +21,17 @@ fs::path output_dir() {
     return folder;
 }
 
+fs::path source_dir() {
+    return AOSCORE_SOURCE_DIR;
+}
+
+std::string program() {
+    return AOSCORE_PROGRAM;
+}
+
 fs::path shared_dir() {
     if (const char* dir = std::getenv("AOSCORE_SHARED"); dir != nullptr) return dir;
-    const fs::path beside = fs::path(AOSCORE_SOURCE_DIR).parent_path() / "shared";
+    const fs::path beside = source_dir().parent_path() / "shared";
     return fs::exists(beside) ? beside : fs::path();
 }
 
@@ -31,9 +39,8 @@ ProgramRun run_aoscore(const std::string& arguments, const fs::path& folder, con
     const fs::path out = folder / "stdout.txt", err = folder / "stderr.txt";
     // No test may be served by what another one, or the user, has traced.
     const std::string command = "cd '" + folder.string() + "' && export AOSCORE_CACHE='" +
-                                (folder / "truth-cache").string() + "' && " + prefix +
-                                " '" AOSCORE_PROGRAM "' " + arguments + " >'" + out.string() + "' 2>'" +
-                                err.string() + "'";
+                                (folder / "truth-cache").string() + "' && " + prefix + " '" + program() +
+                                "' " + arguments + " >'" + out.string() + "' 2>'" + err.string() + "'";
     const int status = std::system(command.c_str());
     ProgramRun run;
     run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

@@ -15,6 +15,12 @@ std::filesystem::path output_dir();
 /// there.
 std::filesystem::path shared_dir();
 
+/// The source tree that these tests were built from.
+std::filesystem::path source_dir();
+
+/// The path of the built `aoscore`.
+std::string program();
+
 struct ProgramRun {
     int exit_code = 0;
     std::string out;
