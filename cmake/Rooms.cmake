@@ -25,8 +25,21 @@ function(aoscore_room name)
     cmake_parse_arguments(ROOM "" "" "ROOMS;LIBRARIES" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     add_library(aoscore_${name} STATIC ${sources})
+    set_property(GLOBAL APPEND PROPERTY AOSCORE_ROOMS ${name})
     list(TRANSFORM ROOM_ROOMS PREPEND aoscore_)
     target_link_libraries(aoscore_${name} PUBLIC aoscore_options ${ROOM_ROOMS} ${ROOM_LIBRARIES})
+endfunction()
+
+# aoscore_link_code(target room…): gives a program that holds the store the digests of the code that fills it. They
+# are an object of the program's own, as they are computed from the rooms' archives.
+function(aoscore_link_code target)
+    foreach(room IN LISTS ARGN)
+        get_target_property(libraries ${room} LINK_LIBRARIES)
+        if(room STREQUAL aoscore_store OR aoscore_store IN_LIST libraries)
+            target_link_libraries(${target} PRIVATE aoscore_code)
+            return()
+        endif()
+    endforeach()
 endfunction()
 
 #   aoscore_program(<name> ROOMS <rooms it may include>… LIBRARIES <external targets>…): all sources of this folder in one
@@ -37,6 +50,7 @@ function(aoscore_program name)
     add_executable(${name} ${sources})
     list(TRANSFORM PROGRAM_ROOMS PREPEND aoscore_)
     target_link_libraries(${name} PRIVATE aoscore_options ${PROGRAM_ROOMS} ${PROGRAM_LIBRARIES})
+    aoscore_link_code(${name} ${PROGRAM_ROOMS})
 endfunction()
 
 #   aoscore_test(<name> ROOMS <rooms under test>… LIBRARIES <external targets>…): all of tests/<name>/*.cpp in
@@ -48,6 +62,7 @@ function(aoscore_test name)
     list(TRANSFORM TEST_ROOMS PREPEND aoscore_)
     target_link_libraries(test_${name} PRIVATE aoscore_test_support ${TEST_ROOMS} ${TEST_LIBRARIES}
                           GTest::gtest_main GTest::gmock)
+    aoscore_link_code(test_${name} ${TEST_ROOMS})
     gtest_discover_tests(test_${name} TEST_PREFIX "${name}: " DISCOVERY_MODE PRE_TEST
                          DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600 LABELS ${name})
 endfunction()

@@ -2,8 +2,8 @@
 #include "cli/shared_options.h"
 #include "core/log.h"
 #include "core/output.h"
-#include "experiment/measurement_store.h"
-#include "reference/cache/truth_cache.h"
+#include "store/artifact_store.h"
+#include "store/truth/truth_cache.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -71,8 +71,8 @@ void print(const CacheEntry& entry) {
                  bytes_text(entry.bytes), age_text(entry.age_s), state_text(entry));
 }
 
-MeasurementStore measurements() {
-    return MeasurementStore(MeasurementStore::folder_in(default_cache_dir()));
+ArtifactStore measurements() {
+    return ArtifactStore(ArtifactStore::folder_in(default_cache_dir()));
 }
 
 ExitCode list(const TruthCache& cache, const Options&) {
@@ -83,7 +83,7 @@ ExitCode list(const TruthCache& cache, const Options&) {
         bytes += entry.bytes;
     }
     print_result("{} truths, {}, in {}\n", entries.size(), bytes_text(bytes), default_cache_dir().string());
-    const MeasurementStore::Size size = measurements().size();
+    const ArtifactStore::Size size = measurements().size();
     print_result("{} measurements, {}\n", size.entries, bytes_text(size.bytes));
     return ExitCode::ok;
 }
@@ -92,7 +92,7 @@ ExitCode clear(const TruthCache& cache, const Options&) {
     const ClearedCache cleared = cache.clear();
     print_result("{} truths removed, {} freed", cleared.files, bytes_text(cleared.bytes));
     if (cleared.kept_in_use > 0) print_result("; {} kept, in use by another process", cleared.kept_in_use);
-    const MeasurementStore::Size removed = measurements().clear();
+    const ArtifactStore::Size removed = measurements().clear();
     print_result("\n{} measurements removed, {} freed\n", removed.entries, bytes_text(removed.bytes));
     return ExitCode::ok;
 }

@@ -32,7 +32,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
         for (const Claim& claim : list.claims) plan.claim_ids.push_back(claim.id);
     }
     return run_and_report(plan, options.out.empty() ? home_dir() / "reports" / "out" / "claims" : options.out,
-                          options.outcome);
+                          options.outcome, global);
 }
 
 }  // namespace
@@ -49,6 +49,7 @@ CommandEntry add_claims_command(CLI::App& program, const GlobalOptions& global) 
     add_cache_option(*app, options->truth_cache);
     app->add_option("--out", options->out, "Folder of page and results [reports/out/claims]");
     add_outcome_options(*app, options->outcome);
+    add_job_options(*app, options->outcome);
     return {app, [options, &global] { return run(*options, global); }};
 }
 

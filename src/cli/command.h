@@ -16,7 +16,8 @@ struct GlobalOptions {
     std::uint64_t seed = 1;
     int threads = 0;  ///< 0: all cores
     bool quiet = false;
-    std::string command_line;  ///< as the user gave it, quoted for a shell
+    std::string command_line;        ///< as the user gave it, quoted for a shell
+    std::vector<std::string> words;  ///< of it, without the program's name
 };
 
 /// Adds one subcommand to the program; what it returns runs when the subcommand was given.
@@ -39,5 +40,6 @@ CommandEntry add_list_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_stress_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_bench_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_cache_command(CLI::App& program, const GlobalOptions& global);
+CommandEntry add_job_command(CLI::App& program, const GlobalOptions& global);
 
 }  // namespace aoscore

@@ -2,7 +2,7 @@
 #include "cli/shared_options.h"
 #include "core/files.h"
 #include "core/output.h"
-#include "experiment/image_output.h"
+#include "jobs/image_output.h"
 #include "screen/screen.h"
 
 #include <fmt/format.h>

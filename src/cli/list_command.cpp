@@ -57,7 +57,7 @@ void list_builtin_views() {
 void list_views(const std::string& scene_name, const ViewChoice& choice) {
     if (scene_name.empty()) return list_builtin_views();
     constexpr double kListedAspect = 16.0 / 9;
-    const MeasurementStore store(MeasurementStore::folder_in(default_cache_dir()));
+    const ArtifactStore store(ArtifactStore::folder_in(default_cache_dir()));
     const Scene scene = load_with_warnings(scene_name, choice.load);
     std::vector<View> views;
     for (const std::string& id : choice.views.empty() ? std::vector<std::string>{"all"} : choice.views) {

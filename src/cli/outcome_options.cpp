@@ -2,7 +2,7 @@
 
 #include "core/log.h"
 #include "experiment/experiment.h"
-#include "experiment/view_description.h"
+#include "jobs/camera_contract.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -36,6 +36,14 @@ void add_outcome_options(CLI::App& app, OutcomeOptions& options) {
            "--export", options.exports,
            fmt::format("Write the numbers to this file, by its extension: {}", fmt::join(extensions, ", ")))
         ->allow_extra_args(false);
+}
+
+void add_job_options(CLI::App& app, OutcomeOptions& options) {
+    auto* list =
+        app.add_flag("--jobs", options.list_jobs,
+                     "Print the jobs of this command as JSON, with their keys, and make none of them");
+    app.add_option("--job", options.only_job, "Make the artifact of this key alone, and no page")
+        ->excludes(list);
 }
 
 void add_baseline_option(CLI::App& app, OutcomeOptions& options) {
@@ -84,7 +92,7 @@ ExitCode Outcome::conclude(const Results& results) {
         gates_.require_above_noise(noise_floor_of(results, cell), cell.view_key);
     bool comparable = true;
     for (const ViewRecord& view : results.views) {
-        const std::string reason = emptiness(view);
+        const std::string reason = emptiness(view.surface_pixels, view.valid_pixels);
         if (reason.empty()) continue;
         comparable = false;
         log_error(fmt::format("fail {}: {}", view.key, reason));

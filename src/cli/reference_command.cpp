@@ -2,10 +2,10 @@
 #include "cli/shared_options.h"
 #include "core/log.h"
 #include "core/output.h"
-#include "experiment/image_output.h"
 #include "experiment/ranking_radius.h"
-#include "experiment/truth_provenance.h"
-#include "reference/cache/truth_cache.h"
+#include "jobs/image_output.h"
+#include "jobs/truth_provenance.h"
+#include "store/truth/truth_cache.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cli/command.h"
 #include "cli/outcome_options.h"
 #include "core/error.h"
 #include "experiment/plan.h"
@@ -9,7 +10,8 @@
 namespace aoscore {
 
 /// Runs the plan, makes the page, prints its path on standard output, and concludes: Outcome::conclude().
+/// With --jobs or --job that alone is done.
 ExitCode run_and_report(ExperimentPlan plan, const std::filesystem::path& folder,
-                        const OutcomeOptions& options);
+                        const OutcomeOptions& options, const GlobalOptions& global);
 
 }  // namespace aoscore

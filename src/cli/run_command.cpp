@@ -35,7 +35,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     plan.truth_cache = options.truth_cache;
     const std::filesystem::path folder =
         options.out.empty() ? home_dir() / "reports" / "out" / "main" : options.out;
-    return run_and_report(std::move(plan), folder, options.outcome);
+    return run_and_report(std::move(plan), folder, options.outcome, global);
 }
 
 }  // namespace
@@ -52,6 +52,7 @@ CommandEntry add_run_command(CLI::App& program, const GlobalOptions& global) {
     add_cache_option(*app, options->truth_cache);
     app->add_option("--out", options->out, "Folder of page, results and images [reports/out/main]");
     add_outcome_options(*app, options->outcome);
+    add_job_options(*app, options->outcome);
     add_baseline_option(*app, options->outcome);
     return {app, [options, &global] { return run(*options, global); }};
 }

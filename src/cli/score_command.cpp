@@ -61,7 +61,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     const std::string stem = std::filesystem::path(options.choice.scene).stem().string();
     const std::filesystem::path folder =
         options.out.empty() ? home_dir() / "reports" / "out" / ("score-" + stem) : options.out;
-    return run_and_report(std::move(plan), folder, options.outcome);
+    return run_and_report(std::move(plan), folder, options.outcome, global);
 }
 
 }  // namespace
@@ -82,6 +82,7 @@ CommandEntry add_score_command(CLI::App& program, const GlobalOptions& global) {
     add_cache_option(*app, options->truth_cache);
     app->add_option("--out", options->out, "Folder of page, results and images [reports/out/score-SCENE]");
     add_outcome_options(*app, options->outcome);
+    add_job_options(*app, options->outcome);
     add_baseline_option(*app, options->outcome);
     return {app, [options, &global] { return run(*options, global); }};
 }

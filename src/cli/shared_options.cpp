@@ -4,10 +4,10 @@
 #include "core/known_names.h"
 #include "core/text.h"
 #include "experiment/scene_views.h"
-#include "reference/cache/truth_cache.h"
 #include "scene/scene_frame.h"
 #include "scene/view_choice.h"
 #include "scene/view_limits.h"
+#include "store/truth/truth_cache.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -220,7 +220,7 @@ View one_view(const Scene& scene, const ViewChoice& choice, const ImageSize& siz
     if (choice.views.size() > 1) throw usage_error("several views", "--view", "one");
     const std::vector<View> views = wanted_views(scene, choice.load, planned_views(choice).front(),
                                                  static_cast<double>(size.width) / size.height,
-                                                 MeasurementStore(MeasurementStore::folder_in(cache)));
+                                                 ArtifactStore(ArtifactStore::folder_in(cache)));
     if (views.size() > 1) {
         log_info(fmt::format("{} has {} such views; taking {} (choose with --view)", scene.id, views.size(),
                              views.front().id));

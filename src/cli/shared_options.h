@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/log.h"
-#include "reference/cache/truth_cache.h"
 #include "reference/truth.h"
 #include "scene/scene.h"
+#include "store/truth/truth_cache.h"
 
 #include <CLI/CLI.hpp>
 

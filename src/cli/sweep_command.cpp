@@ -100,7 +100,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     const std::filesystem::path folder =
         options.out.empty() ? home_dir() / "reports" / "out" / fmt::format("sweep-{}", fmt::join(stems, "-"))
                             : options.out;
-    return run_and_report(std::move(plan), folder, options.outcome);
+    return run_and_report(std::move(plan), folder, options.outcome, global);
 }
 
 }  // namespace
@@ -134,6 +134,7 @@ CommandEntry add_sweep_command(CLI::App& program, const GlobalOptions& global) {
     app->add_option("--out", options->out,
                     "Folder of page, results.json and sweep.csv [reports/out/sweep-SCENE]");
     add_outcome_options(*app, options->outcome);
+    add_job_options(*app, options->outcome);
     return {app, [options, &global] { return run(*options, global); }};
 }
 

@@ -4,7 +4,7 @@
 #include "core/log.h"
 #include "core/output.h"
 #include "experiment/ranking_radius.h"
-#include "experiment/timing.h"
+#include "jobs/timing.h"
 #include "screen/lengths.h"
 #include "screen/screen.h"
 

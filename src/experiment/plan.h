@@ -1,7 +1,7 @@
 #pragma once
 
 #include "experiment/run_modes.h"
-#include "experiment/timing.h"
+#include "jobs/timing.h"
 #include "reference/truth.h"
 #include "results/results.h"
 #include "scene/scene.h"

@@ -1,6 +1,6 @@
 #include "experiment/resolved_cell.h"
 
-#include "experiment/own_truth.h"
+#include "jobs/own_truth.h"
 #include "screen/lengths.h"
 
 #include <fmt/format.h>

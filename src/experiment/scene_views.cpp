@@ -1,10 +1,9 @@
 #include "experiment/scene_views.h"
 
-#include "core/hash.h"
-#include "experiment/measuring_code.h"
 #include "framing/automatic_views.h"
 #include "scene/scene_frame.h"
 #include "scene/view_choice.h"
+#include "store/key.h"
 
 #include <nlohmann/json.hpp>
 
@@ -16,7 +15,7 @@ namespace {
 using nlohmann::json;
 
 std::string views_key(const Scene& scene, double aspect) {
-    return Digest().text("automatic views").text(measuring_code()).text(scene.digest).value(aspect).hex();
+    return KeyBuilder("views").text(scene.digest).value(aspect).key().hex;
 }
 
 json numbers(const glm::dvec3& v) {
@@ -54,7 +53,7 @@ View view_of(const json& stored) {
     return view;
 }
 
-std::vector<View> kept_automatic_views(const Scene& scene, double aspect, const MeasurementStore& store) {
+std::vector<View> kept_automatic_views(const Scene& scene, double aspect, const ArtifactStore& store) {
     const std::string key = views_key(scene, aspect);
     std::vector<View> views;
     if (const auto found = store.find(key)) {
@@ -71,7 +70,7 @@ std::vector<View> kept_automatic_views(const Scene& scene, double aspect, const 
 }  // namespace
 
 std::vector<View> wanted_views(const Scene& scene, const LoadOptions& loaded_with, const std::string& choice,
-                               double aspect, const MeasurementStore& store) {
+                               double aspect, const ArtifactStore& store) {
     const bool is_stated =
         std::ranges::any_of(scene.views, [&](const View& view) { return view.id == choice; });
     const bool is_automatic = !is_stated && (choice.starts_with("auto") || scene.views.empty());

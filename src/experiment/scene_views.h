@@ -1,7 +1,7 @@
 #pragma once
 
-#include "experiment/measurement_store.h"
 #include "scene/scene.h"
+#include "store/artifact_store.h"
 
 #include <string>
 #include <vector>
@@ -12,6 +12,6 @@ namespace aoscore {
 /// Automatic ones are made where nothing else is there or the choice begins with "auto", and kept in the
 /// store.
 std::vector<View> wanted_views(const Scene& scene, const LoadOptions& loaded_with, const std::string& choice,
-                               double aspect, const MeasurementStore& store);
+                               double aspect, const ArtifactStore& store);
 
 }  // namespace aoscore

@@ -2,8 +2,8 @@
 
 #include "core/error.h"
 #include "core/interrupt.h"
-#include "experiment/camera_contract.h"
 #include "experiment/stress_thumbnails.h"
+#include "jobs/camera_contract.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "experiment/stress_subjects.h"
 
-#include "experiment/own_truth.h"
+#include "jobs/own_truth.h"
 
 #include <algorithm>
 #include <cmath>

@@ -47,12 +47,6 @@ ViewRecord describe_view(const Scene& scene, const View& view, const CameraFrame
     return record;
 }
 
-std::string emptiness(const ViewRecord& view) {
-    if (view.valid_pixels > 0) return "";
-    return view.surface_pixels == 0 ? "the camera sees no surface: there is nothing to compare"
-                                    : "ray tracer and rasteriser see the same surface through no pixel";
-}
-
 std::string view_file_text(const Scene& scene, const std::vector<View>& views) {
     // Wide enough for what exporters round, narrow enough to tell scenes apart.
     constexpr double kTolerance = 1e-3;

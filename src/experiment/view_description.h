@@ -12,9 +12,6 @@ namespace aoscore {
 ViewRecord describe_view(const Scene& scene, const View& view, const CameraFrame& frame,
                          const std::string& key);
 
-/// Why nothing can be compared on a view that was traced; empty where something can.
-std::string emptiness(const ViewRecord& view);
-
 /// These views of the scene as the text of a view file for it (see scenes/README.md).
 std::string view_file_text(const Scene& scene, const std::vector<View>& views);
 

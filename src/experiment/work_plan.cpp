@@ -12,7 +12,7 @@ namespace aoscore {
 namespace {
 
 double megapixels(const ViewRun& run) {
-    return run.plan.width * 1e-6 * run.plan.height;
+    return run.work.width * 1e-6 * run.work.height;
 }
 
 /// Seconds a million pixels: of the truth for each ray, and of everything else for each cell.
@@ -21,16 +21,22 @@ struct Pace {
 };
 
 std::string pace_key() {
-    Digest digest;
-    digest.text("pace").text(cpu_name()).value(thread_count());
-    return digest.hex();
+    return Digest().text("pace").text(cpu_name()).value(thread_count()).hex();
 }
 
-std::optional<Pace> find_pace(const MeasurementStore& store) {
+std::optional<Pace> find_pace(const ArtifactStore& store) {
     const auto found = store.find(pace_key());
     if (!found || !found->is_object()) return std::nullopt;
     const Pace pace{found->value("truth", 0.0), found->value("cell", 0.0)};
     return pace.truth > 0 && pace.cell > 0 ? std::optional(pace) : std::nullopt;
+}
+
+/// Whether a cell's numbers are all in the store.
+bool is_known(const ViewJobs& jobs, const CellKeys& keys, const ArtifactStore& store) {
+    const bool own_known = !keys.own_score || store.has(keys.own_score->hex);
+    const bool pictured = std::ranges::find(jobs.graph.wanted(), keys.image) != jobs.graph.wanted().end();
+    return own_known && store.has(keys.score.hex) && store.has(keys.times.hex) &&
+           store.has(keys.fetches.hex) && (!pictured || store.has(keys.image.hex));
 }
 
 std::string duration_text(double seconds) {
@@ -55,27 +61,31 @@ std::string WorkPlan::rest_text() const {
                        duration_text(seconds.value_or(0)));
 }
 
-WorkPlan plan_work(std::span<const ViewRun> runs, std::span<const ViewStock> stocks,
-                   const MeasurementStore& store) {
+WorkPlan plan_work(std::span<const ViewRun> runs, const ArtifactStore& store) {
     WorkPlan plan;
     const std::optional<Pace> pace = find_pace(store);
     double seconds = 0;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        const std::size_t missing = stocks[i].missing();
+    for (const ViewRun& run : runs) {
+        const auto known = static_cast<std::size_t>(std::ranges::count_if(
+            run.jobs.cells, [&](const CellKeys& keys) { return is_known(run.jobs, keys, store); }));
+        const bool view_known = store.has(run.jobs.view.hex);
         ++plan.views;
-        plan.views_known += stocks[i].view.has_value();
-        plan.cells += runs[i].cells.size();
-        plan.cells_known += runs[i].cells.size() - missing;
-        if (!pace || stocks[i].complete()) continue;
-        seconds += megapixels(runs[i]) *
-                   (pace->truth * runs[i].plan.samples + pace->cell * static_cast<double>(missing));
+        plan.views_known += view_known;
+        plan.cells += run.cells.size();
+        plan.cells_known += known;
+        if (!pace || is_known(run, store)) continue;
+        seconds += megapixels(run) * pace->cell * static_cast<double>(run.cells.size() - known);
+        if (!view_known) seconds += megapixels(run) * pace->truth * run.plan.samples;
     }
     if (pace) plan.seconds = seconds;
     return plan;
 }
 
-void learn_pace(const MeasurementStore& store, const ViewRun& run, const ViewOutcome& outcome,
-                double seconds) {
+bool is_known(const ViewRun& run, const ArtifactStore& store) {
+    return std::ranges::all_of(run.jobs.graph.wanted(), [&](const Key& key) { return store.has(key.hex); });
+}
+
+void learn_pace(const ArtifactStore& store, const ViewRun& run, const ViewOutcome& outcome, double seconds) {
     if (!store.enabled() || outcome.measured == 0 || outcome.rays == 0) return;
     const double truth_s = outcome.view.truth_seconds;
     const Pace now{

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "experiment/view_run.h"
-#include "experiment/view_stock.h"
 
 #include <optional>
 #include <span>
@@ -21,11 +20,12 @@ struct WorkPlan {
     std::string rest_text() const;
 };
 
-WorkPlan plan_work(std::span<const ViewRun> runs, std::span<const ViewStock> stocks,
-                   const MeasurementStore& store);
+WorkPlan plan_work(std::span<const ViewRun> runs, const ArtifactStore& store);
+
+/// Whether everything that the run asks for is in the store.
+bool is_known(const ViewRun& run, const ArtifactStore& store);
 
 /// Remembers how long a view took on this machine, for the next estimate.
-void learn_pace(const MeasurementStore& store, const ViewRun& run, const ViewOutcome& outcome,
-                double seconds);
+void learn_pace(const ArtifactStore& store, const ViewRun& run, const ViewOutcome& outcome, double seconds);
 
 }  // namespace aoscore

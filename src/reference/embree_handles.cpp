@@ -1,10 +1,13 @@
 #include "reference/embree_handles.h"
 
 #include "core/error.h"
+#include "reference/truth.h"
 
 #include <fmt/format.h>
 
 namespace aoscore {
+
+std::string tracer_version() { return "Embree " RTC_VERSION_STRING; }
 
 SceneHandle new_trace_scene(RTCDevice device) {
     SceneHandle handle(rtcNewScene(device));

@@ -145,6 +145,9 @@ struct Truth {
     double seconds = 0;  ///< tracing only, that of kept tiles included
 };
 
+/// The ray tracer and its version: "Embree 3.13.5".
+std::string tracer_version();
+
 class TileStore;
 struct GroupState;
 

@@ -90,7 +90,7 @@ std::string truth_settings_text(const ViewRecord& view, std::uint64_t seed) {
         view.max_error ? fmt::format("at least {} samples a pixel, then more until the standard error is {}",
                                      view.least_samples, short_text(*view.max_error))
                        : fmt::format("{} samples a pixel, without a bound on the error", view.least_samples);
-    return fmt::format("seed {}, {}; version {} of the integrator", seed, effort, view.integrator);
+    return fmt::format("seed {}, {}; integrator {}", seed, effort, view.integrator);
 }
 
 /// What methods were drawn with, each setting once.

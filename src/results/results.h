@@ -98,7 +98,7 @@ struct ViewRecord {
     /// What the truth was made for, which may be more than this run asked for; where it came from the cache,
     /// by an earlier run.
     int least_samples = 0;  ///< rays that every pixel got which got any
-    int integrator = 0;     ///< version of what makes truths: another one makes other bits
+    std::string integrator;  ///< digest of the code that makes truths: other code may make other bits
     std::string
         truth_command;  ///< that traces the truth of the ranking again, and those of other binary radii
     std::uint64_t truth_rays_now = 0;   ///< traced in this run

@@ -61,7 +61,7 @@ ViewRecord view_record(const std::string& view) {
     record.samples = 64;
     record.truth_seconds = 3.5;
     record.least_samples = 64;
-    record.integrator = 1;
+    record.integrator = "0123456789ab";
     record.truth_command = "aoscore reference atrium --view " + view + " --seed 1 --out truth.exr";
     record.truth_rays = record.truth_rays_now = 1234567;
     record.savings.left_out_triangles = 4321;

@@ -1,0 +1,186 @@
+#include "experiment/planned_runs.h"
+
+#include "core/log.h"
+#include "experiment/live_output.h"
+#include "experiment/scene_views.h"
+#include "scene/view_choice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace aoscore {
+namespace {
+
+/// The radius that lengths are drawn for; empty where the plan wants them as descriptors have them.
+std::optional<double> drawn_for(const ExperimentPlan& plan, const RankingRadius& radius) {
+    return plan.own_parameters ? std::nullopt : std::optional(radius.metres);
+}
+
+/// The scenes of a plan, each read once.
+class PlannedScenes {
+  public:
+    std::shared_ptr<const Scene> of(const ViewPlan& plan) {
+        for (const auto& [reader, scene] : scenes_) {
+            if (reader->scene == plan.scene && reader->load == plan.load) return scene;
+        }
+        auto scene = std::make_shared<const Scene>(load_scene(plan.scene, plan.load));
+        for (const std::string& warning : scene->warnings) log_warning(scene->id + ": " + warning);
+        if (plan.view.empty()) {
+            if (const std::string left_out = left_out_text(*scene); !left_out.empty()) log_info(left_out);
+        }
+        scenes_.emplace_back(&plan, scene);
+        return scene;
+    }
+
+  private:
+    std::vector<std::pair<const ViewPlan*, std::shared_ptr<const Scene>>> scenes_;
+};
+
+// Looks up and loads everything before any work is done or file is written, so that a wrong name costs
+// nothing.
+std::vector<PreparedView> prepare(const ExperimentPlan& plan, const Registry& registry,
+                                  const ArtifactStore& store) {
+    for (const ViewPlan& view : plan.views) {
+        for (const CellPlan& cell : view.cells) resolve(cell, registry, plan.seed, std::nullopt);
+    }
+    PlannedScenes scenes;
+    std::vector<PreparedView> prepared;
+    for (std::size_t i = 0; i < plan.views.size(); ++i) {
+        const ViewPlan& wanted = plan.views[i];
+        const std::shared_ptr<const Scene> scene = scenes.of(wanted);
+        const double aspect = static_cast<double>(wanted.width) / wanted.height;
+        RankingRadii radii(*scene);
+        for (View& view : wanted_views(*scene, wanted.load, wanted.view, aspect, store)) {
+            CameraFrame(view.camera, wanted.width, wanted.height);
+            PreparedView p{&wanted, i, {}, scene, view, radii.of(wanted.radius_m, view), {}};
+            if (p.radius.automatic) log_warning(scene->id + ": " + radius_warning(p.radius, view));
+            for (const CellPlan& cell : wanted.cells)
+                p.cells.push_back(resolve(cell, registry, plan.seed, drawn_for(plan, p.radius)));
+            prepared.push_back(std::move(p));
+        }
+    }
+    // A scene is built once: its views one after the other.
+    std::vector<const Scene*> order;
+    for (const PreparedView& p : prepared) {
+        if (std::find(order.begin(), order.end(), p.scene.get()) == order.end())
+            order.push_back(p.scene.get());
+    }
+    std::stable_sort(prepared.begin(), prepared.end(), [&](const PreparedView& a, const PreparedView& b) {
+        return std::find(order.begin(), order.end(), a.scene.get()) <
+               std::find(order.begin(), order.end(), b.scene.get());
+    });
+    return prepared;
+}
+
+// Names the views in the results. One view in two sizes is two entries.
+void name_views(std::vector<PreparedView>& prepared) {
+    std::set<std::string> taken;
+    for (PreparedView& p : prepared) {
+        p.key = p.scene->id + "/" + p.view.id;
+        if (taken.contains(p.key)) p.key += fmt::format("@{}x{}", p.plan->width, p.plan->height);
+        taken.insert(p.key);
+    }
+}
+
+/// All truths of a view: the ranking's first, then every method's own.
+std::vector<TruthQuery> wanted_queries(const std::vector<ResolvedCell>& cells, double radius_m) {
+    std::vector<TruthQuery> queries{{Falloff::binary, radius_m, 0}};
+    for (const ResolvedCell& cell : cells) {
+        if (cell.plan.own_truth && std::find(queries.begin(), queries.end(), cell.own) == queries.end())
+            queries.push_back(cell.own);
+    }
+    return queries;
+}
+
+TruthSettings truth_settings(const ViewPlan& plan, std::uint64_t seed) {
+    TruthSettings settings;
+    settings.samples = plan.samples;
+    settings.max_error = plan.max_error;
+    settings.seed = seed;
+    settings.extras = plan.extras;
+    return settings;
+}
+
+CellWork cell_work(const ResolvedCell& cell, const std::string& view_key, const Registry& registry,
+                   std::optional<double> drawn_for_m) {
+    CellWork work;
+    work.id = fmt::format("{}/{}", view_key, cell_name(cell.plan));
+    work.request = work.timed = cell.request;
+    if (cell.plan.own_truth) work.own = cell.own;
+    work.keep_image = cell.plan.keep_image;
+    work.whole_frames = cell.plan.whole_frames;
+    if (work.whole_frames) light(work.timed, registry.lighting, drawn_for_m);
+    return work;
+}
+
+MethodRequest fixed_pass_request(const Registry& registry, bool lit, std::uint64_t seed,
+                                 std::optional<double> drawn_for_m) {
+    MethodRequest request;
+    request.method = &registry.fixed_pass;
+    request.parameters = registry.fixed_pass.values("default");
+    request.seed = seed;
+    if (lit) light(request, registry.lighting, drawn_for_m);
+    return request;
+}
+
+/// All that one view's jobs are laid out from.
+ViewWork view_work(const ExperimentPlan& plan, const PreparedView& p, const Registry& registry,
+                   SceneTools& tools, const std::filesystem::path& folder) {
+    const std::optional<double> drawn_for_m = drawn_for(plan, p.radius);
+    std::vector<CellWork> cells;
+    for (const ResolvedCell& cell : p.cells) cells.push_back(cell_work(cell, p.key, registry, drawn_for_m));
+    return {.scene = *p.scene,
+            .view = p.view,
+            .tools = tools,
+            .gl_renderer = tools.renderer().renderer(),
+            .gl_version = tools.renderer().version(),
+            .width = p.plan->width,
+            .height = p.plan->height,
+            .key = p.key,
+            .radius_m = p.radius.metres,
+            .queries = wanted_queries(p.cells, p.radius.metres),
+            .truth = truth_settings(*p.plan, plan.seed),
+            .cells = std::move(cells),
+            .fixed_pass = fixed_pass_request(registry, p.plan->lit, plan.seed, drawn_for_m),
+            .timing_goal = p.plan->timing_goal,
+            .seed = plan.seed,
+            .keep_gbuffer = plan.keep_gbuffer,
+            .kept_inputs = gbuffer_inputs_of(registry),
+            .truth_cache = plan.truth_cache,
+            .command = plan.command,
+            .folder = folder};
+}
+
+ViewRun view_run(const ExperimentPlan& plan, const PreparedView& p, const Registry& registry,
+                 SceneTools& tools, const std::filesystem::path& folder) {
+    ViewRun run{.plan = *p.plan,
+                .radius = p.radius,
+                .drawn_for_m = drawn_for(plan, p.radius),
+                .cells = p.cells,
+                .work = view_work(plan, p, registry, tools, folder),
+                .jobs = {}};
+    if (p.plan->lit) {
+        run.lighting = registry.lighting.label;
+        run.lighting_parameters = drawn_values(registry.lighting, "default", {}, run.drawn_for_m);
+    }
+    run.jobs = view_jobs(run.work);
+    return run;
+}
+
+}  // namespace
+
+PlannedRuns::PlannedRuns(const ExperimentPlan& plan, const ArtifactStore& store) : plan_(plan) {
+    std::vector<std::string> left_out;  // the plan says which: it names none of them
+    registry_ = load_registry(plan.methods_dir, {}, left_out);
+    prepared_ = prepare(plan, registry_, store);
+    name_views(prepared_);
+}
+
+void PlannedRuns::lay_out(const std::filesystem::path& folder) {
+    for (const PreparedView& p : prepared_) runs_.push_back(view_run(plan_, p, registry_, tools_, folder));
+}
+
+}  // namespace aoscore

@@ -1,0 +1,129 @@
+#include "jobs/image_output.h"
+
+#include "jobs/own_truth.h"
+#include "results/image_file.h"
+
+#include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <array>
+#include <cmath>
+#include <list>
+#include <vector>
+
+namespace aoscore {
+namespace {
+
+ImageF as_float(const Mask& mask) {
+    ImageF image(mask.width, mask.height);
+    for (std::size_t i = 0; i < mask.size(); ++i) image.pixels[i] = mask.pixels[i] != 0 ? 1.0f : 0.0f;
+    return image;
+}
+
+ImageF component(const Image<glm::vec3>& image, int axis) {
+    ImageF result(image.width, image.height);
+    for (std::size_t i = 0; i < image.size(); ++i) result.pixels[i] = image.pixels[i][axis];
+    return result;
+}
+
+void add_vectors(const Image<glm::vec3>& image, const std::array<const char*, 3>& names,
+                 std::vector<ChannelView>& channels, std::list<ImageF>& planes) {
+    if (image.empty()) return;
+    for (int axis = 0; axis < 3; ++axis) {
+        planes.push_back(component(image, axis));
+        channels.push_back({names[static_cast<std::size_t>(axis)], &planes.back()});
+    }
+}
+
+// What was asked for beside the visibility.
+void add_extras(const Truth& truth, std::vector<ChannelView>& channels, std::list<ImageF>& planes) {
+    for (std::size_t c = 0; c < kCauses; ++c) {
+        const ImageF& occlusion = truth.occlusion_by_cause[c];
+        if (!occlusion.empty()) channels.push_back({cause_channel(c), &occlusion});
+    }
+    if (!truth.one_layer_bound.empty()) channels.push_back({kOneLayerChannel, &truth.one_layer_bound});
+    add_vectors(truth.bent_normal, {"bent.X", "bent.Y", "bent.Z"}, channels, planes);
+    if (!truth.cone_angle_rad.empty()) channels.push_back({"cone.Y", &truth.cone_angle_rad});
+}
+
+/// As EXR's attributes have it: 16 numbers, row by row, for points that are row vectors.
+std::string row_vector_matrix(const glm::dmat4& matrix) {
+    std::string text;
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row)
+            text += fmt::format("{}{}", text.empty() ? "" : " ", matrix[column][row]);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string cause_channel(std::size_t cause) {
+    return fmt::format("cause.{}.Y", kCauseIds[cause]);
+}
+
+void write_truth(const std::filesystem::path& path, const Truth& truth, const Mask& valid,
+                 std::map<std::string, std::string> attributes) {
+    const ImageF mask = as_float(valid);
+    std::vector<ChannelView> channels{
+        {"Y", &truth.visibility[0]}, {"SE.Y", &truth.standard_error[0]}, {"mask.Y", &mask}};
+    for (std::size_t q = 0; q < truth.queries.size(); ++q) {
+        const TruthQuery& query = truth.queries[q];
+        const std::string id = fmt::format("V{}", q);
+        channels.push_back({id + ".Y", &truth.visibility[q]});
+        channels.push_back({fmt::format("SE{}.Y", q), &truth.standard_error[q]});
+        attributes["aoscore:" + id + ".falloff"] = falloff_name(query.falloff);
+        attributes["aoscore:" + id + ".radius_m"] =
+            std::isfinite(query.radius_m) ? fmt::format("{}", query.radius_m) : "infinite";
+        if (query.falloff == Falloff::alchemy)
+            attributes["aoscore:" + id + ".u_m"] = fmt::format("{}", query.u_m);
+    }
+    std::list<ImageF> planes;  // a list: its elements stay where they are
+    add_extras(truth, channels, planes);
+    attributes["aoscore:samples"] = fmt::format("{}", truth.samples);
+    write_exr(path, channels, attributes);
+}
+
+Image<glm::vec3> view_positions(const GBufferImages& gbuffer, const CameraFrame& frame) {
+    Image<glm::vec3> result(frame.width(), frame.height());
+    for (int y = 0; y < result.height; ++y) {
+        for (int x = 0; x < result.width; ++x) {
+            if (gbuffer.surface.at(x, y) == 0) continue;
+            result.at(x, y) =
+                frame.view_position(x + 0.5, y + 0.5, static_cast<double>(gbuffer.linear_depth.at(x, y)));
+        }
+    }
+    return result;
+}
+
+std::map<std::string, std::string> camera_attributes(const CameraFrame& frame, const glm::dvec3& origin) {
+    const glm::dmat4 view_from_world = glm::translate(frame.view_from_world(), -origin);
+    const Camera& camera = frame.camera();
+    const bool perspective = camera.projection == Camera::Projection::perspective;
+    return {{"worldToCamera", row_vector_matrix(view_from_world)},
+            {"worldToNDC", row_vector_matrix(frame.clip_from_view() * view_from_world)},
+            {"aoscore:view_space", "metres, right-handed, looking down -z"},
+            {"aoscore:projection", perspective ? "perspective" : "orthographic"},
+            perspective ? std::pair("aoscore:fovy_deg", fmt::format("{}", glm::degrees(camera.fovy_rad)))
+                        : std::pair("aoscore:half_height_m", fmt::format("{}", camera.half_height)),
+            {"aoscore:near_m", fmt::format("{}", camera.near)},
+            {"aoscore:far_m", fmt::format("{}", camera.far)}};
+}
+
+void write_gbuffer(const std::filesystem::path& path, const GBufferImages& gbuffer,
+                   const Image<glm::vec3>& positions_m,
+                   const std::map<std::string, std::string>& attributes) {
+    const ImageF mask = as_float(gbuffer.surface);
+    std::vector<ChannelView> channels{{"Y", &gbuffer.linear_depth},
+                                      {"Z", &gbuffer.linear_depth},
+                                      {"depth.Z", &gbuffer.hardware_depth},
+                                      {"mask.Y", &mask}};
+    std::list<ImageF> planes;  // a list: its elements stay where they are
+    add_vectors(gbuffer.normal_geometric, {"N.X", "N.Y", "N.Z"}, channels, planes);
+    add_vectors(gbuffer.normal_smooth, {"Ns.X", "Ns.Y", "Ns.Z"}, channels, planes);
+    add_vectors(gbuffer.albedo, {"albedo.R", "albedo.G", "albedo.B"}, channels, planes);
+    add_vectors(positions_m, {"P.X", "P.Y", "P.Z"}, channels, planes);
+    write_exr(path, channels, attributes);
+}
+
+}  // namespace aoscore

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "store/key.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace aoscore {
+
+/// The kinds of artifacts, each made by a job of its own.
+enum class ArtifactKind : std::uint8_t {
+    gbuffer_times,  ///< runs of the G-buffer alone, milliseconds
+    gbuffer,        ///< what the methods read
+    truth,          ///< visibility with its standard error
+    contract,       ///< which pixels both paths see alike, and what is known of each
+    view,           ///< the facts of truth and contract that stand in the results
+    truth_file,
+    gbuffer_file,
+    image,      ///< a method's visibility, and its file where that is kept
+    score,      ///< metrics and analysis against the ranking's truth
+    own_score,  ///< metrics against the method's own truth
+    fetches,    ///< texture fetches a pixel
+    times,      ///< runs of the method's passes, milliseconds
+};
+inline constexpr std::size_t kArtifactKinds = 12;
+/// Their names in lists of jobs, in the order of ArtifactKind.
+inline constexpr std::array<std::string_view, kArtifactKinds> kArtifactKindIds{
+    "gbuffer_times", "gbuffer", "truth", "contract",  "view",    "truth_file",
+    "gbuffer_file",  "image",   "score", "own_score", "fetches", "times"};
+constexpr std::string_view id_of(ArtifactKind kind) {
+    return kArtifactKindIds[static_cast<std::size_t>(kind)];
+}
+
+/// Makes one artifact: a function of its inputs, of what its key is built from, and of nothing else.
+struct Job {
+    Key key;  ///< of the artifact
+    ArtifactKind kind = ArtifactKind::image;
+    std::string about;        ///< "atrium/wide/hbao/default"
+    std::vector<Key> inputs;  ///< artifacts that must be at hand when it is made
+    /// Jobs that must not have failed for this one to be worth making; its artifact does not depend on them.
+    std::vector<Key> after;
+    std::size_t cell = 0;   ///< of the view's work, where it is one cell's
+    bool in_turns = false;  ///< made together with others of its kind, so that all meet the same disturbances
+    bool essential = false;  ///< where it fails there is nothing to go on with
+};
+
+/// The jobs of a plan by key, each once, and which of them are asked for.
+class JobGraph {
+  public:
+    /// A job that others may need. The same job twice counts once.
+    const Job& add(Job job);
+    /// The same, and its artifact is asked for.
+    const Job& want(Job job);
+
+    const Job& at(const Key& key) const { return jobs_[index_.at(key)]; }
+    bool contains(const Key& key) const { return index_.contains(key); }
+    /// In the order they were added.
+    std::span<const Job> jobs() const { return jobs_; }
+    std::span<const Key> wanted() const { return wanted_; }
+
+  private:
+    std::vector<Job> jobs_;
+    std::map<Key, std::size_t> index_;
+    std::vector<Key> wanted_;
+};
+
+}  // namespace aoscore

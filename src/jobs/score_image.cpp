@@ -1,0 +1,96 @@
+#include "jobs/score_image.h"
+
+#include "core/error.h"
+#include "metrics/analysis.h"
+#include "metrics/evaluate.h"
+#include "results/record_json.h"
+#include "results/results_members.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace aoscore {
+namespace {
+
+// What is measured besides the ranking: the perceptual metrics cost more than all others together.
+const std::vector<std::string> kUnrankedMetrics{"rmse", "rmse_debiased", "mae", "bias", "ssim"};
+
+MetricMap metrics_against(const Truth& truth, std::size_t query, const ImageF& image, const Mask& valid) {
+    const MetricInput input{truth.visibility[query], image, valid, &truth.standard_error[query]};
+    return evaluate(input, kUnrankedMetrics);
+}
+
+void require_ground(const CameraContract& contract) {
+    if (!contract.kept()) {
+        throw internal_error(
+            fmt::format("ray tracer and rasteriser disagree on {:.2f} % of the pixels away from "
+                        "edges, more than {:.1f} %",
+                        100 * contract.disagreeing_share(), 100 * CameraContract::kTolerated));
+    }
+    if (contract.valid_count == 0)
+        throw Error(ExitCode::gate_failed, emptiness(contract.surface, contract.valid_count));
+}
+
+}  // namespace
+
+std::string Score::error() const {
+    return nonfinite > 0 ? fmt::format("{} pixels are NaN or infinite", nonfinite) : "";
+}
+
+Score score_image(const Truth& truth, const Ground& ground, const MethodOutput& image,
+                  const ScoreSettings& settings) {
+    require_ground(ground.contract);
+    Score score;
+    const Mask valid =
+        finite_pixels(truth.visibility[0], image.visibility, ground.contract.valid, score.nonfinite);
+    if (score.nonfinite > 0) return score;
+    MapSums maps;
+    const MetricInput ranked{truth.visibility[0], image.visibility, valid, &truth.standard_error[0], &maps};
+    score.ranked = evaluate(ranked);
+    score.analysis = analyse(ranked, ground.facts, settings.mask_threshold, settings.seed);
+    if (settings.filtered) {
+        std::size_t nonfinite = 0;
+        const Mask raw_valid =
+            finite_pixels(truth.visibility[0], image.raw, ground.contract.valid, nonfinite);
+        score.raw = metrics_against(truth, 0, image.raw, raw_valid);
+    }
+    return score;
+}
+
+MetricMap score_against(const Truth& truth, const TruthQuery& query, const Ground& ground,
+                        const ImageF& image) {
+    std::size_t nonfinite = 0;
+    const Mask valid = finite_pixels(truth.visibility[0], image, ground.contract.valid, nonfinite);
+    const auto index =
+        static_cast<std::size_t>(std::ranges::find(truth.queries, query) - truth.queries.begin());
+    return metrics_against(truth, index, image, valid);
+}
+
+nlohmann::json to_json(const Score& score) {
+    nlohmann::json object = record_json::written(score);
+    record_json::require_finite(object, "score");
+    return object;
+}
+
+Score score_from_json(const nlohmann::json& json, const std::string& where) {
+    Score score;
+    record_json::read(json, where, score);
+    return score;
+}
+
+nlohmann::json to_json(const MetricMap& metrics) {
+    nlohmann::json object = record_json::written(metrics);
+    record_json::require_finite(object, "metrics");
+    return object;
+}
+
+MetricMap metrics_from_json(const nlohmann::json& json, const std::string& where) {
+    MetricMap metrics;
+    record_json::read(json, where, metrics);
+    return metrics;
+}
+
+}  // namespace aoscore

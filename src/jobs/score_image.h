@@ -1,0 +1,58 @@
+#pragma once
+
+#include "jobs/ground.h"
+#include "reference/truth.h"
+#include "results/record_of.h"
+#include "results/results.h"
+#include "screen/screen.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace aoscore {
+
+/// How far an image is from the ranking's truth.
+struct Score {
+    std::size_t nonfinite = 0;  ///< valid pixels that are NaN or infinite: then there are no numbers
+    MetricMap ranked;
+    std::optional<ErrorAnalysis> analysis;
+    MetricMap raw;  ///< of the image before its filter; empty without one
+
+    /// Why there are no numbers; empty where there are.
+    std::string error() const;
+};
+
+template <class Visit, RecordOf<Score> Record>
+void visit_members(Visit& visit, Record& score) {
+    visit("nonfinite", score.nonfinite);
+    visit("ranked", score.ranked);
+    visit("analysis", score.analysis);
+    visit("raw", score.raw);
+}
+
+/// How an image is scored.
+struct ScoreSettings {
+    bool filtered = false;        ///< the image has been: then it is scored before its filter as well
+    double mask_threshold = 0.1;  ///< of missing and false occlusion, in visibility
+    std::uint64_t seed = 1;       ///< of the resampling
+};
+
+/// Every metric and the analysis, against the truth's first query. Throws gate_failed where no pixel is
+/// valid, and internal_error where ray tracer and rasteriser disagree.
+Score score_image(const Truth& truth, const Ground& ground, const MethodOutput& image,
+                  const ScoreSettings& settings);
+
+/// The metrics that are kept of truths beside the ranking's, against one query of the truth.
+MetricMap score_against(const Truth& truth, const TruthQuery& query, const Ground& ground,
+                        const ImageF& image);
+
+nlohmann::json to_json(const Score& score);
+/// Throws file_error for another form.
+Score score_from_json(const nlohmann::json& json, const std::string& where);
+nlohmann::json to_json(const MetricMap& metrics);
+MetricMap metrics_from_json(const nlohmann::json& json, const std::string& where);
+
+}  // namespace aoscore

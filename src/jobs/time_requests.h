@@ -1,0 +1,36 @@
+#pragma once
+
+#include "jobs/timing.h"
+#include "screen/screen.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace aoscore {
+
+/// What is timed, with its lighting where whole frames are wanted.
+struct TimedRequest {
+    MethodRequest request;
+    bool whole_frames = false;
+};
+
+/// The timed runs of one request, in the order they were taken.
+struct RequestTimes {
+    std::vector<double> ao_ms;
+    std::vector<double> filter_ms;                           ///< empty without a filter
+    std::vector<double> lighting_ms;                         ///< empty without lighting
+    std::vector<double> frame_at_once_ms, frame_by_pass_ms;  ///< empty where no whole frames are asked for
+    std::string error;  ///< why the runs ended early; empty when they did not
+};
+
+/// Times requests on the renderer's current G-buffer: a warm-up each, then round by round over all of them,
+/// so that a disturbance of the machine meets all alike; timed_runs() of each, or until `goal` is reached.
+/// `what` names the work for its progress. Throws interrupted_error on Ctrl-C.
+std::vector<RequestTimes> time_requests(ScreenRenderer& renderer, const std::vector<TimedRequest>& requests,
+                                        const std::optional<TimingGoal>& goal, const std::string& what);
+
+/// The G-buffer that was drawn last, drawn again for the clock; milliseconds.
+std::vector<double> time_gbuffer(ScreenRenderer& renderer, double first_ms);
+
+}  // namespace aoscore

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "jobs/job.h"
+#include "jobs/view_work.h"
+
+#include <optional>
+#include <vector>
+
+namespace aoscore {
+
+/// Where the artifacts of one cell are found.
+struct CellKeys {
+    Key image, score, fetches, times;
+    std::optional<Key> own_score;
+};
+
+/// The jobs of one view: what its results need, and what that is made of.
+struct ViewJobs {
+    JobGraph graph;
+    Key view;
+    std::optional<Key> gbuffer_times, truth_file, gbuffer_file;
+    std::vector<CellKeys> cells;  ///< in the order of the work's
+};
+
+/// Lays out the jobs; looks nothing up and makes nothing.
+ViewJobs view_jobs(const ViewWork& work);
+
+}  // namespace aoscore

@@ -1,0 +1,123 @@
+#include "jobs/view_keys.h"
+
+#include "core/machine.h"
+#include "core/threads.h"
+#include "screen/request_digest.h"
+
+#include <vector>
+
+namespace aoscore {
+namespace {
+
+// The albedo of surfaces without holes is not in the scene's digest: the truth does not see it.
+std::string albedo_digest(const Scene& scene) {
+    Digest digest;
+    for (const Material& material : scene.materials) digest.value(material.texture);
+    for (const Texture& texture : scene.textures) {
+        digest.value(texture.texels.width).value(texture.texels.height);
+        digest.array(std::span(texture.texels.pixels));
+    }
+    for (const Mesh& mesh : scene.meshes) digest.array(std::span(mesh.texcoords));
+    return digest.hex();
+}
+
+}  // namespace
+
+bool ViewKeys::orthographic() const {
+    return work_.view.camera.projection == Camera::Projection::orthographic;
+}
+
+const std::string& ViewKeys::albedo() const {
+    if (!albedo_) albedo_ = albedo_digest(work_.scene);
+    return *albedo_;
+}
+
+const std::string& ViewKeys::fixed_pass() const {
+    if (!fixed_pass_) fixed_pass_ = request_digest(work_.fixed_pass, orthographic());
+    return *fixed_pass_;
+}
+
+Key ViewKeys::gbuffer(const std::set<std::string>& inputs) const {
+    KeyBuilder key("gbuffer", "image");
+    key.text(work_.gl_renderer).text(work_.gl_version).text(work_.scene.digest).camera(work_.view.camera);
+    key.value(work_.width).value(work_.height);
+    for (const std::string& input : inputs) key.text(input);
+    if (inputs.contains("albedo")) key.text(albedo());
+    return key.key();
+}
+
+// What runs on a machine takes its time there.
+KeyBuilder ViewKeys::timed(std::string_view kind) const {
+    KeyBuilder key(kind, "times");
+    key.text(cpu_name()).value(thread_count());
+    return key;
+}
+
+Key ViewKeys::gbuffer_times() const {
+    return timed("gbuffer_times").input(gbuffer(work_.read_inputs())).key();
+}
+
+Key ViewKeys::truth(std::span<const TruthQuery> queries) const {
+    TruthRequest request = work_.truth_request();
+    // Where pixels are traced until all queries are sure, each of them changes the rays of the others.
+    if (request.settings.max_error == 0) request.queries.assign(queries.begin(), queries.end());
+    KeyBuilder key("truth");
+    key.text(request.picture_key()).text(request.wanted_key());
+    for (const TruthQuery& query : queries) key.value(query.falloff).value(query.radius_m).value(query.u_m);
+    return key.key();
+}
+
+// Of the truth it takes the primary hits alone, which no number of rays changes.
+Key ViewKeys::contract() const {
+    TruthRequest request = work_.truth_request();
+    return KeyBuilder("contract").text(request.picture_key()).input(gbuffer({})).key();
+}
+
+Key ViewKeys::view() const {
+    KeyBuilder key("view", "contract");
+    key.input(truth(work_.queries)).input(contract()).value(work_.radius_m);
+    return key.key();
+}
+
+Key ViewKeys::truth_file() const {
+    return KeyBuilder("truth_file", "contract").input(truth(work_.queries)).input(contract()).key();
+}
+
+Key ViewKeys::gbuffer_file() const {
+    return KeyBuilder("gbuffer_file", "image").input(gbuffer(work_.drawn_inputs())).key();
+}
+
+Key ViewKeys::image(const CellWork& cell) const {
+    const auto [found, is_new] = images_.try_emplace(&cell);
+    if (is_new) {
+        KeyBuilder key("image");
+        key.input(gbuffer(needed_gbuffer_inputs(cell.request)));
+        found->second = key.text(request_digest(cell.request, orthographic())).key();
+    }
+    return found->second;
+}
+
+Key ViewKeys::score(const CellWork& cell) const {
+    KeyBuilder key("score");
+    key.input(image(cell)).input(truth(std::span(work_.queries).first(1))).input(contract());
+    return key.value(work_.mask_threshold).value(work_.seed).key();
+}
+
+Key ViewKeys::own_score(const CellWork& cell) const {
+    const std::vector<TruthQuery> queries{work_.queries.front(), cell.own.value()};
+    KeyBuilder key("own_score", "score");
+    return key.input(image(cell)).input(truth(queries)).input(contract()).key();
+}
+
+Key ViewKeys::fetches(const CellWork& cell) const {
+    return KeyBuilder("fetches", "image").input(image(cell)).input(contract()).key();
+}
+
+Key ViewKeys::times(const CellWork& cell) const {
+    KeyBuilder key = timed("times");
+    key.input(image(cell)).text(fixed_pass()).value(cell.whole_frames);
+    if (cell.whole_frames) key.text(request_digest(cell.timed, orthographic()));
+    return key.key();
+}
+
+}  // namespace aoscore

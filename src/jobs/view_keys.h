@@ -1,0 +1,47 @@
+#pragma once
+
+#include "jobs/view_work.h"
+#include "store/key.h"
+
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+
+namespace aoscore {
+
+/// The keys of a view's artifacts. Each says what its artifact depends on, and nothing more: a time not on
+/// the truth, a picture not on the number of rays, a score not on the machine.
+class ViewKeys {
+  public:
+    /// `work` must outlive it.
+    explicit ViewKeys(const ViewWork& work) : work_(work) {}
+
+    Key gbuffer(const std::set<std::string>& inputs) const;
+    Key gbuffer_times() const;
+    /// Of these queries of the view's truth.
+    Key truth(std::span<const TruthQuery> queries) const;
+    Key contract() const;
+    Key view() const;
+    Key truth_file() const;
+    Key gbuffer_file() const;
+    Key image(const CellWork& cell) const;
+    Key score(const CellWork& cell) const;
+    Key own_score(const CellWork& cell) const;
+    Key fetches(const CellWork& cell) const;
+    Key times(const CellWork& cell) const;
+
+  private:
+    bool orthographic() const;
+    const std::string& albedo() const;
+    const std::string& fixed_pass() const;
+    KeyBuilder timed(std::string_view kind) const;
+
+    const ViewWork& work_;
+    // Digests that take long, made once.
+    mutable std::optional<std::string> albedo_, fixed_pass_;
+    mutable std::map<const CellWork*, Key> images_;
+};
+
+}  // namespace aoscore

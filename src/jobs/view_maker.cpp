@@ -1,0 +1,267 @@
+#include "jobs/view_maker.h"
+
+#include "core/error.h"
+#include "core/log.h"
+#include "jobs/draw_image.h"
+#include "jobs/image_output.h"
+#include "jobs/time_requests.h"
+#include "jobs/truth_provenance.h"
+#include "jobs/truth_record.h"
+#include "results/image_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace aoscore {
+namespace {
+
+template <class Map>
+const typename Map::mapped_type* found_in(const Map& map, const Key& key) {
+    const auto found = map.find(key);
+    return found == map.end() ? nullptr : &found->second;
+}
+
+std::vector<double> numbers_from(const nlohmann::json& payload, const std::string& where) {
+    if (!payload.is_array() || payload.empty()) throw file_error("is no list of times", where);
+    return payload.get<std::vector<double>>();
+}
+
+double number_from(const nlohmann::json& payload, const std::string& where) {
+    if (!payload.is_number()) throw file_error("is no number", where);
+    return payload.get<double>();
+}
+
+}  // namespace
+
+ViewMaker::ViewMaker(const ViewWork& work, const ViewJobs& jobs, const ArtifactStore& store,
+                     const ViewRecord& view)
+    : work_(work), store_(store), described_(view), frame_(work.frame()) {
+    for (std::size_t i = 0; i < work.cells.size(); ++i) {
+        if (work.cells[i].keep_image) pictured_.insert(jobs.cells[i].image);
+    }
+}
+
+const Score* ViewMaker::score(const Key& key) const {
+    return found_in(scores_, key);
+}
+
+const MetricMap* ViewMaker::own_score(const Key& key) const {
+    return found_in(own_scores_, key);
+}
+
+const double* ViewMaker::fetches(const Key& key) const {
+    return found_in(fetches_, key);
+}
+
+const StoredTimes* ViewMaker::times(const Key& key) const {
+    return found_in(times_, key);
+}
+
+bool ViewMaker::take(const Job& job) {
+    switch (job.kind) {
+        case ArtifactKind::truth_file:
+            return store_.fetch_file(job.key.hex, work_.folder / work_.truth_file());
+        case ArtifactKind::gbuffer_file:
+            return store_.fetch_file(job.key.hex, work_.folder / work_.gbuffer_file());
+        case ArtifactKind::image:
+            return store_.fetch_file(job.key.hex, work_.folder / work_.image_file(cell(job)));
+        default:
+            return take_payload(job);
+    }
+}
+
+// What a damaged or foreign entry holds counts as missing.
+bool ViewMaker::take_payload(const Job& job) {
+    const std::optional<nlohmann::json> payload = store_.find(job.key.hex);
+    if (!payload) return false;
+    try {
+        read_payload(job, *payload);
+    } catch (const Error& e) {
+        log_warning(std::string(e.what()) + "; measured again");
+        return false;
+    }
+    if (job.kind != ArtifactKind::times) return true;
+    return times_.at(job.key).serve(work_.timing_goal, cell(job).whole_frames);
+}
+
+void ViewMaker::read_payload(const Job& job, const nlohmann::json& payload) {
+    const std::string& where = job.key.hex;
+    switch (job.kind) {
+        case ArtifactKind::gbuffer_times:
+            gbuffer_ms_ = numbers_from(payload, where);
+            break;
+        case ArtifactKind::view:
+            view_ = view_record_from_json(payload, where);
+            view_->truth_origin = origin_id(TruthOrigin::cached);
+            view_->truth_rays_now = 0;
+            view_->savings.left_out_triangles = 0;
+            break;
+        case ArtifactKind::score:
+            scores_[job.key] = score_from_json(payload, where);
+            break;
+        case ArtifactKind::own_score:
+            own_scores_[job.key] = metrics_from_json(payload, where);
+            break;
+        case ArtifactKind::fetches:
+            fetches_[job.key] = number_from(payload, where);
+            break;
+        case ArtifactKind::times:
+            times_[job.key] = stored_times_from_json(payload, where);
+            break;
+        default:
+            throw internal_error("is kept in no entry of its own", std::string(id_of(job.kind)));
+    }
+}
+
+bool ViewMaker::take_input(const Job& job) {
+    switch (job.kind) {
+        case ArtifactKind::gbuffer:
+            return gbuffer_.has_value();
+        case ArtifactKind::truth:
+            return truth_.has_value();
+        case ArtifactKind::contract:
+            return ground_.has_value();
+        case ArtifactKind::image:
+            break;
+        default:
+            throw internal_error("is nobody's input", std::string(id_of(job.kind)));
+    }
+    if (image_ && image_->first == job.key) return true;
+    const std::optional<std::filesystem::path> file = store_.file(job.key.hex);
+    if (!file) return false;
+    const ImageFile kept = read_image(*file);
+    const ImageF *visibility = kept.channel("Y"), *raw = kept.channel("raw.Y");
+    if (visibility == nullptr) return false;
+    image_.emplace(job.key, MethodOutput{raw != nullptr ? *raw : *visibility, *visibility, {}});
+    return true;
+}
+
+void ViewMaker::make(const Job& job) {
+    switch (job.kind) {
+        case ArtifactKind::gbuffer_times:
+            draw(work_.read_inputs());
+            gbuffer_ms_ = time_gbuffer(work_.tools.ready_renderer(), drawn_ms_);
+            return keep(job, *gbuffer_ms_);
+        case ArtifactKind::gbuffer:
+            draw(work_.drawn_inputs());
+            gbuffer_ = work_.tools.ready_renderer().read_gbuffer();
+            return;
+        case ArtifactKind::truth:
+            return trace();
+        case ArtifactKind::contract:
+            ground_ = find_ground(frame_, truth_->truth, *gbuffer_, work_.scene.bounds);
+            return;
+        case ArtifactKind::view:
+            return record_view(job);
+        case ArtifactKind::truth_file:
+            return write_truth_file(job);
+        case ArtifactKind::gbuffer_file:
+            return write_gbuffer_file(job);
+        case ArtifactKind::image:
+            return make_image(job);
+        case ArtifactKind::score:
+            return make_score(job);
+        case ArtifactKind::own_score:
+            own_scores_[job.key] =
+                score_against(truth_->truth, cell(job).own.value(), *ground_, image_->second.visibility);
+            return keep(job, to_json(own_scores_[job.key]));
+        case ArtifactKind::fetches:
+            fetches_[job.key] =
+                fetches_per_pixel(work_.tools.ready_renderer(), cell(job).request, ground_->contract.valid);
+            return keep(job, fetches_[job.key]);
+        case ArtifactKind::times:
+            break;
+    }
+    throw internal_error("is made in turns alone", std::string(id_of(job.kind)));
+}
+
+void ViewMaker::draw(const std::set<std::string>& inputs) {
+    if (drawn_ms_ > 0 && drawn_inputs_ == inputs) return;
+    drawn_ms_ = work_.tools.ready_renderer().draw_gbuffer(frame_, inputs);
+    drawn_inputs_ = inputs;
+}
+
+// All truths of the view come from the same rays: the ranking's first, then every method's own.
+void ViewMaker::trace() {
+    const ReferenceScene& reference = work_.tools.reference();
+    TruthRequest request = work_.truth_request();
+    request.build = reference.build();
+    const TruthLabel label{scene_name(work_.scene), work_.view.id, work_.command};
+    truth_ = trace_truth(work_.truth_cache, reference, request, label, "truth " + work_.key);
+    rays_ = truth_->origin == TruthOrigin::cached ? 0 : truth_->truth.rays;
+}
+
+void ViewMaker::record_view(const Job& job) {
+    ViewRecord& view = view_.emplace(described_);
+    const TruthRequest& made_for = truth_->made_for;
+    view.truth_origin = origin_id(truth_->origin);
+    view.least_samples = made_for.settings.samples;
+    view.integrator = integrator_id();
+    TruthRequest again = made_for;
+    again.queries = work_.queries;
+    std::erase_if(again.queries, [](const TruthQuery& query) { return query.falloff != Falloff::binary; });
+    view.truth_command =
+        reference_command(work_.scene, work_.view, again, file_name(work_.key) + "-truth.exr");
+    if (made_for.settings.max_error > 0) view.max_error = made_for.settings.max_error;
+    record_ground(*ground_, frame_, truth_->truth, work_.radius_m, view);
+    record_truth(truth_->truth, ground_->contract.valid, view);
+    keep(job, to_json(view));
+}
+
+void ViewMaker::write_truth_file(const Job& job) {
+    std::map<std::string, std::string> header = truth_provenance(work_.scene, *truth_, work_.command);
+    header["aoscore:view"] = work_.key;
+    const std::filesystem::path file = work_.folder / work_.truth_file();
+    write_truth(file, truth_->truth, ground_->contract.valid, std::move(header));
+    store_.put_file(job.key.hex, file);
+}
+
+void ViewMaker::write_gbuffer_file(const Job& job) {
+    const std::filesystem::path file = work_.folder / work_.gbuffer_file();
+    write_gbuffer(file, *gbuffer_, {}, {{"aoscore:view", work_.key}});
+    store_.put_file(job.key.hex, file);
+}
+
+void ViewMaker::make_image(const Job& job) {
+    const CellWork& work = cell(job);
+    image_.emplace(job.key, draw_image(work_.tools.ready_renderer(), work.request));
+    if (!pictured_.contains(job.key)) return;
+    const MethodOutput& image = image_->second;
+    std::vector<ChannelView> channels{{"Y", &image.visibility}};
+    if (work.request.filter != nullptr) channels.push_back({"raw.Y", &image.raw});
+    const std::filesystem::path file = work_.folder / work_.image_file(work);
+    write_exr(file, channels, {{"aoscore:cell", work.id}});
+    store_.put_file(job.key.hex, file);
+}
+
+void ViewMaker::make_score(const Job& job) {
+    const ScoreSettings settings{cell(job).request.filter != nullptr, work_.mask_threshold, work_.seed};
+    const Score& score = scores_[job.key] = score_image(truth_->truth, *ground_, image_->second, settings);
+    if (!score.error().empty()) throw internal_error(score.error());
+    keep(job, to_json(score));
+}
+
+// The fixed pass is timed among them.
+std::vector<std::string> ViewMaker::make_in_turns(std::span<const Job* const> jobs) {
+    std::vector<TimedRequest> requests;
+    for (const Job* job : jobs) requests.push_back({cell(*job).timed, cell(*job).whole_frames});
+    requests.push_back({work_.fixed_pass, false});
+    const std::vector<RequestTimes> times =
+        time_requests(work_.tools.ready_renderer(), requests, work_.timing_goal, "timing " + work_.key);
+    const RequestTimes& fixed_pass = times.back();
+    const double fixed_pass_ms = summarize(fixed_pass.ao_ms).median_ms.value_or(0);
+    std::vector<std::string> errors;
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+        errors.push_back(times[i].error);
+        if (!errors.back().empty()) continue;
+        const StoredTimes stored{
+            times[i].ao_ms,         times[i].filter_ms,        fixed_pass_ms,
+            fixed_pass.lighting_ms, times[i].frame_at_once_ms, times[i].frame_by_pass_ms};
+        times_[jobs[i]->key] = stored;
+        keep(*jobs[i], to_json(stored));
+    }
+    return errors;
+}
+
+}  // namespace aoscore

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "jobs/executor.h"
+#include "jobs/ground.h"
+#include "jobs/score_image.h"
+#include "jobs/stored_times.h"
+#include "jobs/view_jobs.h"
+#include "jobs/view_work.h"
+#include "store/artifact_store.h"
+#include "store/truth/truth_cache.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace aoscore {
+
+/// Makes the artifacts of one view in this process, with Embree and OpenGL, and keeps in the store what is
+/// worth it. Large ones stay in memory as long as they are needed: the G-buffer, the truth, the image made
+/// last.
+class ViewMaker final : public Maker {
+  public:
+    /// All of them must outlive it. `view` is described but for what is measured.
+    ViewMaker(const ViewWork& work, const ViewJobs& jobs, const ArtifactStore& store, const ViewRecord& view);
+
+    bool take(const Job& job) override;
+    bool take_input(const Job& job) override;
+    void make(const Job& job) override;
+    std::vector<std::string> make_in_turns(std::span<const Job* const> jobs) override;
+
+    // What was taken or made of the artifacts that the results are put together from; null before that.
+    const ViewRecord* view() const { return view_ ? &*view_ : nullptr; }
+    const std::vector<double>* gbuffer_ms() const { return gbuffer_ms_ ? &*gbuffer_ms_ : nullptr; }
+    const Score* score(const Key& key) const;
+    const MetricMap* own_score(const Key& key) const;
+    const double* fetches(const Key& key) const;
+    const StoredTimes* times(const Key& key) const;
+
+    /// Rays of the truth that were traced now.
+    std::uint64_t rays() const { return rays_; }
+
+  private:
+    bool take_payload(const Job& job);
+    void read_payload(const Job& job, const nlohmann::json& payload);
+    void keep(const Job& job, const nlohmann::json& payload) { store_.put(job.key.hex, payload); }
+
+    void draw(const std::set<std::string>& inputs);
+    void trace();
+    void record_view(const Job& job);
+    void write_truth_file(const Job& job);
+    void write_gbuffer_file(const Job& job);
+    void make_image(const Job& job);
+    void make_score(const Job& job);
+
+    const CellWork& cell(const Job& job) const { return work_.cells[job.cell]; }
+
+    const ViewWork& work_;
+    const ArtifactStore& store_;
+    const ViewRecord& described_;
+    CameraFrame frame_;
+    std::set<Key> pictured_;  ///< images that are kept in files
+
+    std::set<std::string> drawn_inputs_;
+    double drawn_ms_ = 0;  ///< of the last time
+    std::optional<GBufferImages> gbuffer_;
+    std::optional<CachedTruth> truth_;
+    std::optional<Ground> ground_;
+    std::optional<std::pair<Key, MethodOutput>> image_;
+    std::uint64_t rays_ = 0;
+
+    std::optional<ViewRecord> view_;
+    std::optional<std::vector<double>> gbuffer_ms_;
+    std::map<Key, Score> scores_;
+    std::map<Key, MetricMap> own_scores_;
+    std::map<Key, double> fetches_;
+    std::map<Key, StoredTimes> times_;
+};
+
+}  // namespace aoscore

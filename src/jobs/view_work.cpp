@@ -1,0 +1,50 @@
+#include "jobs/view_work.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace aoscore {
+
+std::string file_name(std::string id) {
+    std::replace(id.begin(), id.end(), '/', '-');
+    return id;
+}
+
+bool ViewWork::pictured() const {
+    return std::any_of(cells.begin(), cells.end(), [](const CellWork& cell) { return cell.keep_image; });
+}
+
+bool ViewWork::times_gbuffer() const {
+    return pictured() || timing_goal.has_value();
+}
+
+std::set<std::string> ViewWork::read_inputs() const {
+    std::set<std::string> inputs = needed_gbuffer_inputs(fixed_pass);
+    for (const CellWork& cell : cells) inputs.merge(needed_gbuffer_inputs(cell.request));
+    return inputs;
+}
+
+std::set<std::string> ViewWork::drawn_inputs() const {
+    std::set<std::string> inputs = read_inputs();
+    if (pictured()) inputs.insert(kept_inputs.begin(), kept_inputs.end());
+    return inputs;
+}
+
+TruthRequest ViewWork::truth_request() const {
+    return {scene.digest, view.camera, width, height, queries, truth, TraceBuild()};
+}
+
+std::string ViewWork::truth_file() const {
+    return fmt::format("views/{}-truth.exr", file_name(key));
+}
+
+std::string ViewWork::gbuffer_file() const {
+    return fmt::format("views/{}-gbuffer.exr", file_name(key));
+}
+
+std::string ViewWork::image_file(const CellWork& cell) const {
+    return fmt::format("cells/{}.exr", file_name(cell.id));
+}
+
+}  // namespace aoscore

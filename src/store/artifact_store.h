@@ -1,0 +1,58 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace aoscore {
+
+/// Measurements that were made before, by a digest of everything that decides them. Entries are written whole
+/// or not at all, so that several processes may share a store; one that is damaged is named in a warning and
+/// counts as missing. Where the folder cannot be written, that is said once, and nothing is kept. Only the
+/// processes that write it know what its entries mean.
+class ArtifactStore {
+  public:
+    /// The part of a cache's folder that measurements are kept in; empty for an empty one.
+    static std::filesystem::path folder_in(const std::filesystem::path& cache);
+
+    /// An empty folder stores and finds nothing.
+    explicit ArtifactStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    bool enabled() const { return !folder_.empty(); }
+
+    std::optional<nlohmann::json> find(const std::string& key) const;
+    void put(const std::string& key, const nlohmann::json& payload) const;
+
+    /// Whether something was put under the key; it may be damaged.
+    bool has(const std::string& key) const;
+
+    /// The file that was put under the key, whole; empty where there is none, or it is damaged.
+    std::optional<std::filesystem::path> file(const std::string& key) const;
+    /// Copies that file to `target`; false where there is none, or it is damaged.
+    bool fetch_file(const std::string& key, const std::filesystem::path& target) const;
+    void put_file(const std::string& key, const std::filesystem::path& source) const;
+
+    struct Size {
+        std::size_t entries = 0;
+        std::uintmax_t bytes = 0;
+    };
+    Size size() const;
+    /// Removes everything; what another process needs of it, that one makes again.
+    Size clear() const;
+
+    /// Every entry's file that does not hold what was put; empty when all do.
+    std::vector<std::filesystem::path> damaged() const;
+
+  private:
+    std::filesystem::path entry(const std::string& key, const std::string& extension) const;
+    void keep(const std::filesystem::path& file, const std::string& bytes) const;
+
+    std::filesystem::path folder_;
+    mutable bool warned_ = false;
+};
+
+}  // namespace aoscore

@@ -1,0 +1,36 @@
+#include "jobs/timing.h"
+
+#include <gtest/gtest.h>
+
+namespace aoscore {
+namespace {
+
+TEST(Timing, MedianAndSpreadAreQuantilesOfTheRuns) {
+    const Timing timing = summarize({5, 1, 3, 2, 4});
+    EXPECT_DOUBLE_EQ(*timing.median_ms, 3);
+    EXPECT_DOUBLE_EQ(*timing.spread_ms, 1);
+    EXPECT_EQ(timing.runs_ms, (std::vector<double>{5, 1, 3, 2, 4}))
+        << "runs are kept in the order they were taken";
+}
+
+TEST(Timing, WithoutRunsNothingIsClaimed) {
+    const Timing timing = summarize({});
+    EXPECT_FALSE(timing.median_ms);
+    EXPECT_FALSE(timing.spread_ms);
+}
+
+TEST(Timing, SlowPassesGetThreeRunsOthersTen) {
+    EXPECT_EQ(timed_runs(999), 10);
+    EXPECT_EQ(timed_runs(1001), 3);
+}
+
+TEST(Timing, GroupsGrowWhileTheyAreQuickAndShrinkWhereTheyAreSlow) {
+    EXPECT_EQ(next_group(kFirstGroup, 1), 8u);
+    EXPECT_EQ(next_group(16, 1), 16u) << "no larger";
+    EXPECT_EQ(next_group(8, 20), 8u);
+    EXPECT_EQ(next_group(8, 60), 4u);
+    EXPECT_EQ(next_group(kFirstGroup, 600), kFirstGroup) << "a group of few is no group";
+}
+
+}  // namespace
+}  // namespace aoscore
