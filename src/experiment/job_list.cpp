@@ -35,6 +35,11 @@ bool is_kept(ArtifactKind kind) {
     return kind != ArtifactKind::gbuffer && kind != ArtifactKind::contract;
 }
 
+/// Whether it lies in the store under its key; truths lie there by the tile.
+bool has_entry(ArtifactKind kind) {
+    return is_kept(kind) && kind != ArtifactKind::truth;
+}
+
 JobGraph only(const JobGraph& graph, const Key& key) {
     JobGraph part;
     for (const Job& job : graph.jobs()) {
@@ -63,11 +68,11 @@ json list_jobs(const ExperimentPlan& plan, const std::vector<std::string>& argum
                             {"inputs", hex_of(job.inputs)},
                             {"after", hex_of(job.after)},
                             {"asked", std::ranges::find(wanted, job.key) != wanted.end()},
-                            {"known", store.has(job.key.hex)}});
+                            {"known", has_entry(job.kind) ? json(store.has(job.key.hex)) : json()}});
             store.put(description_key(job.key.hex), {{"arguments", arguments}});
         }
     }
-    return {{"command", plan.command}, {"jobs", std::move(jobs)}};
+    return {{"jobs", std::move(jobs)}};
 }
 
 std::vector<std::string> arguments_of_job(const std::string& key, const std::filesystem::path& cache) {

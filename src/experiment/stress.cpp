@@ -107,9 +107,9 @@ StressResults run_stress(const StressPlan& plan, const fs::path& folder) {
     const std::vector<StressAxis> axes = planned_axes(plan);
 
     StressResults results = described(plan, subjects);
-    const StressKeys keys(plan, subjects);
     StressRunner runner(plan, subjects);
-    results.gl_renderer = runner.gl_renderer();
+    const StressKeys keys(plan, subjects, runner.renderer());
+    results.gl_renderer = runner.renderer().renderer();
     std::size_t total = 0;
     for (const StressAxis& axis : axes) total += axis.settings.size();
     Progress progress("stress", total);

@@ -3,21 +3,25 @@
 #include "experiment/stress.h"
 #include "experiment/stress_axes.h"
 #include "experiment/stress_subjects.h"
+#include "screen/screen.h"
+#include "store/key.h"
 
 #include <string>
 #include <vector>
 
 namespace aoscore {
 
-/// Digests of everything that a setting's results depend on: the program's version, the shaders, the
-/// subjects, the plan's effort, and the case with its scene, camera and modes.
+/// Digests of everything that a setting's results depend on: the code, the renderer and the machine that make
+/// and time them, the shaders, the subjects, the plan's effort, and the case with its scene, camera and
+/// modes.
 class StressKeys {
   public:
-    StressKeys(const StressPlan& plan, const std::vector<StressSubject>& subjects);
+    StressKeys(const StressPlan& plan, const std::vector<StressSubject>& subjects,
+               const ScreenRenderer& renderer);
     std::string of(const StressAxis& axis, const StressSetting& setting, const StressCase& stress) const;
 
   private:
-    std::string common_;
+    Key common_;
 };
 
 }  // namespace aoscore

@@ -21,7 +21,7 @@ class StressRunner {
   public:
     StressRunner(const StressPlan& plan, const std::vector<StressSubject>& subjects);
 
-    std::string gl_renderer() const { return renderer_.renderer(); }
+    const ScreenRenderer& renderer() const { return renderer_; }
 
     /// One setting with all subjects; its thumbnails land in folder/settings/. `key` is left empty.
     StressSettingRecord run(const StressAxis& axis, const StressSetting& setting, const StressCase& stress,

@@ -72,6 +72,41 @@ TEST(Reuse, ALargerSweepMeasuresOnlyWhatIsNew) {
     EXPECT_EQ(more.work.cells_reused, 4u);
 }
 
+TEST(Reuse, AFinerTruthDrawsAndTimesNothingAgain) {
+    const auto folder = output_dir();
+    const std::string score = "score wall --view facing --methods hbao,alchemy --size 48x32 --samples ";
+    const Results coarse = results_of(score + "4", folder);
+    const Results fine = results_of(score + "8", folder);
+    EXPECT_EQ(fine.work.passes, 0u);
+    EXPECT_EQ(fine.work.compilations, 0u);
+    EXPECT_EQ(fine.work.cells_measured, 2u) << "they are scored again";
+    for (std::size_t i = 0; i < fine.cells.size(); ++i) {
+        EXPECT_EQ(fine.cells[i].ao.runs_ms, coarse.cells[i].ao.runs_ms);
+        EXPECT_EQ(fine.cells[i].fetches_per_pixel, coarse.cells[i].fetches_per_pixel);
+    }
+    // The numbers are those of a run that drew everything itself.
+    expect_same_numbers(fine, results_of(score + "8 --no-cache", folder));
+}
+
+TEST(Reuse, AnotherRadiusOfTheRankingDrawsNothingAgainWhereLengthsStay) {
+    const auto folder = output_dir();
+    const std::string score =
+        "score wall --view facing --methods hbao --own-parameters --size 48x32 --samples 4 --radius ";
+    results_of(score + "0.5", folder);
+    const Results wider = results_of(score + "0.8", folder);
+    EXPECT_EQ(wider.work.passes, 0u);
+    EXPECT_EQ(wider.work.cells_measured, 1u);
+}
+
+TEST(Reuse, ASweepUsesTheImagesAndScoresOfAScore) {
+    const auto folder = output_dir();
+    results_of("score wall --view facing --methods hbao --size 48x32 --samples 8", folder);
+    const Results sweep = results_of(
+        "sweep wall --view facing --methods hbao --vary directions=4,8 --size 48x32 --samples 8", folder);
+    EXPECT_EQ(sweep.cells.size(), 2u);
+    EXPECT_EQ(sweep.work.cells_reused, 1u) << "the setting that the score has drawn";
+}
+
 TEST(Reuse, WhatDecidesANumberIsInItsKey) {
     const auto folder = output_dir();
     results_of(kSweep, folder);

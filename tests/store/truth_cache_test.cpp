@@ -1,10 +1,11 @@
 // Truths that are kept: what they are keyed by, when they serve, and that no bit differs from tracing anew.
+#include "store/truth/truth_cache.h"
+
+#include "reference/test_scenes.h"
 #include "store/code_digest.h"
 #include "store/truth/cache_file.h"
 #include "store/truth/entry_lock.h"
 #include "store/truth/tile_codec.h"
-#include "store/truth/truth_cache.h"
-#include "reference/test_scenes.h"
 #include "support/support.h"
 
 #include <gtest/gtest.h>

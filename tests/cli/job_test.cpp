@@ -1,0 +1,62 @@
+// A plan's jobs, listed and made one by one, as a cluster would.
+#include "results/results.h"
+#include "support/support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <set>
+
+namespace aoscore {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using testing::output_dir;
+using testing::run_aoscore;
+
+const std::string kScore = "score wall --view facing --methods hbao,alchemy --size 48x32 --samples 4";
+
+json listed(const std::filesystem::path& folder) {
+    const auto run = run_aoscore(kScore + " --jobs", folder);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return json::parse(run.out);
+}
+
+TEST(Job, OfAListMadeOneByOneLeaveNothingToDo) {
+    const auto folder = output_dir();
+    for (const json& job : listed(folder).at("jobs")) {
+        EXPECT_FALSE(job.at("known") == true);
+        if (!job.at("asked")) continue;
+        const auto made = run_aoscore("job " + job.at("key").get<std::string>(), folder);
+        EXPECT_EQ(made.exit_code, 0) << made.err;
+    }
+    for (const json& job : listed(folder).at("jobs")) {
+        EXPECT_TRUE(!job.at("asked") || job.at("known") == true) << job;
+    }
+    ASSERT_EQ(run_aoscore(kScore + " --out out", folder).exit_code, 0);
+    const Results results = read_results(folder / "out");
+    EXPECT_EQ(results.work.cells_reused, 2u);
+    EXPECT_EQ(results.work.passes, 0u);
+    EXPECT_EQ(results.work.rays, 0u);
+}
+
+TEST(Job, EveryInputOfAListedJobIsListed) {
+    const json jobs = listed(output_dir()).at("jobs");
+    std::set<std::string> keys;
+    for (const json& job : jobs) EXPECT_TRUE(keys.insert(job.at("key")).second) << "each once";
+    for (const json& job : jobs) {
+        for (const json& input : job.at("inputs")) EXPECT_TRUE(keys.contains(input)) << job;
+        for (const json& earlier : job.at("after")) EXPECT_TRUE(keys.contains(earlier)) << job;
+    }
+}
+
+TEST(Job, ThatNobodyListedIsRefused) {
+    const auto run = run_aoscore("job 0123", output_dir());
+    EXPECT_EQ(run.exit_code, 64);
+    EXPECT_THAT(run.err, HasSubstr("--jobs"));
+}
+
+}  // namespace
+}  // namespace aoscore
