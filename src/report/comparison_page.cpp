@@ -3,6 +3,7 @@
 #include "core/files.h"
 #include "metrics/bootstrap.h"
 #include "report/coloured_picture.h"
+#include "report/html_document.h"
 #include "report/number_text.h"
 #include "report/page_parts.h"
 #include "report/page_template.h"
@@ -93,7 +94,6 @@ void write_comparison_page(const fs::path& path, const ComparisonPage& compariso
     std::size_t valid = 0;
     for (const auto pixel : comparison.valid.pixels) valid += pixel;
     const json model = {
-        {"style", read_file(page_folder() / "style" / "page.css") + read_file(parts / "style.css")},
         {"version", std::string(version())},
         {"verdict", verdict(comparison)},
         {"images", json::array({image_model(shown.truth), image_model(shown.test)})},
@@ -107,7 +107,10 @@ void write_comparison_page(const fs::path& path, const ComparisonPage& compariso
         {"size", fmt::format("{}x{}", comparison.valid.width, comparison.valid.height)},
         {"command", comparison.command}};
     const fs::path frame = parts / "template.html";
-    write_atomically(path, fill_template(read_file(frame), model, frame.string()));
+    write_atomically(
+        path, html_text({"comparison",
+                         read_file(page_folder() / "style" / "page.css") + read_file(parts / "style.css"), "",
+                         fill_template(read_file(frame), model, frame.string())}));
 }
 
 }  // namespace aoscore

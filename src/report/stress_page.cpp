@@ -1,6 +1,7 @@
 #include "report/stress_page.h"
 
 #include "core/files.h"
+#include "report/html_document.h"
 #include "report/number_text.h"
 #include "report/page_parts.h"
 #include "report/page_template.h"
@@ -207,8 +208,6 @@ fs::path write_stress_page(const fs::path& results_folder) {
     const fs::path parts = home_dir() / "reports" / "stress";
     const Counts counts = count(results);
     json model = head_model(results);
-    model["style"] = read_file(page_folder() / "style" / "page.css") + read_file(parts / "style.css");
-    model["script"] = read_file(parts / "script.js");
     model["data"] = script_json(data_model(results, results_folder));
     model["rows"] = rows_model(results);
     model["limits"] = limits_model(results);
@@ -232,7 +231,11 @@ fs::path write_stress_page(const fs::path& results_folder) {
     model["cpu_seconds"] = fixed_text(results.cpu_seconds, 0);
     const fs::path frame = parts / "template.html";
     const fs::path path = results_folder / "index.html";
-    write_atomically(path, fill_template(read_file(frame), model, frame.string()));
+    write_atomically(
+        path,
+        html_text({"numerical stress",
+                   read_file(page_folder() / "style" / "page.css") + read_file(parts / "style.css"),
+                   read_file(parts / "script.js"), fill_template(read_file(frame), model, frame.string())}));
     return path;
 }
 
