@@ -1,3 +1,4 @@
+#include "core/counted.h"
 #include "report/number_text.h"
 #include "report/place_name.h"
 #include "report/section.h"
@@ -202,8 +203,8 @@ nlohmann::json section::verdict(const PageSource& source) {
     const auto failed =
         std::ranges::count_if(results.cells, [](const auto& cell) { return !cell.error.empty(); });
     model["failed"] = failed > 0;
-    model["failed_count"] = failed == 1 ? std::string("1 cell failed and is not ranked")
-                                        : fmt::format("{} cells failed and are not ranked", failed);
+    model["failed_count"] = counted(static_cast<std::size_t>(failed), "cell failed and is not ranked",
+                                    "cells failed and are not ranked");
     return model;
 }
 
