@@ -1,3 +1,4 @@
+#include "core/source_reference.h"
 #include "metrics/median_interval.h"
 #include "report/number_text.h"
 #include "report/page_template.h"
@@ -219,13 +220,12 @@ json stated_models(const json& definition) {
 
 json source_model(const json& definition) {
     if (!definition.is_object()) return false;
-    const json& source = definition.at("source");
-    json model = {{"text", fmt::format("{}, {}, {}", source.at("author").get<std::string>(),
-                                       source.at("title").get<std::string>(), source.at("year").get<int>())},
-                  {"hardware", definition.at("hardware").get<std::string>()},
-                  {"stated", stated_models(definition)},
-                  {"notes", definition.value("notes", json::array())},
-                  {"claims", json::array()}};
+    json model = {
+        {"text", source_reference(StrictObject(definition.at("source"), "results.json: sweeps: source"))},
+        {"hardware", definition.at("hardware").get<std::string>()},
+        {"stated", stated_models(definition)},
+        {"notes", definition.value("notes", json::array())},
+        {"claims", json::array()}};
     for (const json& id : definition.value("claims", json::array())) model["claims"].push_back({{"id", id}});
     model["has_stated"] = !model["stated"].empty();
     model["has_claims"] = !model["claims"].empty();
