@@ -18,10 +18,8 @@ namespace {
 void add_modes_of(const MethodDescriptor& method, const MethodOptions& options, RunModes& modes,
                   std::vector<std::string>& warnings) {
     for (const auto& [id, choice] : method.scored.modes) {
-        const auto& table = run_mode_options();
-        const auto mode =
-            std::find_if(table.begin(), table.end(), [&](const RunModeOption& m) { return m.id == id; });
-        if (mode == table.end() ||
+        const RunModeOption* mode = find_row(run_mode_options(), id);
+        if (mode == nullptr ||
             std::find(mode->choices.begin(), mode->choices.end(), choice) == mode->choices.end()) {
             throw file_error(fmt::format("{} {} is no mode of running", id, choice),
                              (method.folder / "method.json").string() + ": scored.modes");

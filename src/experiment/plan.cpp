@@ -228,15 +228,11 @@ ExperimentPlan plan_reports(const std::vector<std::string>& report_ids, double s
     plan.claim_scale = scale;
     plan.own_parameters = true;
     for (const std::string& id : report_ids) {
-        const auto found =
-            std::find_if(known.begin(), known.end(), [&](const auto& r) { return r.id == id; });
-        if (found == known.end()) {
-            throw unknown_name("no report", id, ids_of(known), "run");
-        }
-        if (found->kind == ReportDefinition::Kind::sweep)
-            add_sweep_report(plan, *found, scale);
+        const ReportDefinition& report = row_of(known, id, "no report", "run");
+        if (report.kind == ReportDefinition::Kind::sweep)
+            add_sweep_report(plan, report, scale);
         else
-            add_table_report(plan, *found, scale);
+            add_table_report(plan, report, scale);
     }
     return plan;
 }

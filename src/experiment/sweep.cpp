@@ -15,12 +15,6 @@ namespace {
 
 using nlohmann::json;
 
-const RunModeOption* find_mode(const std::string& id) {
-    const auto& modes = run_mode_options();
-    const auto found = std::find_if(modes.begin(), modes.end(), [&](const auto& m) { return m.id == id; });
-    return found == modes.end() ? nullptr : &*found;
-}
-
 std::string word(const json& value, const std::string& axis) {
     if (!value.is_string()) throw usage_error("\"" + value.dump() + "\" is no name", "vary " + axis);
     return value.get<std::string>();
@@ -124,7 +118,7 @@ class Expansion {
             if (*point.cell.filter != "none") find_method(registry_.filters, *point.cell.filter);
         } else if (id == "size") {
             point.size = parse_image_size(word(value, id), "vary size");
-        } else if (const RunModeOption* mode = find_mode(id)) {
+        } else if (const RunModeOption* mode = find_row(run_mode_options(), id)) {
             const std::string choice = word(value, id);
             if (std::find(mode->choices.begin(), mode->choices.end(), choice) == mode->choices.end())
                 throw unknown_name("no " + id, choice, mode->choices, "vary " + id);

@@ -1,6 +1,7 @@
 #include "report/stress_page.h"
 
 #include "core/files.h"
+#include "core/known_names.h"
 #include "report/html_document.h"
 #include "report/number_text.h"
 #include "report/page_parts.h"
@@ -27,11 +28,10 @@ struct Grade {
 };
 
 bool by_nature(const StressResults& results, const StressAxisRecord& axis, const StressCell& cell) {
-    const auto subject = std::find_if(results.subjects.begin(), results.subjects.end(),
-                                      [&](const auto& s) { return s.id == cell.subject; });
+    const auto subject = find_row(results.subjects, cell.subject);
     const bool numbers =
         cell.error.empty() && cell.nonfinite == 0 && cell.out_of_range == 0 && cell.background == 0;
-    return numbers && subject != results.subjects.end() && subject->limits.contains(axis.id);
+    return numbers && subject != nullptr && subject->limits.contains(axis.id);
 }
 
 Grade grade_of(const StressResults& results, const StressAxisRecord& axis, const StressCell& cell) {
@@ -49,9 +49,8 @@ Grade grade_of(const StressResults& results, const StressAxisRecord& axis, const
 
 const StressCell& cell_of(const StressSettingRecord& setting, const std::string& subject) {
     static const StressCell none{"", "was not tried", "", 0, 0, 0, {}, {}, {}, {}, ""};
-    const auto found = std::find_if(setting.cells.begin(), setting.cells.end(),
-                                    [&](const StressCell& c) { return c.subject == subject; });
-    return found == setting.cells.end() ? none : *found;
+    const StressCell* found = find_row(setting.cells, subject, &StressCell::subject);
+    return found == nullptr ? none : *found;
 }
 
 std::string state_text(const StressCell& cell) {

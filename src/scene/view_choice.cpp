@@ -23,10 +23,7 @@ std::vector<View> of_kind(const std::vector<View>& views, View::Kind kind) {
 }
 
 const View& named(std::string_view scene_id, const std::vector<View>& views, std::string_view id) {
-    for (const View& view : views) {
-        if (view.id == id) return view;
-    }
-    throw unknown_name(fmt::format("scene {} has no view", scene_id), id, ids_of(views), "--view");
+    return row_of(views, id, fmt::format("scene {} has no view", scene_id), "--view");
 }
 
 }  // namespace

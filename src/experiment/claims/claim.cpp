@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/image_size.h"
+#include "core/known_names.h"
 #include "core/source_reference.h"
 #include "core/strict_json.h"
 #include "experiment/claims/quantity.h"
@@ -46,12 +47,7 @@ constexpr std::array kKinds{
 };
 
 const KindRow& kind_named(const std::string& id, const std::string& where) {
-    const auto found =
-        std::find_if(kKinds.begin(), kKinds.end(), [&](const KindRow& row) { return row.id == id; });
-    if (found != kKinds.end()) return *found;
-    std::vector<std::string> ids;
-    for (const KindRow& row : kKinds) ids.emplace_back(row.id);
-    throw file_error("is " + id, where, fmt::format("{}", fmt::join(ids, ", ")));
+    return row_in_file(kKinds, id, where);
 }
 
 class Reader {
