@@ -23,7 +23,7 @@ namespace aoscore {
 namespace {
 
 // What is measured besides the ranking: the perceptual metrics cost more than all others together.
-const std::vector<std::string> kUnrankedMetrics{"rmse", "rmse_debiased", "mae", "bias", "ssim"};
+const std::vector<std::string> kUnrankedMetrics = unranked_metrics();
 
 }  // namespace
 

@@ -1,5 +1,7 @@
 #include "core/error.h"
 #include "core/source_reference.h"
+#include "metrics/evaluate.h"
+#include "metrics/roles.h"
 #include "report/number_text.h"
 #include "report/section.h"
 #include "results/ranked_value.h"
@@ -85,8 +87,7 @@ json our_parameters(const CellRecord& cell) {
 
 std::optional<double> own_value(const CellRecord& cell, const std::string& metric) {
     if (!cell.error.empty()) return std::nullopt;
-    const auto found = cell.own.find(metric);
-    return found == cell.own.end() ? std::nullopt : found->second.value;
+    return value_of(cell.own, metric);
 }
 
 /// The rows of one table: each the definition's row and the cell that stands for it.
@@ -141,12 +142,9 @@ json cost_pairs(const std::vector<TableRow>& rows, const TableRow& row) {
 
 json error_numbers(const CellRecord& cell, const std::string& metric) {
     json list = json::array();
-    for (const std::string& id : {metric, std::string("bias"), std::string("ssim")}) {
-        list.push_back(number_model(ranked_value(cell, id), 4));
-    }
-    for (const std::string& id : {metric, std::string("bias"), std::string("ssim")}) {
-        list.push_back(number_model(own_value(cell, id), 4));
-    }
+    const std::array<std::string, 3> ids{metric, kBiasMetric, kStructureMetric};
+    for (const std::string& id : ids) list.push_back(number_model(ranked_value(cell, id), 4));
+    for (const std::string& id : ids) list.push_back(number_model(own_value(cell, id), 4));
     return list;
 }
 
@@ -202,7 +200,7 @@ json table_model(const TableRecord& table, const PageSource& source) {
         {"samples", std::to_string(view.samples)},
         {"radius", short_text(view.radius_m)},
         {"renderer", source.results.gl_renderer},
-        {"metric", metric == "rmse_debiased" ? "RMSE deb." : "RMSE"},
+        {"metric", std::string(aoscore::metric(metric).label)},
         {"thumbnails", thumbnails(rows, source.pictures)},
         {"notes", notes_of(table, rows)},
         {"rows", json::array()}};

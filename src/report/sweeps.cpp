@@ -41,7 +41,7 @@ json chart_data(const Rows& rows, std::optional<double> budget_ms) {
                             {"relative", number(row->relative_cost)},
                             {"fetches", number(row->fetches)},
                             {"error", number(row->error)},
-                            {"raw", number(row->raw_error)},
+                            {"noisy", number(row->noisy_error)},
                             {"fitted", number(row->fitted_error)},
                             {"front", row->on_front}});
         }
@@ -68,7 +68,7 @@ json row_model(const SweepRow& row, int decimals) {
             {"relative", fixed_text(row.relative_cost, 2)},
             {"fetches", fixed_text(row.fetches, 1)},
             {"error", fixed_text(row.error, 4)},
-            {"raw", fixed_text(row.raw_error, 4)},
+            {"noisy", fixed_text(row.noisy_error, 4)},
             {"fitted", fixed_text(row.fitted_error, 4)},
             {"bias", fixed_text(row.bias, 4)},
             {"front", row.on_front},

@@ -1,4 +1,5 @@
 #include "core/counted.h"
+#include "metrics/evaluate.h"
 #include "report/number_text.h"
 #include "report/place_name.h"
 #include "report/section.h"
@@ -93,7 +94,7 @@ std::string bounds_sentence(const RankingRecord& ranking) {
 }
 
 std::string ranking_sentence(const Results& results, const RankingRecord& ranking) {
-    const std::string where = where_text(ranking), metric = ranking_metric_label(ranking.metric);
+    const std::string where = where_text(ranking), metric(aoscore::metric(ranking.metric).in_text);
     const Places ranked = ranked_places(ranking), leaders = leaders_of(ranking);
     if (ranked.empty()) return where + " no method for use was scored.";
     const PlaceRecord& best = *ranked.front();
