@@ -65,10 +65,10 @@ void print_table(const Comparison& comparison) {
         print_line(id, measured.value ? fmt::format("{:.6f}", *measured.value) : "-", note);
     }
     if (analysis) {
-        print_line("missing_area", fmt::format("{:.6f}", analysis->missing.area),
-                   interval_text(analysis, kMissingArea));
-        print_line("false_area", fmt::format("{:.6f}", analysis->false_occlusion.area),
-                   interval_text(analysis, kFalseArea));
+        for (const MaskArea& area : mask_areas()) {
+            const std::string id(area.id);
+            print_line(id, fmt::format("{:.6f}", area.value(*analysis)), interval_text(analysis, id));
+        }
         print_line("fit_rmse", fmt::format("{:.6f}", analysis->fit.rmse),
                    fmt::format("at strength {:.3g} and exponent {:.3g}", analysis->fit.strength,
                                analysis->fit.exponent));

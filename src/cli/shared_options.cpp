@@ -20,13 +20,6 @@
 namespace aoscore {
 namespace {
 
-std::optional<int> parse_int(const std::string& text) {
-    int value = 0;
-    const auto [end, ec] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (ec != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
-
 double parse_radius(const std::string& text) {
     if (text == "inf") return std::numeric_limits<double>::infinity();
     double value = 0;
@@ -66,19 +59,7 @@ void face_target(Camera& camera) {
 
 void add_size_option(CLI::App& app, ImageSize& size) {
     app.add_option_function<std::string>(
-           "--size",
-           [&size](const std::string& text) {
-               const auto x = text.find('x');
-               const auto width = parse_int(text.substr(0, x));
-               const auto height = x == std::string::npos ? std::nullopt : parse_int(text.substr(x + 1));
-               if (!width || !height || *width < 1 || *height < 1 || *width > kLargestImageSide_px ||
-                   *height > kLargestImageSide_px) {
-                   throw CLI::ValidationError("--size",
-                                              "\"" + text + "\" is no size such as 1920x1080 (at most " +
-                                                  std::to_string(kLargestImageSide_px) + " each way)");
-               }
-               size = {*width, *height};
-           },
+           "--size", [&size](const std::string& text) { size = parse_image_size(text, "--size"); },
            fmt::format("Image size in pixels [{}x{}]", size.width, size.height))
         ->type_name("WxH");
 }

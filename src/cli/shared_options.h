@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/image_size.h"
 #include "core/log.h"
 #include "reference/truth.h"
 #include "scene/scene.h"
@@ -13,10 +14,6 @@
 #include <vector>
 
 namespace aoscore {
-
-struct ImageSize {
-    int width = 1920, height = 1080;
-};
 
 /// --size WxH. The option's value lands in `size` while parsing.
 void add_size_option(CLI::App& app, ImageSize& size);

@@ -43,10 +43,8 @@ SweepRequest request_of(const Options& options, const Registry& registry) {
     request.base.modes = options.method_options.modes;
     request.base.own_truth = false;
     request.base.keep_image = options.keep_images;
-    for (const std::string& text : options.method_options.assignments) {
-        const SweepAxis assignment = parse_axis(text);
-        request.base.overrides[assignment.id] = assignment.values.front();
-    }
+    for (const std::string& text : options.method_options.assignments)
+        request.set.push_back(parse_assignment(text));
     for (const std::string& text : options.axes) {
         SweepAxis axis = parse_axis(text);
         for (const SweepAxis& other : request.axes) {

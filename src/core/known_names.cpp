@@ -68,4 +68,10 @@ Error unknown_name(std::string_view what, std::string_view name, const std::vect
         fmt::format("{}{}{}", fmt::join(known, ", "), or_else.empty() || known.empty() ? "" : "; ", or_else));
 }
 
+Error unknown_name_in_file(std::string_view name, const std::vector<std::string>& known, std::string where) {
+    const auto meant = meant_name(name, known);
+    return file_error(fmt::format("is {}{}", name, meant ? "; did you mean " + *meant + "?" : ""),
+                      std::move(where), fmt::format("{}", fmt::join(known, ", ")));
+}
+
 }  // namespace aoscore

@@ -19,6 +19,12 @@ StrictObject::StrictObject(const json& object, std::string where)
     if (!object.is_object()) throw file_error(fmt::format("is {}", object.type_name()), where_, "an object");
 }
 
+StrictObject StrictObject::of_file(const json& object, std::string name) {
+    StrictObject file(object, std::move(name));
+    file.before_key_ = ": ";
+    return file;
+}
+
 bool StrictObject::has(std::string_view key) const {
     return object_->contains(key);
 }

@@ -17,6 +17,8 @@ class StrictObject {
   public:
     /// `where` as it appears in errors: "views.json: views[2]".
     StrictObject(const nlohmann::json& object, std::string where);
+    /// The top level of the file `name`, whose members appear in errors as "views.json: views".
+    static StrictObject of_file(const nlohmann::json& object, std::string name);
 
     bool has(std::string_view key) const;
     std::string text(std::string_view key);
@@ -41,7 +43,7 @@ class StrictObject {
 
     const std::string& where() const { return where_; }
     /// "file: place.key" for an error about a member.
-    std::string where(std::string_view key) const { return where_ + "." + std::string(key); }
+    std::string where(std::string_view key) const { return where_ + before_key_ + std::string(key); }
 
     /// Throws file_error for the first key that nobody took.
     void finish() const;
@@ -51,6 +53,7 @@ class StrictObject {
 
     const nlohmann::json* object_;
     std::string where_;
+    const char* before_key_ = ".";
     std::set<std::string, std::less<>> taken_;
 };
 

@@ -1,5 +1,6 @@
 #include "experiment/baseline.h"
 
+#include "core/known_names.h"
 #include "core/sampling.h"
 #include "results/ranked_value.h"
 
@@ -9,12 +10,6 @@
 
 namespace aoscore {
 namespace {
-
-template <class Record>
-const Record* find(const std::vector<Record>& records, const std::string& id, std::string Record::*member) {
-    const auto found = std::ranges::find(records, id, member);
-    return found == records.end() ? nullptr : &*found;
-}
 
 /// Why two views do not show the same; empty where they do.
 std::string difference(const ViewRecord& a, const ViewRecord& b) {
@@ -33,8 +28,8 @@ std::string obstacle(const Results& now, const CellRecord& cell, const Results& 
                      const CellRecord* old) {
     if (old == nullptr) return "not in the earlier run";
     if (!old->analysis) return "failed in the earlier run: " + old->error;
-    const ViewRecord* view = find(now.views, cell.view_key, &ViewRecord::key);
-    const ViewRecord* old_view = find(before.views, old->view_key, &ViewRecord::key);
+    const ViewRecord* view = find_row(now.views, cell.view_key, &ViewRecord::key);
+    const ViewRecord* old_view = find_row(before.views, old->view_key, &ViewRecord::key);
     if (view == nullptr || old_view == nullptr) return "a view is not there";
     if (const std::string text = difference(*view, *old_view); !text.empty()) return text;
     if (cell.analysis && cell.analysis->blocks.counts != old->analysis->blocks.counts)
@@ -45,7 +40,7 @@ std::string obstacle(const Results& now, const CellRecord& cell, const Results& 
 /// The cell of the earlier run that this one stands for: of the same id, else the only one of its method,
 /// preset and filter on the view, so that a change of parameters can be held against what was before.
 const CellRecord* earlier_cell(const CellRecord& cell, const Results& before) {
-    if (const CellRecord* same = find(before.cells, cell.id, &CellRecord::id)) return same;
+    if (const CellRecord* same = find_row(before.cells, cell.id)) return same;
     const CellRecord* only = nullptr;
     for (const CellRecord& old : before.cells) {
         if (old.view_key != cell.view_key || old.method != cell.method || old.preset != cell.preset ||

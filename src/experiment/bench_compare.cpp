@@ -7,6 +7,7 @@
 #include "core/threads.h"
 #include "metrics/analysis.h"
 #include "metrics/evaluate.h"
+#include "metrics/roles.h"
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -147,7 +148,7 @@ void bench_compare(std::uint64_t seed) {
     const MetricInput input{pair.truth, pair.test, valid, &standard_error, &maps};
     print_result("{}, {} threads; {}x{}, fastest of {} runs\n", cpu_name(), thread_count(), kWidth, kHeight,
                  kRuns);
-    compare_ssim(pair, [&] { return *metric("ssim").measure(input).value; });
+    compare_ssim(pair, [&] { return *metric(kStructureMetric).measure(input).value; });
     for (const Metric& row : metrics()) measure(row.label, [&] { row.measure(input); });
     measure("all metrics together", [&] { evaluate(input); });
     measure("analysis, with intervals", [&] { analyse(input, {}, kMaskThreshold, seed); });

@@ -1,5 +1,6 @@
 #include "experiment/bench_methods.h"
 
+#include "core/counted.h"
 #include "core/error.h"
 #include "core/log.h"
 #include "core/output.h"
@@ -121,10 +122,10 @@ void print_summary(const std::vector<Row>& rows) {
     const auto least = std::min_element(rows.begin(), rows.end(),
                                         [](const Row& a, const Row& b) { return ratio(a) < ratio(b); });
     if (!kernel_ratios.empty()) {
-        const std::size_t count = kernel_ratios.size();
-        print_result("median over the {} {}, default presets: {:.2f} times faster\n", count,
-                     count == 1 ? "method with a kernel table" : "methods with kernel tables",
-                     *summarize(kernel_ratios).median_ms);
+        print_result(
+            "median over the {}, default presets: {:.2f} times faster\n",
+            counted(kernel_ratios.size(), "method with a kernel table", "methods with kernel tables"),
+            *summarize(kernel_ratios).median_ms);
     }
     if (least != rows.end()) print_result("least: {}, {:.2f} times\n", least->name, ratio(*least));
 }

@@ -144,11 +144,10 @@ nlohmann::json to_json(const Comparison& comparison) {
     const ComparisonRequest& request = comparison.request;
     nlohmann::json metrics = nlohmann::json::object();
     for (const auto& [id, metric] : comparison.metrics) metrics[id] = json_of(metric);
-    nlohmann::json masks = {
-        {"threshold", request.mask_threshold}, {"missing_area", nullptr}, {"false_area", nullptr}};
-    if (comparison.analysis) {
-        masks["missing_area"] = comparison.analysis->missing.area;
-        masks["false_area"] = comparison.analysis->false_occlusion.area;
+    nlohmann::json masks = {{"threshold", request.mask_threshold}};
+    for (const MaskArea& area : mask_areas()) {
+        masks[std::string(area.id)] =
+            comparison.analysis ? nlohmann::json(area.value(*comparison.analysis)) : nlohmann::json();
     }
     return {
         {"truth", request.truth.string()},

@@ -38,15 +38,14 @@ const MeasuredMetric* find(const MetricMap& metrics, const std::string& id) {
 
 std::vector<std::string> limited_ids() {
     std::vector<std::string> ids = ids_of(metrics());
-    ids.insert(ids.end(), {kMissingArea, kFalseArea});
+    for (const MaskArea& area : mask_areas()) ids.emplace_back(area.id);
     return ids;
 }
 
 MetricMap limited_measures(const MetricMap& metrics, const std::optional<ErrorAnalysis>& analysis) {
     MetricMap measures = metrics;
     if (!analysis) return measures;
-    measures[kMissingArea].value = analysis->missing.area;
-    measures[kFalseArea].value = analysis->false_occlusion.area;
+    for (const MaskArea& area : mask_areas()) measures[std::string(area.id)].value = area.value(*analysis);
     return measures;
 }
 

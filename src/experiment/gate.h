@@ -8,8 +8,8 @@
 
 namespace aoscore {
 
-/// What limits can be put on: every metric, and the areas of missing and false occlusion (kMissingArea,
-/// kFalseArea), by id.
+/// What limits can be put on: every metric, and the areas of missing and false occlusion
+/// (mask_areas()), by id.
 std::vector<std::string> limited_ids();
 /// Their values of one comparison; the areas are not there without an analysis.
 MetricMap limited_measures(const MetricMap& metrics, const std::optional<ErrorAnalysis>& analysis);

@@ -1,6 +1,8 @@
 #include "experiment/gates.h"
 
 #include "core/error.h"
+#include "core/known_names.h"
+#include "metrics/metric.h"
 
 #include <fmt/format.h>
 
@@ -30,10 +32,12 @@ void Gates::require_above_noise(double noise_floor_rmse, const std::string& wher
         for (const Gate& gate : limits->gates) {
             const bool upper =
                 gate.relation == Gate::Relation::greater || gate.relation == Gate::Relation::greater_equal;
-            if (!upper || gate.metric != "rmse" || gate.threshold >= noise_floor_rmse) continue;
+            const Metric* row = find_row(metrics(), gate.metric);
+            const bool noisy = row != nullptr && !row->without_noise.empty();
+            if (!upper || !noisy || gate.threshold >= noise_floor_rmse) continue;
             throw usage_error(
                 fmt::format("{} is below the noise of the truth, {:.6g}", gate.text, noise_floor_rmse), where,
-                "a higher threshold, a truth of more samples, or rmse_debiased");
+                fmt::format("a higher threshold, a truth of more samples, or {}", row->without_noise));
         }
     }
 }

@@ -18,8 +18,8 @@ class Gates {
     /// Throws usage_error for a malformed limit, an unknown metric, and kWorse without a baseline.
     Gates(const std::vector<std::string>& fail, const std::vector<std::string>& warn, bool has_baseline);
 
-    /// Throws usage_error where a limit on the raw RMSE lies below what the truth's noise alone makes of it:
-    /// a perfect image would trip it. (The debiased one may lie below: noise averages out over the pixels.)
+    /// Throws usage_error where a limit lies below what the truth's noise alone makes of the metric: a
+    /// perfect image would trip it. (One without_noise may lie below: noise averages out over the pixels.)
     void require_above_noise(double noise_floor_rmse, const std::string& where) const;
 
     /// One line for each tripped limit: the measured value and what would have passed.

@@ -2,8 +2,9 @@
 
 #include "core/error.h"
 #include "core/files.h"
-#include "core/image.h"
+#include "core/image_size.h"
 #include "core/known_names.h"
+#include "core/source_reference.h"
 #include "core/strict_json.h"
 #include "experiment/claims/judge.h"
 #include "experiment/sweep.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 namespace aoscore {
@@ -20,14 +20,6 @@ namespace {
 
 constexpr double kLargestRadius_m = 1e6;
 constexpr double kSmallestRadius_m = 1e-9;
-
-std::string source_line(StrictObject source) {
-    std::string line = fmt::format("{}, {}, {}", source.text("author"), source.text("title"),
-                                   source.integer("year", 1900, 2100));
-    if (source.has("place")) line += ", " + source.text("place");
-    source.finish();
-    return line;
-}
 
 // The published figures are shown, not computed with: they may be any numbers, null where nothing was
 // printed.
@@ -60,25 +52,14 @@ CellPlan read_row(StrictObject row) {
     return cell;
 }
 
-std::pair<int, int> read_size(StrictObject& object) {
-    const std::vector<double> size = object.numbers("size", 2);
-    for (const double side : size) {
-        if (side != std::floor(side) || side < 1 || side > kLargestImageSide_px) {
-            throw file_error(fmt::format("holds {}", side), object.where("size"),
-                             fmt::format("width and height in pixels, 1 to {}", kLargestImageSide_px));
-        }
-    }
-    return {static_cast<int>(size[0]), static_cast<int>(size[1])};
-}
-
 bool same_picture(const ViewPlan& a, const ViewPlan& b) {
     return a.scene == b.scene && a.load == b.load && a.view == b.view && a.width == b.width &&
            a.height == b.height && a.radius_m == b.radius_m;
 }
 
-void scale_size(ViewPlan& view, double scale) {
-    view.width = std::max(1, static_cast<int>(std::lround(view.width * scale)));
-    view.height = std::max(1, static_cast<int>(std::lround(view.height * scale)));
+void set_size(ViewPlan& view, ImageSize size, double scale) {
+    view.width = std::max(1, static_cast<int>(std::lround(size.width * scale)));
+    view.height = std::max(1, static_cast<int>(std::lround(size.height * scale)));
 }
 
 // What a source states of its measurements; null where it shows a bar and prints no number.
@@ -101,7 +82,7 @@ SweepRequest read_sweep(StrictObject object) {
     request.base.preset = object.text_or("preset", "default");
     if (object.has("filter")) request.base.filter = object.text("filter");
     if (object.has("set")) {
-        for (const auto& [id, value] : object.object("set").members()) request.base.overrides[id] = value;
+        for (const auto& [id, value] : object.object("set").members()) request.set.push_back({id, value});
     }
     request.base.own_truth = false;
     request.base.keep_image = object.boolean_or("images", false);
@@ -117,10 +98,10 @@ SweepRequest read_sweep(StrictObject object) {
 void add_sweep_report(ExperimentPlan& plan, const ReportDefinition& report, double scale) {
     SweepPlan sweep;
     sweep.definition = parse_json_file(report.file);
-    StrictObject object(sweep.definition, report.file.filename().string());
+    StrictObject object = StrictObject::of_file(sweep.definition, report.file.filename().string());
     for (const char* key : {"id", "kind", "hardware"}) object.text(key);
     sweep.title = object.text("title");
-    source_line(object.object("source"));
+    source_reference(object.object("source"));
     object.texts_or_empty("notes");
     for (StrictObject& stated : object.objects_or_empty("stated")) check_stated(std::move(stated));
     ViewPlan view;
@@ -135,8 +116,7 @@ void add_sweep_report(ExperimentPlan& plan, const ReportDefinition& report, doub
     for (StrictObject& one : object.objects("views")) {
         view.scene = one.text("scene");
         view.view = one.text("view");
-        std::tie(view.width, view.height) = read_size(one);
-        scale_size(view, scale);
+        set_size(view, read_image_size(one), scale);
         one.finish();
         for (const SweepRequest& request : requests) add_sweep(plan, view, request, sweep, registry);
     }
@@ -153,17 +133,16 @@ void add_sweep_report(ExperimentPlan& plan, const ReportDefinition& report, doub
 void add_table_report(ExperimentPlan& plan, const ReportDefinition& report, double scale) {
     TablePlan table;
     table.definition = parse_json_file(report.file);
-    StrictObject object(table.definition, report.file.filename().string());
+    StrictObject object = StrictObject::of_file(table.definition, report.file.filename().string());
     for (const char* key : {"id", "title", "hardware"}) object.text(key);
     object.text_or("kind", "");
-    source_line(object.object("source"));
+    source_reference(object.object("source"));
     object.texts_or_empty("notes");
 
     ViewPlan view;
     view.scene = object.text("scene");
     view.view = object.text("view");
-    std::tie(view.width, view.height) = read_size(object);
-    scale_size(view, scale);
+    set_size(view, read_image_size(object), scale);
     const std::vector<std::string> claims = object.texts_or_empty("claims");
     plan.claim_ids.insert(plan.claim_ids.end(), claims.begin(), claims.end());
     view.samples = object.integer("samples", 1, 1 << 20);
@@ -224,7 +203,7 @@ std::vector<ReportDefinition> list_reports() {
     for (const auto& entry : std::filesystem::directory_iterator(folder, ec)) {
         if (entry.path().extension() != ".json") continue;
         const nlohmann::json json = parse_json_file(entry.path());
-        StrictObject object(json, entry.path().filename().string());
+        StrictObject object = StrictObject::of_file(json, entry.path().filename().string());
         ReportDefinition report;
         report.id = entry.path().stem().string();
         if (object.text("id") != report.id) {
@@ -235,7 +214,7 @@ std::vector<ReportDefinition> list_reports() {
         if (kind != "table" && kind != "sweep")
             throw file_error("is " + kind, object.where("kind"), "table, sweep");
         report.kind = kind == "sweep" ? ReportDefinition::Kind::sweep : ReportDefinition::Kind::table;
-        report.source = source_line(object.object("source"));
+        report.source = source_reference(object.object("source"));
         report.file = entry.path();
         reports.push_back(std::move(report));
     }
@@ -249,15 +228,11 @@ ExperimentPlan plan_reports(const std::vector<std::string>& report_ids, double s
     plan.claim_scale = scale;
     plan.own_parameters = true;
     for (const std::string& id : report_ids) {
-        const auto found =
-            std::find_if(known.begin(), known.end(), [&](const auto& r) { return r.id == id; });
-        if (found == known.end()) {
-            throw unknown_name("no report", id, ids_of(known), "run");
-        }
-        if (found->kind == ReportDefinition::Kind::sweep)
-            add_sweep_report(plan, *found, scale);
+        const ReportDefinition& report = row_of(known, id, "no report", "run");
+        if (report.kind == ReportDefinition::Kind::sweep)
+            add_sweep_report(plan, report, scale);
         else
-            add_table_report(plan, *found, scale);
+            add_table_report(plan, report, scale);
     }
     return plan;
 }

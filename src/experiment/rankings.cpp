@@ -1,7 +1,9 @@
 #include "experiment/rankings.h"
 
 #include "core/error.h"
+#include "metrics/mask_areas.h"
 #include "metrics/over_views.h"
+#include "metrics/roles.h"
 #include "results/comparable_views.h"
 #include "results/ranked_value.h"
 
@@ -33,10 +35,10 @@ std::optional<double> value_over_views(const Entry& entry, const std::string& me
     return measure_over_views(metric, values);
 }
 
-double area_over_views(const Entry& entry, const char* id, MaskSummary ErrorAnalysis::*mask) {
+double area_over_views(const Entry& entry, const MaskArea& area) {
     std::vector<double> areas;
-    for (const CellRecord* cell : entry) areas.push_back((*cell->analysis.*mask).area);
-    return measure_over_views(id, areas);
+    for (const CellRecord* cell : entry) areas.push_back(area.value(*cell->analysis));
+    return measure_over_views(area.id, areas);
 }
 
 /// Every measure that all cells have; of one view as its analysis says.
@@ -45,8 +47,8 @@ std::map<std::string, MeasureRecord> measures_of(const Entry& entry, std::uint64
     for (const auto& [id, metric] : entry.front()->ranked) {
         if (const auto value = value_over_views(entry, id)) measures[id].value = *value;
     }
-    measures[kMissingArea].value = area_over_views(entry, kMissingArea, &ErrorAnalysis::missing);
-    measures[kFalseArea].value = area_over_views(entry, kFalseArea, &ErrorAnalysis::false_occlusion);
+    for (const MaskArea& area : mask_areas())
+        measures[std::string(area.id)].value = area_over_views(entry, area);
     const std::map<std::string, Interval> intervals =
         entry.size() == 1 ? entry.front()->analysis->intervals : confidence_intervals(blocks_of(entry), seed);
     for (auto& [id, measure] : measures) {
@@ -109,7 +111,7 @@ std::vector<Entry> entries_on(const Views& views, const std::vector<CellRecord>&
         return Contestant{cell.method, cell.preset, cell.setting, cell.filter};
     };
     const auto succeeded_on = [&](const ViewRecord& view, const CellRecord& cell) {
-        return cell.view_key == view.key && cell.analysis && value_of(cell.ranked, "rmse");
+        return cell.view_key == view.key && cell.analysis && value_of(cell.ranked, kNoisyRankingMetric);
     };
     std::vector<Entry> entries;
     for (const CellRecord& first : cells) {

@@ -26,16 +26,11 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<StressAxis> chosen_axes(const StressPlan& plan) {
+    for (const std::string& id : plan.axes) row_of(stress_axes(), id, "no stress axis", "--axes");
     std::vector<StressAxis> chosen;
-    std::vector<std::string> known;
     for (const StressAxis& axis : stress_axes()) {
-        known.emplace_back(axis.id);
-        if (plan.axes.empty() || std::find(plan.axes.begin(), plan.axes.end(), axis.id) != plan.axes.end())
+        if (plan.axes.empty() || std::ranges::find(plan.axes, axis.id) != plan.axes.end())
             chosen.push_back(axis);
-    }
-    for (const std::string& id : plan.axes) {
-        if (std::find(known.begin(), known.end(), id) == known.end())
-            throw unknown_name("no stress axis", id, known, "--axes");
     }
     return chosen;
 }

@@ -1,13 +1,12 @@
 #include "experiment/sweep.h"
 
 #include "core/error.h"
-#include "core/image.h"
+#include "core/image_size.h"
 #include "core/known_names.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <set>
 
@@ -16,39 +15,19 @@ namespace {
 
 using nlohmann::json;
 
-const RunModeOption* find_mode(const std::string& id) {
-    const auto& modes = run_mode_options();
-    const auto found = std::find_if(modes.begin(), modes.end(), [&](const auto& m) { return m.id == id; });
-    return found == modes.end() ? nullptr : &*found;
-}
-
 std::string word(const json& value, const std::string& axis) {
     if (!value.is_string()) throw usage_error("\"" + value.dump() + "\" is no name", "vary " + axis);
     return value.get<std::string>();
 }
 
-std::pair<int, int> parse_size(const std::string& text) {
-    int width = 0, height = 0;
-    const char* end = text.data() + text.size();
-    const auto first = std::from_chars(text.data(), end, width);
-    bool good = first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
-    if (good) {
-        const auto second = std::from_chars(first.ptr + 1, end, height);
-        good = second.ec == std::errc() && second.ptr == end;
-    }
-    if (!good || width < 1 || height < 1 || width > kLargestImageSide_px || height > kLargestImageSide_px) {
-        throw usage_error("\"" + text + "\" is no size", "vary size",
-                          fmt::format("such as 1920x1080, at most {} each way", kLargestImageSide_px));
-    }
-    return {width, height};
-}
-
 /// What one point of the product asks for, and what of it applies.
 struct Point {
     CellPlan cell;
-    std::optional<std::pair<int, int>> size;
+    std::optional<ImageSize> size;
     std::map<std::string, json> at;
 };
+
+constexpr const char* kNobodyHas = "nothing in this sweep has a parameter";
 
 class Expansion {
   public:
@@ -62,7 +41,9 @@ class Expansion {
                 sweep_.axes.push_back(axis.id);
         }
         check_axes();
+        taken_.assign(request_.set.size(), false);
         for (const std::string& id : request_.methods) add_method(find_method(registry_.methods, id));
+        check_taken();
     }
 
   private:
@@ -75,13 +56,24 @@ class Expansion {
         for (const MethodDescriptor& filter : registry_.filters) {
             for (const Parameter& p : filter.parameters) known.insert(std::string(kFilterPrefix) + p.id);
         }
-        const auto check = [&](const std::string& id) {
-            if (known.contains(id)) return;
-            throw unknown_name("nothing in this sweep has a parameter", id, {known.begin(), known.end()},
-                               "vary " + id);
-        };
-        for (const SweepAxis& axis : request_.axes) check(axis.id);
-        for (const auto& [id, value] : request_.base.overrides) check(id);
+        for (const SweepAxis& axis : request_.axes) {
+            if (!known.contains(axis.id))
+                throw unknown_name(kNobodyHas, axis.id, {known.begin(), known.end()}, "vary " + axis.id);
+            for (const Assignment& one : request_.set) {
+                if (one.parameter == axis.id) throw usage_error(axis.id + " is set and varied", "set");
+            }
+        }
+    }
+
+    /// Every parameter that is set must have been taken by some cell.
+    void check_taken() const {
+        for (std::size_t i = 0; i < taken_.size(); ++i) {
+            if (taken_[i]) continue;
+            const std::string& id = request_.set[i].parameter;
+            throw unknown_name(kNobodyHas, id,
+                               assignable_parameters(cells_, registry_.methods, registry_.filters),
+                               "set " + id);
+        }
     }
 
     void note(const std::string& text) {
@@ -93,8 +85,6 @@ class Expansion {
         Point start;
         start.cell = request_.base;
         start.cell.method = method.id;
-        std::erase_if(start.cell.overrides,
-                      [&](const auto& entry) { return method.find_parameter(entry.first) == nullptr; });
         expand(method, start, 0);
     }
 
@@ -127,8 +117,8 @@ class Expansion {
             point.cell.filter = word(value, id);
             if (*point.cell.filter != "none") find_method(registry_.filters, *point.cell.filter);
         } else if (id == "size") {
-            point.size = parse_size(word(value, id));
-        } else if (const RunModeOption* mode = find_mode(id)) {
+            point.size = parse_image_size(word(value, id), "vary size");
+        } else if (const RunModeOption* mode = find_row(run_mode_options(), id)) {
             const std::string choice = word(value, id);
             if (std::find(mode->choices.begin(), mode->choices.end(), choice) == mode->choices.end())
                 throw unknown_name("no " + id, choice, mode->choices, "vary " + id);
@@ -155,10 +145,18 @@ class Expansion {
         return true;
     }
 
-    void add_point(const Point& point) {
+    void add_point(Point point) {
+        // Only here it is known which filter the cell is run with.
+        for (std::size_t i = 0; i < taken_.size(); ++i) {
+            if (assign(request_.set[i], registry_.methods, registry_.filters, point.cell)) taken_[i] = true;
+        }
+        cells_.push_back(point.cell);
         ViewPlan wanted = view_;
         wanted.cells.clear();
-        if (point.size) std::tie(wanted.width, wanted.height) = *point.size;
+        if (point.size) {
+            wanted.width = point.size->width;
+            wanted.height = point.size->height;
+        }
         SweepPoint added;
         added.view_index = shared_view(plan_, wanted);
         added.cell_index = shared_cell(plan_.views[added.view_index], point.cell);
@@ -172,13 +170,9 @@ class Expansion {
     const SweepRequest& request_;
     SweepPlan& sweep_;
     const Registry& registry_;
+    std::vector<bool> taken_;      ///< for each assignment of the request whether a cell has the parameter
+    std::vector<CellPlan> cells_;  ///< of all points
 };
-
-json parse_value(const std::string& text) {
-    json value = json::parse(text, nullptr, false);
-    const bool plain = value.is_number() || value.is_boolean();
-    return plain ? value : json(text);
-}
 
 }  // namespace
 

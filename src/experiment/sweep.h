@@ -1,5 +1,6 @@
 #pragma once
 
+#include "experiment/assignment.h"
 #include "experiment/plan.h"
 #include "experiment/resolved_cell.h"
 
@@ -19,7 +20,8 @@ struct SweepAxis {
 /// Methods over the product of axes.
 struct SweepRequest {
     std::vector<std::string> methods;
-    CellPlan base;  ///< what is not varied: preset, filter, modes; overrides go to the methods that have them
+    CellPlan base;                ///< preset, filter and modes where they are not varied
+    std::vector<Assignment> set;  ///< for the methods, and their filters, that have the parameter
     std::vector<SweepAxis> axes;
 };
 
@@ -29,8 +31,9 @@ SweepAxis parse_axis(const std::string& text);
 /// Adds to the plan, on views like `view` (one for each size on the axes, or as it is), every cell that the
 /// request stands for, and the sweep of them. A cell that the plan has already is not added twice. An axis
 /// that a method, or its filter, does not declare is left out for it, and a preset that it lacks; the
-/// sweep's notes say so. Throws usage_error for an axis that nothing in the sweep declares (listing what
-/// there is), for a value out of its range, and for an unknown method or filter.
+/// sweep's notes say so. Throws usage_error for an axis, or a parameter that is set, which nothing in the
+/// sweep declares (listing what there is), for a parameter that is set and varied, for a value out of its
+/// range, and for an unknown method or filter.
 void add_sweep(ExperimentPlan& plan, const ViewPlan& view, const SweepRequest& request, SweepPlan& sweep,
                const Registry& registry);
 

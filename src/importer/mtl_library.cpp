@@ -1,5 +1,6 @@
 #include "importer/mtl_library.h"
 
+#include "core/counted.h"
 #include "importer/tiny_obj.h"
 #include "scene/gltf/place.h"
 
@@ -93,8 +94,8 @@ const MtlLibrary::Used& MtlLibrary::use(const std::string& name) {
 void MtlLibrary::finish() {
     materials_.finish();
     if (unknown_.empty()) return;
-    job_.warn(fmt::format("{} materials are in no library, such as {}: drawn solid", unknown_.size(),
-                          *unknown_.begin()));
+    job_.warn(fmt::format("{} in no library, such as {}: drawn solid",
+                          counted(unknown_.size(), "material is", "materials are"), *unknown_.begin()));
 }
 
 }  // namespace aoscore::importer

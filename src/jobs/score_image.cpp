@@ -9,18 +9,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
-#include <vector>
 
 namespace aoscore {
 namespace {
 
-// What is measured besides the ranking: the perceptual metrics cost more than all others together.
-const std::vector<std::string> kUnrankedMetrics{"rmse", "rmse_debiased", "mae", "bias", "ssim"};
-
 MetricMap metrics_against(const Truth& truth, std::size_t query, const ImageF& image, const Mask& valid) {
     const MetricInput input{truth.visibility[query], image, valid, &truth.standard_error[query]};
-    return evaluate(input, kUnrankedMetrics);
+    return evaluate(input, unranked_metrics());
 }
 
 void require_ground(const CameraContract& contract) {

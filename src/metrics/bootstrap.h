@@ -1,6 +1,7 @@
 #pragma once
 
 #include "metrics/block_errors.h"
+#include "metrics/mask_areas.h"
 
 #include <cstdint>
 #include <map>
@@ -20,12 +21,7 @@ struct Interval {
 /// What a bootstrap draws from: one image, or one of each of several views.
 using BootstrapImages = std::span<const BlockErrors* const>;
 
-/// The areas of the masks, beside the metrics' ids.
-inline constexpr const char* kMissingArea = "missing_area";
-inline constexpr const char* kFalseArea = "false_area";
-
-/// What can be resampled: metrics that are means, or made of means, and the areas of the masks. The largest
-/// error cannot: parts of a picture drawn again never hold a larger one.
+/// What can be resampled: the metrics whose rows say how, and the areas of the masks.
 const std::vector<std::string>& bootstrap_measures();
 
 /// Values of a measure over 2000 resampled images: blocks are drawn with replacement (Hans Künsch, The

@@ -9,10 +9,16 @@
 
 namespace aoscore {
 
-const Metric& metric(const std::string& id) {
-    const auto found = std::ranges::find(metrics(), id, &Metric::id);
-    if (found != metrics().end()) return *found;
-    throw unknown_name("no metric", id, ids_of(metrics()));
+const Metric& metric(std::string_view id) {
+    return row_of(metrics(), id, "no metric");
+}
+
+std::vector<std::string> unranked_metrics() {
+    std::vector<std::string> ids;
+    for (const Metric& row : metrics()) {
+        if (row.unranked) ids.emplace_back(row.id);
+    }
+    return ids;
 }
 
 std::map<std::string, MetricValue> evaluate(const MetricInput& input, std::span<const std::string> ids) {

@@ -14,6 +14,9 @@ namespace aoscore {
 std::map<std::string, MetricValue> evaluate(const MetricInput& input, std::span<const std::string> ids = {});
 
 /// The row of the table. Throws usage_error that lists the known ids.
-const Metric& metric(const std::string& id);
+const Metric& metric(std::string_view id);
+
+/// The ids of the metrics that are measured before the filter and against a method's own truth, too.
+std::vector<std::string> unranked_metrics();
 
 }  // namespace aoscore

@@ -10,6 +10,7 @@
 
 namespace aoscore {
 
+struct DrawnSums;
 struct MapSums;
 
 /// What a metric looks at. All images have one size; visibility in [0,1], 1 = open.
@@ -29,14 +30,24 @@ struct MetricValue {
 /// One metric: a row of the table in metrics.cpp and a file of its own.
 struct Metric {
     enum class Better { lower, higher, nearer_zero };
-    std::string_view id;  ///< command line, JSON key
-    std::string_view label;
-    std::string_view unit;  ///< "" for visibility itself
+    std::string_view id;         ///< command line, JSON key
+    std::string_view label;      ///< a column's
+    std::string_view in_text;    ///< the label within a sentence
+    std::string_view unit = {};  ///< "" for visibility itself
     Better better;
-    std::string_view meaning;  ///< one sentence for the page
-    std::string_view paper;    ///< author, title, year; "" for elementary ones
+    int decimals = 4;             ///< to print it with
+    std::string_view meaning;     ///< one sentence for the page
+    std::string_view paper = {};  ///< author, title, year; "" for elementary ones
     MetricValue (*measure)(const MetricInput&);
     double (*over_views)(std::span<const double>);  ///< of one value a view; see over_views.h
+    /// Of an image whose blocks were drawn again: what its interval is made of. Null where parts of an image
+    /// cannot give it.
+    double (*resampled)(const DrawnSums&) = nullptr;
+    bool brief = false;     ///< also in tables for readers, whose width is limited
+    bool unranked = false;  ///< also measured before the filter and against a method's own truth
+    /// The id of the same without the truth's noise, which this one adds to the error of a perfect image; ""
+    /// where it adds none.
+    std::string_view without_noise = {};
 };
 
 /// The one table of metrics, in the order of columns.

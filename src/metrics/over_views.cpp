@@ -1,7 +1,7 @@
 #include "metrics/over_views.h"
 
 #include "core/error.h"
-#include "metrics/bootstrap.h"
+#include "metrics/mask_areas.h"
 #include "metrics/metric.h"
 
 #include <algorithm>
@@ -42,7 +42,9 @@ double measure_over_views(std::string_view id, std::span<const double> values) {
     for (const Metric& metric : metrics()) {
         if (metric.id == id) return metric.over_views(values);
     }
-    if (id == kMissingArea || id == kFalseArea) return over_views::mean(values);
+    for (const MaskArea& area : mask_areas()) {
+        if (area.id == id) return over_views::mean(values);
+    }
     throw internal_error("no number over views of " + std::string(id));
 }
 

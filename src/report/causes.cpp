@@ -1,5 +1,7 @@
 #include "report/causes.h"
 
+#include "core/known_names.h"
+
 #include <algorithm>
 #include <array>
 
@@ -16,8 +18,9 @@ std::span<const CauseText> causes() {
 }
 
 const char* cause_label(const std::string& id) {
-    const auto found = std::ranges::find_if(causes(), [&](const CauseText& cause) { return id == cause.id; });
-    return found == causes().end() ? "" : found->label;
+    const std::span<const CauseText> table = causes();
+    const CauseText* found = find_row(table, id);
+    return found == nullptr ? "" : found->label;
 }
 
 }  // namespace aoscore

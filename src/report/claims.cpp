@@ -1,3 +1,4 @@
+#include "metrics/roles.h"
 #include "report/number_text.h"
 #include "report/section.h"
 #include "results/ranked_value.h"
@@ -64,9 +65,9 @@ json error_models(const ClaimRecord& claim, const Results& results) {
         const CellRecord* cell = find_cell(results, id);
         if (cell == nullptr) continue;
         list.push_back({{"cell", id},
-                        {"error", fixed_text(ranked_value(*cell, "rmse_debiased"), 4)},
-                        {"bias", fixed_text(ranked_value(*cell, "bias"), 4)},
-                        {"ssim", fixed_text(ranked_value(*cell, "ssim"), 4)}});
+                        {"error", fixed_text(ranked_value(*cell, kRankingMetric), 4)},
+                        {"bias", fixed_text(ranked_value(*cell, kBiasMetric), 4)},
+                        {"ssim", fixed_text(ranked_value(*cell, kStructureMetric), 4)}});
     }
     return list;
 }

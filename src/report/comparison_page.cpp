@@ -2,7 +2,10 @@
 
 #include "core/files.h"
 #include "metrics/bootstrap.h"
+#include "metrics/evaluate.h"
+#include "metrics/roles.h"
 #include "report/coloured_picture.h"
+#include "report/html_document.h"
 #include "report/number_text.h"
 #include "report/page_parts.h"
 #include "report/page_template.h"
@@ -40,14 +43,17 @@ ImageF error_of(const ComparisonPage& comparison) {
     return error;
 }
 
-json row(const std::string& id, const std::string& label, std::optional<double> value,
+json row(const std::string& id, const std::string& label, std::optional<double> value, int decimals,
          const std::string& meaning, const std::optional<ErrorAnalysis>& analysis) {
     std::string interval;
     if (analysis && analysis->intervals.contains(id)) {
         const Interval& found = analysis->intervals.at(id);
-        interval = fmt::format("{} to {}", fixed_text(found.low, 4), fixed_text(found.high, 4));
+        interval = fmt::format("{} to {}", fixed_text(found.low, decimals), fixed_text(found.high, decimals));
     }
-    return {{"label", label}, {"value", fixed_text(value, 4)}, {"interval", interval}, {"meaning", meaning}};
+    return {{"label", label},
+            {"value", fixed_text(value, decimals)},
+            {"interval", interval},
+            {"meaning", meaning}};
 }
 
 json rows_model(const ComparisonPage& comparison) {
@@ -58,15 +64,17 @@ json rows_model(const ComparisonPage& comparison) {
         if (found == comparison.metrics.end()) continue;
         const std::string note = found->second.note.empty() ? "" : " (" + found->second.note + ")";
         const std::string unit = metric.unit.empty() ? "" : ", " + std::string(metric.unit);
-        rows.push_back(row(id, std::string(metric.label) + unit, found->second.value,
+        rows.push_back(row(id, std::string(metric.label) + unit, found->second.value, metric.decimals,
                            std::string(metric.meaning) + note, comparison.analysis));
     }
     if (!comparison.analysis) return rows;
-    rows.push_back(row(kMissingArea, "Missing occlusion", comparison.analysis->missing.area,
-                       "Share of the pixels that are brighter than the truth beyond threshold and noise.",
-                       comparison.analysis));
-    rows.push_back(row(kFalseArea, "False occlusion", comparison.analysis->false_occlusion.area,
-                       "Share of the pixels that are darker.", comparison.analysis));
+    for (const MaskArea& area : mask_areas()) {
+        rows.push_back(row(
+            std::string(area.id), std::string(area.label) + " occlusion", area.value(*comparison.analysis), 4,
+            fmt::format("Share of the pixels that are {} than the truth beyond threshold and noise.",
+                        area.side),
+            comparison.analysis));
+    }
     return rows;
 }
 
@@ -75,10 +83,10 @@ std::string verdict(const ComparisonPage& comparison) {
         const auto found = comparison.metrics.find(id);
         return found == comparison.metrics.end() ? std::nullopt : found->second.value;
     };
-    const std::optional<double> rmse = value("rmse"), bias = value("bias");
-    if (!rmse || !bias) return "Nothing could be compared.";
-    return fmt::format("The image is {} from the truth (RMSE), and {} by {} in the mean.",
-                       fixed_text(rmse, 4), *bias < 0 ? "too dark" : "too bright",
+    const std::optional<double> error = value(kNoisyRankingMetric), bias = value(kBiasMetric);
+    if (!error || !bias) return "Nothing could be compared.";
+    return fmt::format("The image is {} from the truth ({}), and {} by {} in the mean.", fixed_text(error, 4),
+                       metric(kNoisyRankingMetric).in_text, *bias < 0 ? "too dark" : "too bright",
                        fixed_text(std::abs(*bias), 4));
 }
 
@@ -93,7 +101,6 @@ void write_comparison_page(const fs::path& path, const ComparisonPage& compariso
     std::size_t valid = 0;
     for (const auto pixel : comparison.valid.pixels) valid += pixel;
     const json model = {
-        {"style", read_file(page_folder() / "style" / "page.css") + read_file(parts / "style.css")},
         {"version", std::string(version())},
         {"verdict", verdict(comparison)},
         {"images", json::array({image_model(shown.truth), image_model(shown.test)})},
@@ -107,7 +114,10 @@ void write_comparison_page(const fs::path& path, const ComparisonPage& compariso
         {"size", fmt::format("{}x{}", comparison.valid.width, comparison.valid.height)},
         {"command", comparison.command}};
     const fs::path frame = parts / "template.html";
-    write_atomically(path, fill_template(read_file(frame), model, frame.string()));
+    write_atomically(
+        path, html_text({"comparison",
+                         read_file(page_folder() / "style" / "page.css") + read_file(parts / "style.css"), "",
+                         fill_template(read_file(frame), model, frame.string())}));
 }
 
 }  // namespace aoscore

@@ -1,3 +1,4 @@
+#include "metrics/evaluate.h"
 #include "metrics/pareto.h"
 #include "report/number_text.h"
 #include "report/page_template.h"
@@ -80,7 +81,7 @@ nlohmann::json section::cost(const PageSource& source) {
                              {"error", fixed_text(point.error, 4)}});
         }
         model["charts"].push_back({{"view", view.key},
-                                   {"metric", ranking_metric_label(metric)},
+                                   {"metric", std::string(aoscore::metric(metric).in_text)},
                                    {"data", script_json(chart_data(points, metric))},
                                    {"front", std::move(front)}});
     }

@@ -1,6 +1,9 @@
+#include "core/known_names.h"
+#include "metrics/roles.h"
 #include "report/number_text.h"
 #include "report/page_template.h"
 #include "report/section.h"
+#include "results/ranked_value.h"
 
 #include <fmt/format.h>
 
@@ -45,16 +48,15 @@ json curves_data(const Cells& cells, bool cumulative) {
 
 json fit_row(const CellRecord& cell, const Cells& cells) {
     const BestFit& fit = cell.analysis->fit;
-    const auto before = cell.ranked.find(fit.rmse_debiased ? "rmse_debiased" : "rmse");
-    const auto raw = before == cell.ranked.end() ? std::nullopt : before->second.value;
+    const auto before = value_of(cell.ranked, fit.rmse_debiased ? kRankingMetric : kNoisyRankingMetric);
     const double after = fit.rmse_debiased.value_or(fit.rmse);
-    const auto gain = raw ? ratio(*raw - after, *raw) : std::nullopt;
+    const auto gain = before ? ratio(*before - after, *before) : std::nullopt;
     return {
         {"method", series_name(cell, cells)},
         {"numbers",
          json::array({{{"text", fixed_text(fit.strength, 2)}, {"sort", fmt::format("{}", fit.strength)}},
                       {{"text", fixed_text(fit.exponent, 2)}, {"sort", fmt::format("{}", fit.exponent)}},
-                      {{"text", fixed_text(raw, 4)}, {"sort", raw ? fmt::format("{}", *raw) : ""}},
+                      {{"text", fixed_text(before, 4)}, {"sort", before ? fmt::format("{}", *before) : ""}},
                       {{"text", fixed_text(after, 4)}, {"sort", fmt::format("{}", after)}},
                       {{"text", percent_text(gain, 0)}, {"sort", gain ? fmt::format("{}", *gain) : ""}}})}};
 }
@@ -70,8 +72,7 @@ json bin_model(const SplitBin& bin, double largest) {
 }
 
 const Split* split_of(const CellRecord& cell, const std::string& id) {
-    const auto found = std::ranges::find(cell.analysis->splits, id, &Split::id);
-    return found == cell.analysis->splits.end() ? nullptr : &*found;
+    return find_row(cell.analysis->splits, id);
 }
 
 /// The share of the pixels that a bin has, where it is the same for all methods.

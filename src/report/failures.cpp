@@ -1,3 +1,4 @@
+#include "core/known_names.h"
 #include "report/causes.h"
 #include "report/number_text.h"
 #include "report/section.h"
@@ -20,8 +21,8 @@ std::string css_percent(double share) {
 }
 
 double area_of(const MaskSummary& mask, const std::string& cause) {
-    const auto found = std::ranges::find(mask.causes, cause, &CauseShare::cause);
-    return found == mask.causes.end() ? 0.0 : found->area;
+    const auto found = find_row(mask.causes, cause, &CauseShare::cause);
+    return found == nullptr ? 0.0 : found->area;
 }
 
 /// The parts of one method's bar; the whole mask where causes are not known.

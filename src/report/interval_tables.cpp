@@ -21,10 +21,10 @@ std::vector<Head> heads() {
     std::vector<Head> list;
     for (const Metric& metric : metrics()) {
         list.push_back({std::string(metric.id), std::string(metric.label), std::string(metric.unit), 1,
-                        metric.unit.empty() ? 4 : 2});
+                        metric.decimals});
     }
-    list.push_back({kMissingArea, "Missing", "%", 100, 2});
-    list.push_back({kFalseArea, "False", "%", 100, 2});
+    for (const MaskArea& area : mask_areas())
+        list.push_back({std::string(area.id), std::string(area.label), "%", 100, 2});
     return list;
 }
 

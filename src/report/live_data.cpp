@@ -6,10 +6,13 @@
 #include "core/printable.h"
 #include "core/strict_json.h"
 #include "core/threads.h"
+#include "metrics/roles.h"
+#include "report/live_index.h"
 #include "report/live_packing.h"
 #include "report/page_template.h"
 #include "report/stored_images.h"
 #include "results/live_file.h"
+#include "results/ranked_value.h"
 
 #include <fmt/format.h>
 
@@ -87,20 +90,17 @@ void sort_out(LiveData& data) {
     data.index["methods"] = std::move(runnable);
 }
 
-json metric_value(const CellRecord& cell, const char* id) {
-    const auto found = cell.ranked.find(id);
-    return found != cell.ranked.end() && found->second.value ? json(*found->second.value) : json();
-}
-
 json cell_data(const CellRecord& cell) {
-    return {{"id", cell.id},
-            {"method", cell.method},
-            {"preset", cell.preset},
-            {"filter", cell.filter},
-            {"parameters", cell.parameters},
-            {"rmse", metric_value(cell, "rmse")},
-            {"bias", metric_value(cell, "bias")},
-            {"rmse_debiased", metric_value(cell, "rmse_debiased")}};
+    json data = {{"id", cell.id},
+                 {"method", cell.method},
+                 {"preset", cell.preset},
+                 {"filter", cell.filter},
+                 {"parameters", cell.parameters}};
+    for (const char* id : {kRankingMetric, kNoisyRankingMetric, kBiasMetric}) {
+        const std::optional<double> value = value_of(cell.ranked, id);
+        data[id] = value ? json(*value) : json();
+    }
+    return data;
 }
 
 void add_view(json& data, const ViewRecord& view, const Results& results) {
@@ -132,7 +132,12 @@ std::vector<const HeldInput*> wanted_inputs(const json& index) {
 void pack_views(LiveData& data, const Results& results, const fs::path& folder) {
     const std::vector<const HeldInput*> wanted = wanted_inputs(data.index);
     for (const ViewRecord& view : results.views) {
-        json& of_view = data.index.at("views").at(view.key);
+        json& views = data.index.at("views");
+        if (!views.contains(view.key)) {
+            throw file_error("lacks the view " + view.key + " of the results beside it",
+                             (folder / kLiveFile).string() + ": views");
+        }
+        json& of_view = views.at(view.key);
         add_view(of_view, view, results);
         const fs::path path = stored_path(folder, view.gbuffer_file);
         const ImageFile file = read_image(path);
@@ -162,13 +167,10 @@ LiveData read_live_data(const Results& results, const fs::path& folder) {
         data.missing = "The run did not keep the G-buffer, which methods read.";
         return data;
     }
-    try {
-        data.index = parse_json_file(path);
-        sort_out(data);
-        pack_views(data, results, folder);
-    } catch (const json::exception& e) {
-        throw file_error(std::string("is not what a run writes: ") + e.what(), path.string());
-    }
+    data.index = parse_json_file(path);
+    check_live_index(data.index, path.string());
+    sort_out(data);
+    pack_views(data, results, folder);
     return data;
 }
 

@@ -1,4 +1,7 @@
 #include "core/error.h"
+#include "core/source_reference.h"
+#include "metrics/evaluate.h"
+#include "metrics/roles.h"
 #include "report/number_text.h"
 #include "report/section.h"
 #include "results/ranked_value.h"
@@ -84,8 +87,7 @@ json our_parameters(const CellRecord& cell) {
 
 std::optional<double> own_value(const CellRecord& cell, const std::string& metric) {
     if (!cell.error.empty()) return std::nullopt;
-    const auto found = cell.own.find(metric);
-    return found == cell.own.end() ? std::nullopt : found->second.value;
+    return value_of(cell.own, metric);
 }
 
 /// The rows of one table: each the definition's row and the cell that stands for it.
@@ -140,12 +142,9 @@ json cost_pairs(const std::vector<TableRow>& rows, const TableRow& row) {
 
 json error_numbers(const CellRecord& cell, const std::string& metric) {
     json list = json::array();
-    for (const std::string& id : {metric, std::string("bias"), std::string("ssim")}) {
-        list.push_back(number_model(ranked_value(cell, id), 4));
-    }
-    for (const std::string& id : {metric, std::string("bias"), std::string("ssim")}) {
-        list.push_back(number_model(own_value(cell, id), 4));
-    }
+    const std::array<std::string, 3> ids{metric, kBiasMetric, kStructureMetric};
+    for (const std::string& id : ids) list.push_back(number_model(ranked_value(cell, id), 4));
+    for (const std::string& id : ids) list.push_back(number_model(own_value(cell, id), 4));
     return list;
 }
 
@@ -182,13 +181,6 @@ json notes_of(const TableRecord& table, const std::vector<TableRow>& rows) {
     return list;
 }
 
-std::string source_text(const json& source) {
-    std::string text = fmt::format("{}, {}, {}", source.at("author").get<std::string>(),
-                                   source.at("title").get<std::string>(), source.at("year").get<int>());
-    if (source.contains("place")) text += ", " + source.at("place").get<std::string>();
-    return text;
-}
-
 json table_model(const TableRecord& table, const PageSource& source) {
     const json& definition = table.definition;
     const std::vector<TableRow> rows = rows_of(table, source.results);
@@ -198,19 +190,20 @@ json table_model(const TableRecord& table, const PageSource& source) {
     for (const TableRow& row : rows) cells.push_back(&row.cell);
     const std::string metric = ranking_metric(cells);
 
-    json model = {{"id", definition.at("id").get<std::string>()},
-                  {"title", definition.at("title").get<std::string>()},
-                  {"source", source_text(definition.at("source"))},
-                  {"hardware", definition.at("hardware").get<std::string>()},
-                  {"view", view.key},
-                  {"size", fmt::format("{}×{}", view.width, view.height)},
-                  {"samples", std::to_string(view.samples)},
-                  {"radius", short_text(view.radius_m)},
-                  {"renderer", source.results.gl_renderer},
-                  {"metric", metric == "rmse_debiased" ? "RMSE deb." : "RMSE"},
-                  {"thumbnails", thumbnails(rows, source.pictures)},
-                  {"notes", notes_of(table, rows)},
-                  {"rows", json::array()}};
+    json model = {
+        {"id", definition.at("id").get<std::string>()},
+        {"title", definition.at("title").get<std::string>()},
+        {"source", source_reference(StrictObject(definition.at("source"), "results.json: tables: source"))},
+        {"hardware", definition.at("hardware").get<std::string>()},
+        {"view", view.key},
+        {"size", fmt::format("{}×{}", view.width, view.height)},
+        {"samples", std::to_string(view.samples)},
+        {"radius", short_text(view.radius_m)},
+        {"renderer", source.results.gl_renderer},
+        {"metric", std::string(aoscore::metric(metric).label)},
+        {"thumbnails", thumbnails(rows, source.pictures)},
+        {"notes", notes_of(table, rows)},
+        {"rows", json::array()}};
     for (const TableRow& row : rows) {
         const TruthRecord* own = find_truth(view, row.cell.own_truth);
         model["rows"].push_back({{"method", shown_name(row.cell)},

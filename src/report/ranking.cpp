@@ -1,4 +1,5 @@
 #include "core/error.h"
+#include "metrics/evaluate.h"
 #include "report/baseline_table.h"
 #include "report/interval_tables.h"
 #include "report/number_text.h"
@@ -114,7 +115,7 @@ json view_table(const Columns& columns, const Results& results, const RankingRec
             {"radius", short_text(ranking.radius_m)},
             {"radius_px", fixed_text(view.radius_px_median, 1)},
             {"floor", fixed_text(floor, 4)},
-            {"metric", ranking_metric_label(ranking.metric)},
+            {"metric", std::string(metric(ranking.metric).in_text)},
             {"rows", std::move(rows)}};
 }
 
@@ -166,7 +167,7 @@ json overall_table(const Results& results, const RankingRecord& ranking) {
     return {{"views", fmt::format("{}", fmt::join(ranking.view_keys, ", "))},
             {"count", std::to_string(ranking.view_keys.size())},
             {"radius", short_text(ranking.radius_m)},
-            {"metric", ranking_metric_label(ranking.metric)},
+            {"metric", std::string(metric(ranking.metric).in_text)},
             {"has_left_out", !left_out.empty()},
             {"left_out", left_out},
             {"rows", std::move(rows)}};

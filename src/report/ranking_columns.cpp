@@ -3,6 +3,8 @@
 #include "metrics/metric.h"
 #include "report/number_text.h"
 
+#include <fmt/format.h>
+
 namespace aoscore {
 namespace {
 
@@ -18,24 +20,20 @@ std::vector<RankingColumn> ranking_columns(const Results& results) {
     for (const Metric& metric : metrics()) {
         const std::string id(metric.id);
         list.push_back({id, std::string(metric.label), std::string(metric.unit), std::string(metric.meaning),
-                        [id](const CellRecord& cell) { return metric_of(cell, id); },
-                        metric.unit.empty() ? 4 : 2});
+                        [id](const CellRecord& cell) { return metric_of(cell, id); }, metric.decimals});
     }
-    const auto area = [](MaskSummary ErrorAnalysis::*mask) {
-        return [mask](const CellRecord& cell) {
-            if (!cell.analysis) return MeasuredMetric{std::nullopt, ""};
-            return MeasuredMetric{(*cell.analysis.*mask).area * 100, ""};
-        };
-    };
-    const std::string threshold = short_text(results.mask_threshold);
-    list.push_back({"", "Missing", "%",
-                    "Valid pixels brighter than the truth by more than " + threshold +
-                        " and three standard errors of the truth.",
-                    area(&ErrorAnalysis::missing), 2});
-    list.push_back({"", "False", "%",
-                    "Valid pixels darker than the truth by more than " + threshold +
-                        " and three standard errors of the truth.",
-                    area(&ErrorAnalysis::false_occlusion), 2});
+    for (const MaskArea& area : mask_areas()) {
+        list.push_back(
+            {"", std::string(area.label), "%",
+             fmt::format("Valid pixels {} than the truth by more than {} and three standard errors "
+                         "of the truth.",
+                         area.side, short_text(results.mask_threshold)),
+             [value = area.value](const CellRecord& cell) {
+                 if (!cell.analysis) return MeasuredMetric{std::nullopt, ""};
+                 return MeasuredMetric{value(*cell.analysis) * 100, ""};
+             },
+             2});
+    }
     list.push_back({"", "Fetches", "a pixel",
                     "Texture reads of the AO pass, counted, mean over valid pixels.",
                     [](const CellRecord& cell) {

@@ -2,6 +2,7 @@
 
 #include "core/files.h"
 #include "core/log.h"
+#include "report/html_document.h"
 #include "report/page_parts.h"
 #include "report/page_template.h"
 #include "report/pictures.h"
@@ -24,9 +25,7 @@ std::string section_html(const Section& section, const PageSource& source) {
 }
 
 std::string page_html(const PageSource& all, const PageSource& source) {
-    nlohmann::json model = {{"style", page_style()},
-                            {"script", page_script()},
-                            {"stage_data", stage_data(source)},
+    nlohmann::json model = {{"stage_data", stage_data(source)},
                             {"version", source.results.program_version},
                             {"created", source.results.created_utc},
                             {"sections", nlohmann::json::array()}};
@@ -38,7 +37,8 @@ std::string page_html(const PageSource& all, const PageSource& source) {
                                      {"body", section_html(section, used)}});
     }
     const fs::path frame = page_folder() / "template.html";
-    std::string html = fill_template(read_file(frame), model, frame.string());
+    std::string html = html_text({"screen-space ambient occlusion against ray-traced truth", page_style(),
+                                  page_script(), fill_template(read_file(frame), model, frame.string())});
     // The images come last: what a reader sees first does not wait for them.
     html.insert(html.rfind("</body>"), image_blocks(source) + live_blocks(source.live));
     return html;

@@ -1,4 +1,5 @@
 #include "core/error.h"
+#include "core/known_names.h"
 #include "report/number_text.h"
 #include "report/section.h"
 
@@ -54,22 +55,17 @@ Results pictured(const Results& results) {
 }
 
 const CellRecord* find_cell(const Results& results, const std::string& id) {
-    const auto found = std::find_if(results.cells.begin(), results.cells.end(),
-                                    [&](const CellRecord& cell) { return cell.id == id; });
-    return found == results.cells.end() ? nullptr : &*found;
+    return find_row(results.cells, id);
 }
 
 const ViewRecord& find_view(const Results& results, const std::string& key) {
-    const auto found = std::find_if(results.views.begin(), results.views.end(),
-                                    [&](const ViewRecord& view) { return view.key == key; });
-    if (found == results.views.end()) throw file_error("names a view that it lacks, " + key, "results.json");
-    return *found;
+    const ViewRecord* view = find_row(results.views, key, &ViewRecord::key);
+    if (view == nullptr) throw file_error("names a view that it lacks, " + key, "results.json");
+    return *view;
 }
 
 const TruthRecord* find_truth(const ViewRecord& view, const std::string& id) {
-    const auto found = std::find_if(view.truths.begin(), view.truths.end(),
-                                    [&](const TruthRecord& truth) { return truth.id == id; });
-    return found == view.truths.end() ? nullptr : &*found;
+    return find_row(view.truths, id);
 }
 
 std::optional<double> cost_ms(const CellRecord& cell) {

@@ -1,6 +1,8 @@
 #include "report/stress_page.h"
 
 #include "core/files.h"
+#include "core/known_names.h"
+#include "report/html_document.h"
 #include "report/number_text.h"
 #include "report/page_parts.h"
 #include "report/page_template.h"
@@ -26,11 +28,10 @@ struct Grade {
 };
 
 bool by_nature(const StressResults& results, const StressAxisRecord& axis, const StressCell& cell) {
-    const auto subject = std::find_if(results.subjects.begin(), results.subjects.end(),
-                                      [&](const auto& s) { return s.id == cell.subject; });
+    const auto subject = find_row(results.subjects, cell.subject);
     const bool numbers =
         cell.error.empty() && cell.nonfinite == 0 && cell.out_of_range == 0 && cell.background == 0;
-    return numbers && subject != results.subjects.end() && subject->limits.contains(axis.id);
+    return numbers && subject != nullptr && subject->limits.contains(axis.id);
 }
 
 Grade grade_of(const StressResults& results, const StressAxisRecord& axis, const StressCell& cell) {
@@ -48,9 +49,8 @@ Grade grade_of(const StressResults& results, const StressAxisRecord& axis, const
 
 const StressCell& cell_of(const StressSettingRecord& setting, const std::string& subject) {
     static const StressCell none{"", "was not tried", "", 0, 0, 0, {}, {}, {}, {}, ""};
-    const auto found = std::find_if(setting.cells.begin(), setting.cells.end(),
-                                    [&](const StressCell& c) { return c.subject == subject; });
-    return found == setting.cells.end() ? none : *found;
+    const StressCell* found = find_row(setting.cells, subject, &StressCell::subject);
+    return found == nullptr ? none : *found;
 }
 
 std::string state_text(const StressCell& cell) {
@@ -207,8 +207,6 @@ fs::path write_stress_page(const fs::path& results_folder) {
     const fs::path parts = home_dir() / "reports" / "stress";
     const Counts counts = count(results);
     json model = head_model(results);
-    model["style"] = read_file(page_folder() / "style" / "page.css") + read_file(parts / "style.css");
-    model["script"] = read_file(parts / "script.js");
     model["data"] = script_json(data_model(results, results_folder));
     model["rows"] = rows_model(results);
     model["limits"] = limits_model(results);
@@ -232,7 +230,11 @@ fs::path write_stress_page(const fs::path& results_folder) {
     model["cpu_seconds"] = fixed_text(results.cpu_seconds, 0);
     const fs::path frame = parts / "template.html";
     const fs::path path = results_folder / "index.html";
-    write_atomically(path, fill_template(read_file(frame), model, frame.string()));
+    write_atomically(
+        path,
+        html_text({"numerical stress",
+                   read_file(page_folder() / "style" / "page.css") + read_file(parts / "style.css"),
+                   read_file(parts / "script.js"), fill_template(read_file(frame), model, frame.string())}));
     return path;
 }
 

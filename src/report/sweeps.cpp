@@ -1,3 +1,4 @@
+#include "core/source_reference.h"
 #include "metrics/median_interval.h"
 #include "report/number_text.h"
 #include "report/page_template.h"
@@ -40,7 +41,7 @@ json chart_data(const Rows& rows, std::optional<double> budget_ms) {
                             {"relative", number(row->relative_cost)},
                             {"fetches", number(row->fetches)},
                             {"error", number(row->error)},
-                            {"raw", number(row->raw_error)},
+                            {"noisy", number(row->noisy_error)},
                             {"fitted", number(row->fitted_error)},
                             {"front", row->on_front}});
         }
@@ -67,7 +68,7 @@ json row_model(const SweepRow& row, int decimals) {
             {"relative", fixed_text(row.relative_cost, 2)},
             {"fetches", fixed_text(row.fetches, 1)},
             {"error", fixed_text(row.error, 4)},
-            {"raw", fixed_text(row.raw_error, 4)},
+            {"noisy", fixed_text(row.noisy_error, 4)},
             {"fitted", fixed_text(row.fitted_error, 4)},
             {"bias", fixed_text(row.bias, 4)},
             {"front", row.on_front},
@@ -219,13 +220,12 @@ json stated_models(const json& definition) {
 
 json source_model(const json& definition) {
     if (!definition.is_object()) return false;
-    const json& source = definition.at("source");
-    json model = {{"text", fmt::format("{}, {}, {}", source.at("author").get<std::string>(),
-                                       source.at("title").get<std::string>(), source.at("year").get<int>())},
-                  {"hardware", definition.at("hardware").get<std::string>()},
-                  {"stated", stated_models(definition)},
-                  {"notes", definition.value("notes", json::array())},
-                  {"claims", json::array()}};
+    json model = {
+        {"text", source_reference(StrictObject(definition.at("source"), "results.json: sweeps: source"))},
+        {"hardware", definition.at("hardware").get<std::string>()},
+        {"stated", stated_models(definition)},
+        {"notes", definition.value("notes", json::array())},
+        {"claims", json::array()}};
     for (const json& id : definition.value("claims", json::array())) model["claims"].push_back({{"id", id}});
     model["has_stated"] = !model["stated"].empty();
     model["has_claims"] = !model["claims"].empty();

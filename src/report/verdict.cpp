@@ -1,3 +1,5 @@
+#include "core/counted.h"
+#include "metrics/evaluate.h"
 #include "report/number_text.h"
 #include "report/place_name.h"
 #include "report/section.h"
@@ -92,7 +94,7 @@ std::string bounds_sentence(const RankingRecord& ranking) {
 }
 
 std::string ranking_sentence(const Results& results, const RankingRecord& ranking) {
-    const std::string where = where_text(ranking), metric = ranking_metric_label(ranking.metric);
+    const std::string where = where_text(ranking), metric(aoscore::metric(ranking.metric).in_text);
     const Places ranked = ranked_places(ranking), leaders = leaders_of(ranking);
     if (ranked.empty()) return where + " no method for use was scored.";
     const PlaceRecord& best = *ranked.front();
@@ -202,8 +204,8 @@ nlohmann::json section::verdict(const PageSource& source) {
     const auto failed =
         std::ranges::count_if(results.cells, [](const auto& cell) { return !cell.error.empty(); });
     model["failed"] = failed > 0;
-    model["failed_count"] = failed == 1 ? std::string("1 cell failed and is not ranked")
-                                        : fmt::format("{} cells failed and are not ranked", failed);
+    model["failed_count"] = counted(static_cast<std::size_t>(failed), "cell failed and is not ranked",
+                                    "cells failed and are not ranked");
     return model;
 }
 

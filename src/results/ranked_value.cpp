@@ -1,5 +1,7 @@
 #include "results/ranked_value.h"
 
+#include "metrics/roles.h"
+
 #include <algorithm>
 
 namespace aoscore {
@@ -15,13 +17,9 @@ std::optional<double> ranked_value(const CellRecord& cell, const std::string& me
 
 std::string ranking_metric(const std::vector<const CellRecord*>& cells) {
     const bool debiased = std::ranges::all_of(cells, [](const CellRecord* cell) {
-        return !cell->error.empty() || value_of(cell->ranked, "rmse_debiased").has_value();
+        return !cell->error.empty() || value_of(cell->ranked, kRankingMetric).has_value();
     });
-    return debiased ? "rmse_debiased" : "rmse";
-}
-
-std::string ranking_metric_label(const std::string& metric) {
-    return metric == "rmse_debiased" ? "debiased RMSE" : "RMSE";
+    return debiased ? kRankingMetric : kNoisyRankingMetric;
 }
 
 }  // namespace aoscore

@@ -14,11 +14,8 @@ std::optional<double> value_of(const MetricMap& metrics, const std::string& id);
 /// Its value against the ranking's truth; empty where the cell failed too.
 std::optional<double> ranked_value(const CellRecord& cell, const std::string& metric);
 
-/// The id of the metric that ranks these cells: rmse_debiased where every one that did not fail has it, else
-/// rmse.
+/// The id of the metric that ranks these cells: kRankingMetric where every one that did not fail has it, else
+/// kNoisyRankingMetric.
 std::string ranking_metric(const std::vector<const CellRecord*>& cells);
-
-/// "debiased RMSE", "RMSE".
-std::string ranking_metric_label(const std::string& metric);
 
 }  // namespace aoscore

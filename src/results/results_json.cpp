@@ -56,12 +56,12 @@ json to_json(const ErrorAnalysis& analysis) {
 }
 
 Results results_from_json(const json& object, const std::string& where) {
-    Reader reader{StrictObject(object, where)};
+    Reader reader{StrictObject::of_file(object, where)};
     int schema_version = 0;
     reader("schema_version", schema_version);
     if (schema_version != Results::kSchemaVersion) {
         throw file_error(fmt::format("is {}, of another version of this program", schema_version),
-                         where + ".schema_version", fmt::format("{}", Results::kSchemaVersion));
+                         reader.object.where("schema_version"), fmt::format("{}", Results::kSchemaVersion));
     }
     Results results;
     visit_members(reader, results);

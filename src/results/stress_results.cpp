@@ -97,7 +97,7 @@ void write_record(const Record& record, const std::filesystem::path& file) {
 template <class Record>
 Record read_record(const std::filesystem::path& file) {
     const nlohmann::json object = parse_json_file(file);
-    record_json::Reader reader{StrictObject(object, file.string())};
+    record_json::Reader reader{StrictObject::of_file(object, file.string())};
     int schema_version = 0;
     reader("schema_version", schema_version);
     if (schema_version != StressResults::kSchemaVersion) {

@@ -1,3 +1,4 @@
+#include "metrics/roles.h"
 #include "results/export/csv_line.h"
 #include "results/lengths_text.h"
 #include "results/ranked_value.h"
@@ -84,8 +85,8 @@ std::string line_of(const SweepRecord& sweep, const SweepRow& row, const std::st
     line.add(of_view(view != nullptr ? std::optional(view->radius_m) : std::nullopt));
     line.add(of_view(view != nullptr ? std::optional(view->radius_px_median) : std::nullopt));
     line.add(view != nullptr ? lengths_text(cell) : std::string());
-    line.add(row.error).add(row.raw_error).add(row.fitted_error).add(row.unfiltered_error).add(row.bias);
-    for (const char* id : {"ssim", "flip"}) line.add(of_view(value_of(cell.ranked, id)));
+    line.add(row.error).add(row.noisy_error).add(row.fitted_error).add(row.unfiltered_error).add(row.bias);
+    for (const char* id : {kStructureMetric, kPerceptualMetric}) line.add(of_view(value_of(cell.ranked, id)));
     line.add(std::string(row.on_front ? "1" : "0")).add(cell.error);
     return line.text();
 }
@@ -103,9 +104,11 @@ std::string sweeps_as_csv(const Results& results) {
     for (const char* name : {"gbuffer_ms", "ao_ms", "filter_ms", "cost_ms", "cost_low_ms", "cost_high_ms"})
         head.add(std::string(name));
     for (const char* name : kFrameColumns) head.add(std::string(name));
-    for (const char* name :
-         {"runs", "relative_cost", "fetches", "radius_m", "radius_px", "lengths", "rmse_debiased", "rmse",
-          "rmse_debiased_fitted", "rmse_debiased_unfiltered", "bias", "ssim", "flip", "pareto", "failed"})
+    for (const char* name : {"runs", "relative_cost", "fetches", "radius_m", "radius_px", "lengths",
+                             kRankingMetric, kNoisyRankingMetric})
+        head.add(std::string(name));
+    for (const char* of : {"_fitted", "_unfiltered"}) head.add(std::string(kRankingMetric) + of);
+    for (const char* name : {kBiasMetric, kStructureMetric, kPerceptualMetric, "pareto", "failed"})
         head.add(std::string(name));
     std::string csv = head.text();
     for (const SweepRecord& sweep : results.sweeps) {

@@ -1,9 +1,11 @@
 #include "results/sweep_rows.h"
 
 #include "core/error.h"
+#include "core/known_names.h"
 #include "metrics/median_interval.h"
 #include "metrics/over_views.h"
 #include "metrics/pareto.h"
+#include "metrics/roles.h"
 #include "results/comparable_views.h"
 #include "results/ranked_value.h"
 
@@ -19,12 +21,10 @@
 namespace aoscore {
 namespace {
 
-template <class Record, class Id>
-const Record& named(const std::vector<Record>& records, const std::string& id, Id id_of) {
-    const auto found =
-        std::find_if(records.begin(), records.end(), [&](const Record& r) { return id_of(r) == id; });
-    if (found == records.end()) throw file_error("names " + id + ", which it lacks", "results.json: sweeps");
-    return *found;
+template <class Record, class Member>
+const Record& named(const std::vector<Record>& records, const std::string& id, Member member) {
+    if (const Record* record = find_row(records, id, member)) return *record;
+    throw file_error("names " + id + ", which it lacks", "results.json: sweeps");
 }
 
 void add_costs(SweepRow& row, const SweepRecord& sweep) {
@@ -58,8 +58,8 @@ void mark_front(std::vector<SweepRow>& rows, const std::vector<std::size_t>& ind
 using Number = std::optional<double> SweepRow::*;
 
 /// Empty where one of the rows lacks it.
-std::optional<double> combined(const std::vector<const SweepRow*>& rows, Number number,
-                               double (*over)(std::span<const double>)) {
+template <class OverViews>
+std::optional<double> combined(const std::vector<const SweepRow*>& rows, Number number, OverViews over) {
     std::vector<double> values;
     for (const SweepRow* row : rows) {
         const std::optional<double> value = row->*number;
@@ -89,12 +89,16 @@ SweepRow over_views_of(const std::vector<const SweepRow*>& rows) {
     all.point = rows.front()->point;
     all.cell = rows.front()->cell;
     for (const Number cost : {&SweepRow::cost_ms, &SweepRow::cost_low_ms, &SweepRow::cost_high_ms,
-                              &SweepRow::relative_cost, &SweepRow::fetches, &SweepRow::bias})
+                              &SweepRow::relative_cost, &SweepRow::fetches})
         all.*cost = combined(rows, cost, over_views::mean);
     all.frame = mean_frame(rows);
-    for (const Number error :
-         {&SweepRow::error, &SweepRow::raw_error, &SweepRow::fitted_error, &SweepRow::unfiltered_error})
-        all.*error = combined(rows, error, over_views::root_mean_square);
+    const auto as = [](const char* metric) {
+        return [metric](std::span<const double> values) { return measure_over_views(metric, values); };
+    };
+    for (const Number error : {&SweepRow::error, &SweepRow::fitted_error, &SweepRow::unfiltered_error})
+        all.*error = combined(rows, error, as(kRankingMetric));
+    all.noisy_error = combined(rows, &SweepRow::noisy_error, as(kNoisyRankingMetric));
+    all.bias = combined(rows, &SweepRow::bias, as(kBiasMetric));
     if (std::ranges::all_of(rows, [](const SweepRow* row) { return row->within_budget.has_value(); }))
         all.within_budget =
             std::ranges::all_of(rows, [](const SweepRow* row) { return *row->within_budget; });
@@ -109,15 +113,15 @@ std::vector<SweepRow> sweep_rows(const Results& results, const SweepRecord& swee
     for (const SweepPointRecord& point : sweep.points) {
         SweepRow row;
         row.point = &point;
-        row.cell = &named(results.cells, point.cell_id, [](const CellRecord& c) { return c.id; });
-        row.view = &named(results.views, row.cell->view_key, [](const ViewRecord& v) { return v.key; });
+        row.cell = &named(results.cells, point.cell_id, &CellRecord::id);
+        row.view = &named(results.views, row.cell->view_key, &ViewRecord::key);
         if (row.cell->error.empty()) {
             add_costs(row, sweep);
-            row.error = value_of(row.cell->ranked, "rmse_debiased");
-            row.raw_error = value_of(row.cell->ranked, "rmse");
+            row.error = value_of(row.cell->ranked, kRankingMetric);
+            row.noisy_error = value_of(row.cell->ranked, kNoisyRankingMetric);
             if (row.cell->analysis) row.fitted_error = row.cell->analysis->fit.rmse_debiased;
-            row.unfiltered_error = value_of(row.cell->raw, "rmse_debiased");
-            row.bias = value_of(row.cell->ranked, "bias");
+            row.unfiltered_error = value_of(row.cell->raw, kRankingMetric);
+            row.bias = value_of(row.cell->ranked, kBiasMetric);
         }
         by_view[row.view].push_back(rows.size());
         rows.push_back(row);

@@ -19,7 +19,7 @@ struct SweepRow {
     std::optional<FrameRecord> frame;                 ///< with its lighting, where that was timed
     std::optional<double> fetches;                    ///< a pixel, of the AO pass
     std::optional<double> error;                      ///< debiased RMSE
-    std::optional<double> raw_error;                  ///< RMSE, the truth's noise included
+    std::optional<double> noisy_error;                ///< RMSE, the truth's noise included
     std::optional<double> fitted_error;      ///< debiased RMSE after the best fit of strength and exponent
     std::optional<double> unfiltered_error;  ///< debiased RMSE before the filter
     std::optional<double> bias;
@@ -37,8 +37,8 @@ struct SweepRowsOverViews {
 };
 
 /// For each group of comparable_views() of the sweep the settings that were measured in every one of them,
-/// each as one row: errors as the root of the mean square over views, as rankings have them; costs, bias and
-/// fetches as means over views (the ends of their intervals too, which is wider than the interval of the
+/// each as one row: errors and bias as rankings have them, by measure_over_views(); costs and fetches as
+/// means over views (the ends of their intervals too, which is wider than the interval of the
 /// mean). The front is that of these rows. Groups of one view, and those without such a setting, are left
 /// out.
 std::vector<SweepRowsOverViews> rows_over_views(const std::vector<SweepRow>& rows);

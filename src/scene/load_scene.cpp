@@ -152,9 +152,7 @@ bool looks_like_path(const std::string& name) {
 
 Scene load_scene(const std::string& name_or_path, const LoadOptions& options) {
     const std::vector<BuiltinScene>& builtins = builtin_scenes();
-    const auto builtin = std::find_if(builtins.begin(), builtins.end(),
-                                      [&](const BuiltinScene& b) { return b.id == name_or_path; });
-    if (builtin != builtins.end()) {
+    if (const BuiltinScene* builtin = find_row(builtins, name_or_path)) {
         if (options.metres_per_unit || options.up)
             throw usage_error("a built-in scene is in metres with y up", "--unit, --up", "for files");
         Scene scene = builtin->generate();

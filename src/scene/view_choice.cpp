@@ -1,5 +1,6 @@
 #include "scene/view_choice.h"
 
+#include "core/counted.h"
 #include "core/known_names.h"
 
 #include <fmt/format.h>
@@ -22,10 +23,7 @@ std::vector<View> of_kind(const std::vector<View>& views, View::Kind kind) {
 }
 
 const View& named(std::string_view scene_id, const std::vector<View>& views, std::string_view id) {
-    for (const View& view : views) {
-        if (view.id == id) return view;
-    }
-    throw unknown_name(fmt::format("scene {} has no view", scene_id), id, ids_of(views), "--view");
+    return row_of(views, id, fmt::format("scene {} has no view", scene_id), "--view");
 }
 
 }  // namespace
@@ -52,10 +50,9 @@ std::string left_out_text(const Scene& scene) {
     if (scene.views.empty()) return "";
     const std::vector<View> taken = choose_views(scene.id, scene.views, "");
     if (taken.front().kind != View::Kind::filed || nodes == 0) return "";
-    return fmt::format(
-        "{}: taking {} {} of {}, not its {} camera {} (--view nodes for {}, --view all for all)", scene.id,
-        taken.size(), taken.size() == 1 ? "view" : "views", taken.front().source, nodes,
-        nodes == 1 ? "node" : "nodes", nodes == 1 ? "it" : "these");
+    return fmt::format("{}: taking {} of {}, not its {} (--view nodes for {}, --view all for all)", scene.id,
+                       counted(taken.size(), "view", "views"), taken.front().source,
+                       counted(nodes, "camera node", "camera nodes"), nodes == 1 ? "it" : "these");
 }
 
 }  // namespace aoscore

@@ -104,7 +104,7 @@ ViewFile read_view_file(const fs::path& path) {
     const fs::path relative = path.lexically_relative(home_dir());
     const std::string name =
         relative.empty() || *relative.begin() == ".." ? path.string() : relative.generic_string();
-    StrictObject root(json, name + ": ");
+    StrictObject root = StrictObject::of_file(json, name);
     ViewFile file;
     file.title = root.text("title");
     if (!root.has("verified")) throw file_error("is missing", root.where("verified"), "true or false");

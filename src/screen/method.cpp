@@ -58,9 +58,7 @@ std::string MethodDescriptor::shown_label() const {
 }
 
 const Parameter* MethodDescriptor::find_parameter(std::string_view parameter) const {
-    const auto found = std::find_if(parameters.begin(), parameters.end(),
-                                    [&](const Parameter& p) { return p.id == parameter; });
-    return found == parameters.end() ? nullptr : &*found;
+    return find_row(parameters, parameter);
 }
 
 ParameterValues MethodDescriptor::values(std::string_view preset, const ParameterValues& overrides) const {
@@ -88,10 +86,7 @@ ParameterValues MethodDescriptor::values(std::string_view preset, const Paramete
 }
 
 const MethodDescriptor& find_method(const std::vector<MethodDescriptor>& methods, std::string_view id) {
-    const auto found =
-        std::find_if(methods.begin(), methods.end(), [&](const MethodDescriptor& m) { return m.id == id; });
-    if (found != methods.end()) return *found;
-    throw unknown_name("no method or filter", id, ids_of(methods));
+    return row_of(methods, id, "no method or filter");
 }
 
 }  // namespace aoscore

@@ -321,7 +321,7 @@ MethodDescriptor load_descriptor(const fs::path& folder, const std::set<std::str
     const std::string where = file.string();
     require_own_file(file, folder, where);
     const json parsed = parse_json_file(file);
-    StrictObject top(parsed, where + ": ");
+    StrictObject top = StrictObject::of_file(parsed, where);
     MethodDescriptor method;
     method.folder = folder;
     method.id = folder.filename().string();

@@ -38,5 +38,30 @@ TEST(KnownNames, TheErrorAsksAndListsWhatIsKnown) {
                 ::testing::Not(::testing::HasSubstr("did you mean")));
 }
 
+TEST(KnownNames, ARowIsFoundByItsIdOrTheErrorListsAllIds) {
+    struct Row {
+        const char* id;
+        int value;
+    };
+    const std::vector<Row> table{{"gtao", 1}, {"hbao", 2}};
+    EXPECT_EQ(find_row(table, "hbao")->value, 2);
+    EXPECT_EQ(find_row(table, "hba"), nullptr);
+    EXPECT_EQ(row_of(table, "gtao", "no method").value, 1);
+    try {
+        row_of(table, "gtoa", "no method", "--methods");
+        ADD_FAILURE();
+    } catch (const Error& e) {
+        EXPECT_EQ(e.exit_code(), ExitCode::usage);
+        EXPECT_STREQ(e.what(), "--methods: no method \"gtoa\"; did you mean gtao? (valid: gtao, hbao)");
+    }
+    try {
+        row_in_file(table, "gtoa", "claims.json: method");
+        ADD_FAILURE();
+    } catch (const Error& e) {
+        EXPECT_EQ(e.exit_code(), ExitCode::file_error);
+        EXPECT_STREQ(e.what(), "claims.json: method: is gtoa; did you mean gtao? (valid: gtao, hbao)");
+    }
+}
+
 }  // namespace
 }  // namespace aoscore

@@ -30,6 +30,14 @@ TEST(StrictJson, UnreadKeyIsAnErrorThatNamesItsPlaceAndTheKnownKeys) {
     EXPECT_THAT(message, HasSubstr("near"));
 }
 
+TEST(StrictJson, ThePlaceOfAFilesOwnMembersFollowsItsName) {
+    const json file = {{"label", 1}, {"pass", {{"scale", 0}}}};
+    StrictObject top = StrictObject::of_file(file, "method.json");
+    EXPECT_EQ(message_of([&] { top.text("label"); }), "method.json: label: is number (valid: a text)");
+    StrictObject pass = top.object("pass");
+    EXPECT_THAT(message_of([&] { pass.text("scale"); }), HasSubstr("method.json: pass.scale: "));
+}
+
 TEST(StrictJson, ValueOutOfRangeNamesTheRange) {
     const json file = {{"near", -1}};
     StrictObject object(file, "f");

@@ -22,21 +22,18 @@ using ::testing::HasSubstr;
 /// A list with one claim of one check on cells "a" (alchemy), "c" (crytek-ssao) and a sweep of samples "s".
 class Claims : public ::testing::Test {
   protected:
-    ClaimList list_of(json check) const {
-        json file = {{"id", "test"},
-                     {"source", {{"author", "A"}, {"title", "T"}, {"year", 2020}}},
-                     {"views",
-                      {{"v",
-                        {{"scene", "wall"},
-                         {"view", "facing"},
-                         {"size", {64, 48}},
-                         {"samples", 8},
-                         {"radius_m", 1}}}}},
-                     {"cells",
-                      {{"a", {{"view", "v"}, {"method", "alchemy"}}},
-                       {"c", {{"view", "v"}, {"method", "crytek-ssao"}}},
-                       {"s", {{"like", "a"}, {"vary", {{"samples", {4, 8, 16}}}}}}}},
-                     {"claims", json::array({{{"id", "T01"}, {"place", "p"}, {"claim", "c"}}})}};
+    ClaimList list_of(json check, const json& size = {64, 48}) const {
+        json file = {
+            {"id", "test"},
+            {"source", {{"author", "A"}, {"title", "T"}, {"year", 2020}}},
+            {"views",
+             {{"v",
+               {{"scene", "wall"}, {"view", "facing"}, {"size", size}, {"samples", 8}, {"radius_m", 1}}}}},
+            {"cells",
+             {{"a", {{"view", "v"}, {"method", "alchemy"}}},
+              {"c", {{"view", "v"}, {"method", "crytek-ssao"}}},
+              {"s", {{"like", "a"}, {"vary", {{"samples", {4, 8, 16}}}}}}}},
+            {"claims", json::array({{{"id", "T01"}, {"place", "p"}, {"claim", "c"}}})}};
         if (check.is_string())
             file["claims"][0]["cannot"] = check;
         else
@@ -84,6 +81,19 @@ class Claims : public ::testing::Test {
 };
 
 const std::vector<double> kFive(10, 5.0), kSix(10, 6.0), kWild{4, 8, 5, 9, 3, 7, 4.5, 8.5, 5.5, 6};
+
+TEST_F(Claims, AreMeasuredInPicturesOfASizeThatThereIs) {
+    for (const json& size : {json{12.7, 48}, json{64, -3}, json{1e12, 48}}) {
+        try {
+            list_of("no reason", size);
+            ADD_FAILURE() << size;
+        } catch (const Error& e) {
+            EXPECT_EQ(e.exit_code(), ExitCode::file_error);
+            EXPECT_THAT(e.what(), HasSubstr("test.json: views.v.size"));
+            EXPECT_THAT(e.what(), HasSubstr("whole pixels"));
+        }
+    }
+}
 
 TEST_F(Claims, AnOrderHoldsFailsOrCannotBeTold) {
     EXPECT_EQ(verdict(order(), {{"alchemy/default", kFive}, {"crytek-ssao/default", kSix}}),

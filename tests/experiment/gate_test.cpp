@@ -1,6 +1,9 @@
 #include "experiment/gate.h"
 
 #include "core/error.h"
+#include "experiment/gates.h"
+#include "metrics/mask_areas.h"
+#include "metrics/metric.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -39,6 +42,30 @@ TEST(Gate, MalformedLimitsAreUsageErrors) {
             ADD_FAILURE() << text << " was accepted";
         } catch (const Error& e) {
             EXPECT_EQ(e.exit_code(), ExitCode::usage) << text;
+        }
+    }
+}
+
+TEST(Gate, TakesEveryRowOfTheTableAndTheAreas) {
+    for (const Metric& row : metrics()) EXPECT_EQ(Gate::parse(std::string(row.id) + ">0.5").metric, row.id);
+    for (const MaskArea& area : mask_areas())
+        EXPECT_EQ(Gate::parse(std::string(area.id) + ">0.5").metric, area.id);
+}
+
+TEST(Gates, RefuseALimitBelowTheNoiseWhereTheRowSaysThatNoiseAdds) {
+    for (const Metric& row : metrics()) {
+        const Gates gates({std::string(row.id) + ">0.01"}, {}, false);
+        EXPECT_NO_THROW(gates.require_above_noise(0.005, "truth")) << row.id;
+        if (row.without_noise.empty()) {
+            EXPECT_NO_THROW(gates.require_above_noise(0.02, "truth")) << row.id;
+            continue;
+        }
+        try {
+            gates.require_above_noise(0.02, "truth");
+            ADD_FAILURE() << row.id;
+        } catch (const Error& e) {
+            EXPECT_EQ(e.exit_code(), ExitCode::usage);
+            EXPECT_THAT(e.what(), HasSubstr(std::string(row.without_noise)));
         }
     }
 }

@@ -83,7 +83,7 @@ TEST_F(Plan, EveryKeyOfADefinitionMustBeUnderstood) {
     json bad = definition("bad", "wide");
     bad["rows"][0]["presset"] = "quality";
     write(bad);
-    EXPECT_THAT(error_of({"bad"}, ExitCode::file_error), HasSubstr("bad.json.rows[0].presset"));
+    EXPECT_THAT(error_of({"bad"}, ExitCode::file_error), HasSubstr("bad.json: rows[0].presset"));
 }
 
 TEST_F(Plan, PublishedFiguresAreNumbersOrNull) {

@@ -1,6 +1,8 @@
 #include "experiment/rankings.h"
 
 #include "experiment/baseline.h"
+#include "metrics/roles.h"
+#include "results/sweep_rows.h"
 
 #include <gtest/gtest.h>
 
@@ -135,6 +137,31 @@ TEST(Rankings, OverSeveralViewsTakeTheRootMeanSquareOfMethodsThatSucceededOnAll)
     EXPECT_EQ(over_views.places[0].measures.at("rmse_debiased").value, over_views.places[0].value);
     EXPECT_LT(over_views.places[0].interval.low, 0.12) << "views are resampled too";
     EXPECT_EQ(rank_text(over_views.places[1]), "2") << "views draw alike for both, so their difference stays";
+}
+
+TEST(Rankings, HaveTheNumbersOverViewsThatSweepsHave) {
+    Results results;
+    results.views = {view("a"), view("b")};
+    results.cells = {cell("a", "m", 0.1, 0.1), cell("b", "m", 0.3, 0.1), cell("a", "n", 0.19, 0.1, 2),
+                     cell("b", "n", 0.22, 0.1, 2)};
+    for (CellRecord& one : results.cells) one.ranked[kBiasMetric].value = one.view_key == "a" ? -0.05 : 0.15;
+    SweepRecord sweep;
+    for (const CellRecord& one : results.cells) sweep.points.push_back({one.id, {{"method", one.method}}});
+    const std::vector<SweepRow> rows = sweep_rows(results, sweep);
+    const std::vector<SweepRowsOverViews> over_views = rows_over_views(rows);
+    ASSERT_EQ(over_views.size(), 1U);
+    const RankingRecord ranking = rank(results.views, results.cells, 1).back();
+    ASSERT_EQ(ranking.places.size(), over_views[0].rows.size());
+    EXPECT_EQ(ranking.places[0].method, "n") << "as a root mean square; as an arithmetic mean m would lead";
+    for (const PlaceRecord& place : ranking.places) {
+        const auto row = std::ranges::find_if(
+            over_views[0].rows, [&](const SweepRow& r) { return r.cell->method == place.method; });
+        ASSERT_NE(row, over_views[0].rows.end());
+        EXPECT_EQ(row->error, place.value);
+        EXPECT_EQ(row->noisy_error, place.measures.at(kNoisyRankingMetric).value);
+        EXPECT_DOUBLE_EQ(*row->bias, 0.05);
+        EXPECT_EQ(row->bias, place.measures.at(kBiasMetric).value);
+    }
 }
 
 TEST(Rankings, AreByRmseWhereTheDebiasedOneIsMissing) {

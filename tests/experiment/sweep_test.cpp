@@ -17,18 +17,21 @@ using ::testing::SizeIs;
 
 class Sweep : public ::testing::Test {
   protected:
-    void add(std::vector<std::string> methods, const std::vector<std::string>& axes) {
+    void add(std::vector<std::string> methods, const std::vector<std::string>& axes,
+             const std::vector<std::string>& set = {}) {
         SweepRequest request;
         request.methods = std::move(methods);
         for (const std::string& text : axes) request.axes.push_back(parse_axis(text));
+        for (const std::string& text : set) request.set.push_back(parse_assignment(text));
         ViewPlan view;
         view.scene = "wall";
         view.view = "facing";
         add_sweep(plan, view, request, sweep, registry);
     }
-    std::string error_of(const std::vector<std::string>& methods, const std::vector<std::string>& axes) {
+    std::string error_of(const std::vector<std::string>& methods, const std::vector<std::string>& axes,
+                         const std::vector<std::string>& set = {}) {
         try {
-            add(methods, axes);
+            add(methods, axes, set);
         } catch (const Error& e) {
             EXPECT_EQ(e.exit_code(), ExitCode::usage);
             return e.what();
@@ -67,6 +70,27 @@ TEST_F(Sweep, OneSettingThatIsReachedTwiceIsRunOnce) {
     EXPECT_THAT(sweep.points, SizeIs(4));
 }
 
+TEST_F(Sweep, WhatIsSetReachesTheMethodsAndTheFiltersThatHaveIt) {
+    add({"alchemy", "hbao"}, {"filter=none,gaussian-depth"}, {"filter.taps=2", "samples=5"});
+    const std::vector<CellPlan>& cells = plan.views.at(0).cells;
+    ASSERT_THAT(cells, SizeIs(4));
+    for (const CellPlan& cell : cells) {
+        EXPECT_EQ(cell.filter_overrides.contains("taps"), *cell.filter == "gaussian-depth")
+            << cell_name(cell);
+        EXPECT_EQ(cell.overrides.contains("samples"), cell.method == "alchemy") << cell_name(cell);
+    }
+    EXPECT_EQ(cells[1].filter_overrides.at("taps"), 2);
+    EXPECT_EQ(cells[1].overrides.at("samples"), 5);
+}
+
+TEST_F(Sweep, WhatIsSetForNothingOrVariedAsWellIsAnError) {
+    EXPECT_THAT(error_of({"alchemy"}, {"filter=none"}, {"filter.taps=2"}), HasSubstr("filter.taps"));
+    EXPECT_THAT(error_of({"alchemy"}, {"samples=4"}, {"filter.tabs=2"}), HasSubstr("filter.tabs"));
+    EXPECT_THAT(error_of({"hbao"}, {"directions=4"}, {"samples=8"}), HasSubstr("samples"));
+    EXPECT_THAT(error_of({"alchemy"}, {"samples=4"}, {"sample=8"}), HasSubstr("did you mean samples"));
+    EXPECT_THAT(error_of({"alchemy"}, {"samples=4,8"}, {"samples=8"}), HasSubstr("set and varied"));
+}
+
 TEST_F(Sweep, SizesAreViewsOfTheirOwn) {
     add({"alchemy"}, {"size=64x48,128x96", "resolution=full,half"});
     ASSERT_THAT(plan.views, SizeIs(2));
@@ -82,6 +106,15 @@ TEST_F(Sweep, WhatNothingDeclaresIsAnErrorThatListsTheKnown) {
     EXPECT_THAT(error_of({"alchemy"}, {"filter=blur"}), HasSubstr("box-4x4"));
     for (const char* bad : {"samples", "=4", "samples=", "samples=4,,8", "samples=4,4"})
         EXPECT_THROW(parse_axis(bad), Error) << bad;
+}
+
+TEST(Assignment, IsANumberATruthValueOrAWord) {
+    EXPECT_EQ(parse_assignment("radius=0.5").parameter, "radius");
+    EXPECT_EQ(parse_assignment("radius=0.5").value, 0.5);
+    EXPECT_EQ(parse_assignment("filter.slope_correction=false").value, false);
+    EXPECT_EQ(parse_assignment("noise=none").value, "none");
+    EXPECT_EQ(parse_assignment("noise=null").value, "null") << "no value but a word";
+    for (const char* bad : {"radius", "=4", "radius=", ""}) EXPECT_THROW(parse_assignment(bad), Error) << bad;
 }
 
 TEST(MedianInterval, NeedsSixRunsAndLiesBetweenTwoOfThem) {

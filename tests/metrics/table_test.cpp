@@ -1,12 +1,15 @@
 // Claims about every row of the table of metrics, those that are added later included.
 #include "core/error.h"
 #include "core/threads.h"
+#include "metrics/bootstrap.h"
 #include "metrics/evaluate.h"
+#include "metrics/roles.h"
 #include "pictures.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <set>
 
@@ -113,7 +116,29 @@ TEST_P(EveryMetric, RefusesImagesOfSeveralSizes) {
 
 TEST_P(EveryMetric, SaysAllThatAPageNeeds) {
     EXPECT_FALSE(GetParam().label.empty());
+    EXPECT_FALSE(GetParam().in_text.empty());
+    EXPECT_GE(GetParam().decimals, 0);
     EXPECT_THAT(std::string(GetParam().meaning), ::testing::EndsWith("."));
+}
+
+TEST_P(EveryMetric, HasAnIntervalWhereItsRowSaysHow) {
+    const auto& measures = bootstrap_measures();
+    EXPECT_EQ(std::ranges::count(measures, GetParam().id), GetParam().resampled != nullptr ? 1 : 0);
+}
+
+TEST_P(EveryMetric, NamesAnotherRowForItselfWithoutNoise) {
+    if (!GetParam().without_noise.empty()) EXPECT_NE(metric(GetParam().without_noise).id, GetParam().id);
+}
+
+TEST(MetricRoles, AreRowsOfTheTableThatAreMeasuredUnrankedToo) {
+    for (const char* id :
+         {kRankingMetric, kNoisyRankingMetric, kBiasMetric, kStructureMetric, kPerceptualMetric})
+        EXPECT_EQ(metric(id).id, id);
+    const std::vector<std::string> unranked = unranked_metrics();
+    for (const char* id : {kRankingMetric, kNoisyRankingMetric, kBiasMetric, kStructureMetric})
+        EXPECT_NE(std::ranges::find(unranked, id), unranked.end())
+            << id << " is shown against methods' own truths";
+    EXPECT_EQ(metric(kNoisyRankingMetric).without_noise, kRankingMetric);
 }
 
 // A metric that is best for identical images must be worse for each of these, whichever way it points.

@@ -10,6 +10,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 /// What the page holds for its live section. That it unpacks to the same numbers is shown in tests/browser.
 namespace aoscore {
 namespace {
@@ -18,21 +21,70 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using ::testing::HasSubstr;
 
+/// As screen/method_data.h has it, without what its shaders are.
+json processed(const std::string& id, const std::string& label) {
+    return {{"id", id},
+            {"label", label},
+            {"summary", "…"},
+            {"parameters", json::array({{{"id", "radius"},
+                                         {"type", "real"},
+                                         {"default", 0.5},
+                                         {"low", 0.01},
+                                         {"high", 10},
+                                         {"unit", "m"},
+                                         {"length_power", 1},
+                                         {"meaning", "…"}}})},
+            {"presets", {{"default", {{"radius", 0.5}}}}},
+            {"preset_filters", json::object()},
+            {"absolute_presets", json::object()},
+            {"processor", "line_sweep"}};
+}
+
 json method(const std::string& id, const std::vector<std::string>& inputs) {
-    return {{"id", id}, {"label", id}, {"passes", {{{"inputs", inputs}, {"scale", 1}, {"source", 0}}}}};
+    json data = processed(id, id);
+    data.erase("processor");
+    data["sources"] = {"void main() {}"};
+    data["passes"] = {{{"inputs", inputs}, {"scale", 1}, {"source", 0}}};
+    data["kernels"] =
+        json::array({{{"id", "disc"},
+                      {"size", "2"},
+                      {"scale", "none"},
+                      {"largest", 2},
+                      {"tables", {{{"when", json::object()}, {"points", {0, 0, 1, 0, 1, 0}}}}}}});
+    data["depth_mips"] = {{"filter", "rotated_grid"}, {"radius", ""}};
+    return data;
+}
+
+json camera(const ViewRecord& view) {
+    return {{"width", view.width},
+            {"height", view.height},
+            {"near_m", 0.1},
+            {"far_m", 100},
+            {"pixel_size", {0.01, 0.01}},
+            {"orthographic", false},
+            {"own_parameters", false},
+            {"method_lengths", {{"depth-only", {{"default", {{"radius", 0.5}}}}}}},
+            {"filter_lengths", json::object()}};
 }
 
 struct LiveFolder {
     fs::path folder = testing::output_dir();
     Results results = testing::synthetic_results();
-    json live = {{"contract", json::object()},
+    json live = {{"contract",
+                  {{"screen_vertex", "void main() {}"},
+                   {"derived", {{"upsample.frag", "void main() {}"}}},
+                   {"noise_4x4", std::vector<double>(64, 0.5)},
+                   {"macros", {{"SCALE", 1}}},
+                   {"depth_mip_levels", 6},
+                   {"seed", 1}}},
+                 {"methods_dir", ""},
                  {"methods", {method("depth-only", {"linear_depth", "noise_4x4", "depth_mips"})}},
                  {"filters", json::array()},
                  {"views", json::object()}};
 
     LiveFolder() {
         testing::write_synthetic(results, folder);
-        for (const ViewRecord& view : results.views) live["views"][view.key] = {{"width", view.width}};
+        for (const ViewRecord& view : results.views) live["views"][view.key] = camera(view);
     }
     LiveData read() const {
         write_atomically(folder / kLiveFile, live.dump());
@@ -58,7 +110,7 @@ TEST(LiveData, HoldsWhatMethodsReadOfEachViewAndNoMore) {
 
 TEST(LiveData, RefusesWhatNoBrowserCanRunAndSaysWhy) {
     LiveFolder folder;
-    folder.live["methods"].push_back({{"id", "swept"}, {"label", "Swept"}, {"processor", "line_sweep"}});
+    folder.live["methods"].push_back(processed("swept", "Swept"));
     folder.live["methods"].push_back(method("coloured", {"albedo"}));
     const LiveData data = folder.read();
     EXPECT_EQ(data.index["methods"].size(), 1U);
@@ -94,6 +146,57 @@ TEST(LiveData, RejectsADamagedFileAChannelThatLacksAndAPlaceOutside) {
     LiveFolder outside;
     outside.results.views[0].gbuffer_file = "../elsewhere.exr";
     expect_file_error(outside);
+}
+
+/// Every place in the document: "/methods/0/passes/0/scale".
+std::vector<json::json_pointer> places_in(const json& document) {
+    std::vector<json::json_pointer> places;
+    const json flat = document.flatten();
+    for (const auto& [path, value] : flat.items()) {
+        for (json::json_pointer place(path); !place.empty(); place = place.parent_pointer()) {
+            if (std::ranges::find(places, place) == places.end()) places.push_back(place);
+        }
+    }
+    return places;
+}
+
+/// Whether the object at this place has members of any name.
+bool names_freely(const json::json_pointer& place) {
+    static const std::set<std::string> kObjects{"views",   "derived",        "macros",     "presets",
+                                                "default", "method_lengths", "depth-only", "when"};
+    return !place.empty() && kObjects.contains(place.back());
+}
+
+TEST(LiveData, IsReadStrictlyWhereverItIsDamaged) {
+    LiveFolder folder;
+    const json good = folder.live;
+    for (const json::json_pointer& place : places_in(good)) {
+        folder.live = good;
+        folder.live[place] = nullptr;
+        EXPECT_THROW(folder.read(), Error) << place << " is null";
+        if (good[place].is_object() && !names_freely(place)) {
+            folder.live = good;
+            folder.live[place]["unknown"] = 1;
+            EXPECT_THROW(folder.read(), Error) << place << " has an unknown member";
+        }
+        if (!good[place.parent_pointer()].is_object() || names_freely(place.parent_pointer())) continue;
+        folder.live = good;
+        folder.live[place.parent_pointer()].erase(place.back());
+        EXPECT_THROW(folder.read(), Error) << place << " is missing";
+    }
+}
+
+TEST(LiveData, NamesThePlaceAndWhatWouldBeValid) {
+    LiveFolder folder;
+    folder.live["methods"][0]["passes"][0]["scale"] = 1.5;
+    try {
+        folder.read();
+        ADD_FAILURE();
+    } catch (const Error& e) {
+        EXPECT_EQ(e.exit_code(), ExitCode::file_error);
+        EXPECT_THAT(e.what(), HasSubstr("live.json: methods[0].passes[0].scale: is 1.5"));
+        EXPECT_THAT(e.what(), HasSubstr("a whole number from 1 to 64"));
+    }
 }
 
 TEST(LivePacking, SpendsLittleOnPlanesAndRepeatsOnItself) {

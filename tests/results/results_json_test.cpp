@@ -235,13 +235,13 @@ TEST(Results, MissingUnknownAndMistypedMembersAreErrorsThatNameTheirPlace) {
     const json whole = to_json(filled());
     json object = whole;
     object["cells"][1].erase("nonfinite");
-    EXPECT_THAT(refusal(object), HasSubstr("results.json.cells[1].nonfinite: is missing"));
+    EXPECT_THAT(refusal(object), HasSubstr("results.json: cells[1].nonfinite: is missing"));
     object = whole;
     object["views"][2]["extra"] = 1;
-    EXPECT_THAT(refusal(object), HasSubstr("results.json.views[2].extra: unknown key"));
+    EXPECT_THAT(refusal(object), HasSubstr("results.json: views[2].extra: unknown key"));
     object = whole;
     object["views"][0]["near_m"] = nullptr;
-    EXPECT_THAT(refusal(object), HasSubstr("results.json.views[0].near_m: is null (valid: a number)"));
+    EXPECT_THAT(refusal(object), HasSubstr("results.json: views[0].near_m: is null (valid: a number)"));
     object = whole;
     object["views"][0]["width"] = 3e9;
     EXPECT_THAT(refusal(object), HasSubstr("width"));

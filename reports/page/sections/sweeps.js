@@ -1,6 +1,6 @@
 // Curves of error over cost, one for each method, with the Pareto front on top. The table beneath says the same.
 const costs = { ms: 'Cost, ms', relative: 'Cost, fixed passes', fetches: 'Fetches a pixel' };
-const errors = { error: 'RMSE', raw: 'RMSE, raw', fitted: 'RMSE after the best fit' };
+const errors = { error: 'RMSE', noisy: 'RMSE with the truth’s noise', fitted: 'RMSE after the best fit' };
 
 // One x axis for all curves: the union of their costs, with gaps that lines span.
 const aligned = (curves, cost, error) => {

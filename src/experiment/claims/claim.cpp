@@ -2,6 +2,9 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/image_size.h"
+#include "core/known_names.h"
+#include "core/source_reference.h"
 #include "core/strict_json.h"
 #include "experiment/claims/quantity.h"
 #include "experiment/resolved_cell.h"
@@ -44,24 +47,17 @@ constexpr std::array kKinds{
 };
 
 const KindRow& kind_named(const std::string& id, const std::string& where) {
-    const auto found =
-        std::find_if(kKinds.begin(), kKinds.end(), [&](const KindRow& row) { return row.id == id; });
-    if (found != kKinds.end()) return *found;
-    std::vector<std::string> ids;
-    for (const KindRow& row : kKinds) ids.emplace_back(row.id);
-    throw file_error("is " + id, where, fmt::format("{}", fmt::join(ids, ", ")));
+    return row_in_file(kKinds, id, where);
 }
 
 class Reader {
   public:
-    Reader(ClaimList& list, const json& file, const std::string& where) : list_(list), top_(file, where) {}
+    Reader(ClaimList& list, const json& file, const std::string& where)
+        : list_(list), top_(StrictObject::of_file(file, where)) {}
 
     void read() {
         list_.id = top_.text("id");
-        StrictObject source = top_.object("source");
-        list_.source = fmt::format("{}, {}, {}", source.text("author"), source.text("title"),
-                                   source.integer("year", 1900, 2100));
-        source.finish();
+        list_.source = source_reference(top_.object("source"));
         for (auto& [name, value] : top_.object("views").members()) read_view(name, value);
         StrictObject cells = top_.object("cells");
         for (auto& [name, value] : cells.members()) named_[name] = value;
@@ -75,9 +71,9 @@ class Reader {
         ViewPlan view;
         view.scene = object.text("scene");
         view.view = object.text("view");
-        const std::vector<double> size = object.numbers("size", 2);
-        view.width = static_cast<int>(size[0]);
-        view.height = static_cast<int>(size[1]);
+        const ImageSize size = read_image_size(object);
+        view.width = size.width;
+        view.height = size.height;
         view.samples = object.integer("samples", 1, 1 << 20);
         view.radius_m = object.number("radius_m", 1e-9, 1e6);
         view.extras = {};

@@ -1,9 +1,11 @@
 #include "experiment/claims/quantity.h"
 
 #include "core/error.h"
+#include "core/known_names.h"
 #include "core/sampling.h"
 #include "metrics/bootstrap.h"
 #include "metrics/median_interval.h"
+#include "metrics/roles.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,7 +18,6 @@ namespace aoscore {
 namespace {
 
 constexpr std::size_t kDraws = 2000;
-constexpr char kRmse[] = "rmse_debiased", kBias[] = "bias", kSsim[] = "ssim", kFlip[] = "flip";
 
 // Medians of resampled runs (Efron and Tibshirani, An Introduction to the Bootstrap, 1993).
 Measured timed(const Timing& timing, const std::string& name, std::uint64_t seed) {
@@ -116,10 +117,10 @@ Measured analysed(const CellRecord& cell, const char* metric, std::uint64_t seed
 }
 
 Measured rmse(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
-    return analysed(cell, "rmse_debiased", seed);
+    return analysed(cell, kRankingMetric, seed);
 }
 Measured bias(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
-    return analysed(cell, "bias", seed);
+    return analysed(cell, kBiasMetric, seed);
 }
 Measured fitted_rmse(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
     return exact(cell.analysis ? cell.analysis->fit.rmse_debiased : std::nullopt);
@@ -156,7 +157,7 @@ Measured steep_rmse(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
 }
 // How much brighter the method's own truth is than the ranking's: the tested image cancels.
 Measured own_truth_brighter(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
-    return combined({exact(value_of(cell.ranked, kBias)), exact(value_of(cell.own, kBias))},
+    return combined({exact(value_of(cell.ranked, kBiasMetric)), exact(value_of(cell.own, kBiasMetric))},
                     [](const auto& v) { return v[0] - v[1]; });
 }
 Measured per_megapixel(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed) {
@@ -230,11 +231,11 @@ const std::vector<Quantity>& quantities() {
          Timed::whole_frames},
         {"fetches", "fetches a pixel", "", 1, fetches},
         {"rmse", "RMSE", "", 4, rmse},
-        {"unfiltered_rmse", "RMSE before the filter", "", 4, unfiltered<kRmse>},
+        {"unfiltered_rmse", "RMSE before the filter", "", 4, unfiltered<kRankingMetric>},
         {"bias", "bias", "", 4, bias},
-        {"unfiltered_bias", "bias before the filter", "", 4, unfiltered<kBias>},
-        {"ssim", "SSIM", "", 4, ranked<kSsim>},
-        {"flip", "FLIP", "", 4, ranked<kFlip>},
+        {"unfiltered_bias", "bias before the filter", "", 4, unfiltered<kBiasMetric>},
+        {"ssim", "SSIM", "", 4, ranked<kStructureMetric>},
+        {"flip", "FLIP", "", 4, ranked<kPerceptualMetric>},
         {"missing_area", "area of missing occlusion", "", 4, missing_area},
         {"fitted_rmse", "RMSE after the best fit", "", 4, fitted_rmse},
         {"tile_pattern", "error that repeats every 4 pixels", "", 4, tile_pattern},
@@ -249,13 +250,7 @@ const std::vector<Quantity>& quantities() {
 }
 
 const Quantity& find_quantity(std::string_view id, const std::string& where) {
-    const auto& table = quantities();
-    const auto found =
-        std::find_if(table.begin(), table.end(), [&](const Quantity& q) { return q.id == id; });
-    if (found != table.end()) return *found;
-    std::vector<std::string_view> ids;
-    for (const Quantity& q : table) ids.push_back(q.id);
-    throw file_error("is " + std::string(id), where, fmt::format("{}", fmt::join(ids, ", ")));
+    return row_in_file(quantities(), id, where);
 }
 
 }  // namespace aoscore

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/json_text.h"
+#include "core/known_names.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -21,8 +22,7 @@ const std::vector<ExportFormat>& export_formats() {
 
 const ExportFormat& export_format(const std::filesystem::path& path) {
     const std::string extension = path.extension().string();
-    const auto found = std::ranges::find(export_formats(), extension, &ExportFormat::extension);
-    if (found != export_formats().end()) return *found;
+    if (const auto format = find_row(export_formats(), extension, &ExportFormat::extension)) return *format;
     std::vector<std::string_view> known;
     for (const ExportFormat& format : export_formats()) known.push_back(format.extension);
     throw usage_error(fmt::format("no format has the extension \"{}\"", extension), path.string(),

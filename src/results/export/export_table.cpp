@@ -7,15 +7,11 @@
 
 #include <algorithm>
 #include <functional>
-#include <set>
 #include <tuple>
 #include <utility>
 
 namespace aoscore {
 namespace {
-
-/// The metrics that a table for readers shows.
-const std::set<std::string, std::less<>> kBrief = {"rmse", "rmse_debiased", "bias", "ssim", "flip"};
 
 struct Part {
     ExportColumn column;
@@ -33,7 +29,7 @@ std::vector<Part> measure_parts() {
     for (const Metric& metric : metrics()) {
         const std::string id(metric.id);
         const std::string unit = metric.unit.empty() ? "" : " (" + std::string(metric.unit) + ")";
-        parts.push_back({{id, std::string(metric.label) + unit, 4, kBrief.contains(id)},
+        parts.push_back({{id, std::string(metric.label) + unit, metric.decimals, metric.brief},
                          [id](const MetricMap& map, const ErrorAnalysis*) {
                              const auto found = map.find(id);
                              return found == map.end() ? std::nullopt : found->second.value;
@@ -47,16 +43,17 @@ std::vector<Part> measure_parts() {
                  [id, end](const MetricMap&, const ErrorAnalysis* a) { return bound(a, id, end); }});
         }
     }
-    const auto add = [&](const char* key, const char* label, bool brief,
+    const auto add = [&](std::string_view key, std::string_view label, bool brief,
                          std::function<std::optional<double>(const ErrorAnalysis&)> value) {
-        parts.push_back({{key, label, 4, brief}, [value](const MetricMap&, const ErrorAnalysis* a) {
+        parts.push_back({{std::string(key), std::string(label), 4, brief},
+                         [value](const MetricMap&, const ErrorAnalysis* a) {
                              return a == nullptr ? std::nullopt : value(*a);
                          }});
     };
-    add("missing_area", "Missing", true, [](const ErrorAnalysis& a) { return a.missing.area; });
-    add("missing_mean", "", false, [](const ErrorAnalysis& a) { return a.missing.mean; });
-    add("false_area", "False", true, [](const ErrorAnalysis& a) { return a.false_occlusion.area; });
-    add("false_mean", "", false, [](const ErrorAnalysis& a) { return a.false_occlusion.mean; });
+    for (const MaskArea& area : mask_areas()) {
+        add(area.id, area.label, true, area.value);
+        add(area.mean_id, "", false, area.mean);
+    }
     add("fit_strength", "", false, [](const ErrorAnalysis& a) { return a.fit.strength; });
     add("fit_exponent", "", false, [](const ErrorAnalysis& a) { return a.fit.exponent; });
     add("fit_rmse", "", false, [](const ErrorAnalysis& a) { return a.fit.rmse; });

@@ -12,7 +12,7 @@ namespace aoscore {
 
 /// One column of numbers.
 struct ExportColumn {
-    std::string key;    ///< of CSV and JUnit: "rmse_debiased", "rmse_low"
+    std::string key;    ///< of CSV and JUnit: "fetches_per_pixel"
     std::string label;  ///< of Markdown and LaTeX, with its unit: "AO (ms)"
     int decimals = 4;   ///< of Markdown and LaTeX; CSV and JUnit have all digits
     bool brief = true;  ///< also in tables for readers, which a page's width limits
