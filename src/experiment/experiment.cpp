@@ -100,11 +100,15 @@ std::vector<PreparedView> prepare(const ExperimentPlan& plan, const Registry& re
     return prepared;
 }
 
-// Names the view in the results. One view in two sizes is two entries.
+// Names the view in the results. One view in two sizes, or at two radii, is two entries.
 std::string view_key(const PreparedView& p, const std::vector<std::string>& taken) {
+    const auto is_taken = [&](const std::string& key) {
+        return std::ranges::find(taken, key) != taken.end();
+    };
     const std::string key = p.scene->id + "/" + p.view.id;
-    const bool is_taken = std::find(taken.begin(), taken.end(), key) != taken.end();
-    return is_taken ? fmt::format("{}@{}x{}", key, p.plan->width, p.plan->height) : key;
+    if (!is_taken(key)) return key;
+    const std::string with_size = fmt::format("{}@{}x{}", key, p.plan->width, p.plan->height);
+    return is_taken(with_size) ? fmt::format("{}@{:g}m", with_size, p.radius.metres) : with_size;
 }
 
 /// The ids of a plan's cells, by its view, then by the scene's views that it stands for, then by cell.
@@ -219,6 +223,7 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
     }
     for (const SweepPlan& sweep : plan.sweeps) results.sweeps.push_back(sweep_record(sweep, cell_ids));
     if (!claims.empty()) results.claims = judge_claims(claims, results);
+    for (const ClaimRecord& claim : results.claims) log_info(verdict_text(claim));
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     results.total_seconds = elapsed.count();
     results.peak_memory_mib = peak_memory_mib();

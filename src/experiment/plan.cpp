@@ -6,6 +6,7 @@
 #include "core/known_names.h"
 #include "core/strict_json.h"
 #include "experiment/claims/judge.h"
+#include "experiment/source_line.h"
 #include "experiment/sweep.h"
 
 #include <fmt/format.h>
@@ -20,14 +21,6 @@ namespace {
 
 constexpr double kLargestRadius_m = 1e6;
 constexpr double kSmallestRadius_m = 1e-9;
-
-std::string source_line(StrictObject source) {
-    std::string line = fmt::format("{}, {}, {}", source.text("author"), source.text("title"),
-                                   source.integer("year", 1900, 2100));
-    if (source.has("place")) line += ", " + source.text("place");
-    source.finish();
-    return line;
-}
 
 // The published figures are shown, not computed with: they may be any numbers, null where nothing was
 // printed.

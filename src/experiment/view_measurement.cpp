@@ -1,6 +1,7 @@
 #include "experiment/view_measurement.h"
 
 #include "core/error.h"
+#include "experiment/few_rays.h"
 #include "experiment/image_output.h"
 #include "experiment/masked_mean.h"
 #include "experiment/pixel_facts.h"
@@ -128,11 +129,20 @@ MetricMap ViewMeasurement::metrics_against(const TruthQuery& query, const ImageF
     return evaluate(input, ids);
 }
 
+MethodOutput ViewMeasurement::output_of(const MethodRequest& request) {
+    ScreenRenderer& renderer = run_.tools.ready_renderer();
+    if (!is_few_rays(request)) return renderer.run(request);
+    MethodOutput output;
+    output.raw = trace_few_rays(run_.tools.reference(), frame_, request);
+    output.visibility = renderer.filter(output.raw, request);
+    return output;
+}
+
 void ViewMeasurement::measure(const ResolvedCell& cell, CellRecord& record) {
     trace();
     if (view_.valid_pixels == 0 && contract_.kept()) throw Error(ExitCode::gate_failed, emptiness(view_));
     const bool filtered = cell.request.filter != nullptr;
-    const MethodOutput output = run_.tools.ready_renderer().run(cell.request);
+    const MethodOutput output = output_of(cell.request);
 
     if (cell.plan.keep_image) {
         std::vector<ChannelView> channels{{"Y", &output.visibility}};

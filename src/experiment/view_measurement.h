@@ -34,6 +34,7 @@ class ViewMeasurement {
   private:
     void obtain_truth();
     void check_contract();
+    MethodOutput output_of(const MethodRequest& request);
     MetricMap metrics_against(const TruthQuery& query, const ImageF& test, const Mask& valid,
                               std::span<const std::string> ids = {}) const;
 

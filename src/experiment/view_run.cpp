@@ -6,6 +6,7 @@
 #include "core/progress.h"
 #include "core/stopwatch.h"
 #include "experiment/cell_timing.h"
+#include "experiment/few_rays.h"
 #include "experiment/own_truth.h"
 #include "experiment/run_modes.h"
 #include "experiment/timing.h"
@@ -242,14 +243,16 @@ class Runner {
     void time_group(std::span<const std::size_t> group) {
         measurement_.draw();
         std::vector<ResolvedCell> cells;
+        std::vector<bool> timed;
         for (const std::size_t i : group) {
             cells.push_back(run_.cells[i]);
+            timed.push_back(!is_few_rays(cells.back().request));
             if (cells.back().plan.whole_frames) light(cells.back().request, run_.lighting, run_.drawn_for_m);
         }
         cells.emplace_back().request = run_.fixed_pass_request();
-        const std::vector<CellTimes> times =
-            time_cells(run_.tools.ready_renderer(), cells, std::vector<bool>(cells.size(), true),
-                       run_.plan.timing_goal, "timing " + run_.key);
+        timed.push_back(true);
+        const std::vector<CellTimes> times = time_cells(run_.tools.ready_renderer(), cells, timed,
+                                                        run_.plan.timing_goal, "timing " + run_.key);
         const CellTimes& fixed_pass = times.back();
         const double fixed_pass_ms = summarize(fixed_pass.ao_ms).median_ms.value_or(0);
         for (std::size_t k = 0; k < group.size(); ++k) {
