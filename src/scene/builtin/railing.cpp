@@ -8,7 +8,7 @@ namespace {
 /// Half a bar's thickness, the distance between bars, and theirs from the wall, metres.
 constexpr double kHalfBar_m = 0.01;
 constexpr double kSpacing_m = 0.14;
-constexpr double kFromWall_m = 0.6;
+constexpr double kFromWall_m = 0.25;
 
 }  // namespace
 
