@@ -179,6 +179,7 @@ TEST_F(Claims, ASourceThatNobodyCouldFindIsRefused) {
     EXPECT_THROW(loaded(citing({{"a", {{"author", "A"}, {"title", "T"}}}})), Error)
         << "neither year nor version";
     EXPECT_THROW(loaded(citing({{"a", {{"repository", "o/r"}, {"year", 2024}}}})), Error) << "no document";
+    EXPECT_THROW(loaded(citing(json::object())), Error) << "none at all";
     json both = citing({{"a", good}});
     both["source"] = good;
     EXPECT_THROW(loaded(both), Error) << "one for all, and several";

@@ -3,9 +3,9 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/strict_json.h"
+#include "experiment/claims/claim_sources.h"
 #include "experiment/claims/quantity.h"
 #include "experiment/resolved_cell.h"
-#include "experiment/source_line.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <ranges>
 #include <set>
 #include <utility>
 
@@ -56,48 +55,20 @@ const KindRow& kind_named(const std::string& id, const std::string& where) {
 
 class Reader {
   public:
-    Reader(ClaimList& list, const json& file, const std::string& where) : list_(list), top_(file, where) {}
+    Reader(ClaimList& list, const json& file, const std::string& where)
+        : list_(list), top_(file, where), sources_(top_) {}
 
     void read() {
         list_.id = top_.text("id");
-        read_sources();
         for (auto& [name, value] : top_.object("views").members()) read_view(name, value);
         StrictObject cells = top_.object("cells");
         for (auto& [name, value] : cells.members()) named_[name] = value;
         for (StrictObject& claim : top_.objects("claims")) list_.claims.push_back(read_claim(claim));
-        for (const auto& [key, line] : sources_) {
-            if (!cited_.contains(key))
-                throw file_error("is cited by no claim", top_.where("sources") + "." + key);
-        }
+        sources_.finish();
         top_.finish();
     }
 
   private:
-    // One source for the whole file, or several that each claim chooses from.
-    void read_sources() {
-        if (top_.has("source") == top_.has("sources"))
-            throw file_error("has both or neither of them", top_.where(), "source, or sources");
-        if (top_.has("source")) {
-            only_source_ = source_line(top_.object("source"));
-            return;
-        }
-        StrictObject sources = top_.object("sources");
-        for (const auto& [key, value] : sources.members())
-            sources_[key] = source_line(StrictObject(value, sources.where(key)));
-    }
-
-    std::string source_of(StrictObject& claim) {
-        if (sources_.empty()) return only_source_;
-        const std::string key = claim.text("source");
-        const auto found = sources_.find(key);
-        if (found == sources_.end()) {
-            throw file_error("is " + key, claim.where("source"),
-                             fmt::format("{}", fmt::join(std::views::keys(sources_), ", ")));
-        }
-        cited_.insert(key);
-        return found->second;
-    }
-
     void read_view(const std::string& name, const json& value) {
         StrictObject object(value, top_.where("views") + "." + name);
         ViewPlan view;
@@ -117,7 +88,7 @@ class Reader {
     Claim read_claim(StrictObject& object) {
         Claim claim;
         claim.id = object.text("id");
-        claim.source = source_of(object);
+        claim.source = sources_.cited_by(object);
         claim.place = object.text("place");
         claim.text = object.text("claim");
         claim.own = object.text_or("own", "");
@@ -249,10 +220,8 @@ class Reader {
 
     ClaimList& list_;
     StrictObject top_;
+    ClaimSources sources_;
     std::map<std::string, json> named_;
-    std::string only_source_;                     // where the file has one for all of its claims
-    std::map<std::string, std::string> sources_;  // else those that they choose from
-    std::set<std::string> cited_;
 };
 
 }  // namespace
