@@ -138,6 +138,7 @@ class ExperimentRun {
         for (const SweepPlan& sweep : plan_.sweeps) results_.sweeps.push_back(sweep_record(sweep, cell_ids_));
         const std::vector<ClaimList> claims = planned_claims(plan_);
         if (!claims.empty()) results_.claims = judge_claims(claims, results_);
+        for (const ClaimRecord& claim : results_.claims) log_info(verdict_text(claim));
     }
 
     const Stopwatch& watch_;

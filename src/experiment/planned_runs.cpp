@@ -75,12 +75,14 @@ std::vector<PreparedView> prepare(const ExperimentPlan& plan, const Registry& re
     return prepared;
 }
 
-// Names the views in the results. One view in two sizes is two entries.
+// Names the views in the results. One view in two sizes, or at two radii, is two entries.
 void name_views(std::vector<PreparedView>& prepared) {
     std::set<std::string> taken;
     for (PreparedView& p : prepared) {
         p.key = p.scene->id + "/" + p.view.id;
         if (taken.contains(p.key)) p.key += fmt::format("@{}x{}", p.plan->width, p.plan->height);
+        if (taken.contains(p.key))
+            p.key = fmt::format("{}/{}@{:g}m", p.scene->id, p.view.id, p.radius.metres);
         taken.insert(p.key);
     }
 }

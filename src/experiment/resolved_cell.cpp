@@ -1,5 +1,6 @@
 #include "experiment/resolved_cell.h"
 
+#include "jobs/few_rays.h"
 #include "jobs/own_truth.h"
 #include "screen/lengths.h"
 
@@ -11,7 +12,7 @@ namespace aoscore {
 Registry load_registry(const std::filesystem::path& methods_dir, const std::vector<std::string>& asked,
                        std::vector<std::string>& warnings) {
     return {load_asked_methods(methods_dir, asked, warnings), load_filters(), load_fixed_pass(),
-            load_lighting()};
+            load_lighting(), few_rays_descriptor()};
 }
 
 Registry load_registry() {
@@ -79,7 +80,8 @@ ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64
                      std::optional<double> drawn_for_m) {
     ResolvedCell cell;
     cell.plan = plan;
-    const MethodDescriptor& method = find_method(registry.methods, plan.method);
+    const MethodDescriptor& method =
+        plan.method == kFewRays ? registry.few_rays : find_method(registry.methods, plan.method);
     // An absolute preset keeps its filter's lengths as well.
     const bool absolute = method.absolute_presets.contains(plan.preset);
     if (absolute) drawn_for_m.reset();

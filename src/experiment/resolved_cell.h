@@ -16,6 +16,7 @@ struct Registry {
     std::vector<MethodDescriptor> filters;
     MethodDescriptor fixed_pass;
     MethodDescriptor lighting;
+    MethodDescriptor few_rays;
 };
 /// Methods as load_asked_methods() has them.
 Registry load_registry(const std::filesystem::path& methods_dir, const std::vector<std::string>& asked,

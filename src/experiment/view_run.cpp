@@ -132,8 +132,9 @@ class Assembly {
         }
         if (keys.own_score && maker_.own_score(*keys.own_score) != nullptr)
             record.own = *maker_.own_score(*keys.own_score);
-        if (const double* fetches = maker_.fetches(keys.fetches)) record.fetches_per_pixel = *fetches;
-        const StoredTimes* times = maker_.times(keys.times);
+        if (keys.fetches && maker_.fetches(*keys.fetches) != nullptr)
+            record.fetches_per_pixel = *maker_.fetches(*keys.fetches);
+        const StoredTimes* times = keys.times ? maker_.times(*keys.times) : nullptr;
         if (times != nullptr && record.error.empty()) record_times(*times, view, record);
         return record;
     }
@@ -143,9 +144,9 @@ class Assembly {
 
     /// Why the cell failed; empty where it did not.
     std::string first_error(const CellKeys& keys) const {
-        for (const Key& key :
-             {keys.image, keys.score, keys.own_score.value_or(keys.score), keys.fetches, keys.times}) {
-            if (done_.has_failed(key)) return done_.failed.at(key);
+        for (const std::optional<Key>& key : {std::optional(keys.image), std::optional(keys.score),
+                                              keys.own_score, keys.fetches, keys.times}) {
+            if (key && done_.has_failed(*key)) return done_.failed.at(*key);
         }
         return "";
     }

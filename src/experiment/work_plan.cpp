@@ -33,10 +33,10 @@ std::optional<Pace> find_pace(const ArtifactStore& store) {
 
 /// Whether a cell's numbers are all in the store.
 bool is_known(const ViewJobs& jobs, const CellKeys& keys, const ArtifactStore& store) {
-    const bool own_known = !keys.own_score || store.has(keys.own_score->hex);
+    const auto known = [&](const std::optional<Key>& key) { return !key || store.has(key->hex); };
     const bool pictured = std::ranges::find(jobs.graph.wanted(), keys.image) != jobs.graph.wanted().end();
-    return own_known && store.has(keys.score.hex) && store.has(keys.times.hex) &&
-           store.has(keys.fetches.hex) && (!pictured || store.has(keys.image.hex));
+    return known(keys.score) && known(keys.own_score) && known(keys.fetches) && known(keys.times) &&
+           (!pictured || known(keys.image));
 }
 
 std::string duration_text(double seconds) {

@@ -1,5 +1,6 @@
 #include "jobs/view_jobs.h"
 
+#include "jobs/contestant.h"
 #include "jobs/view_keys.h"
 
 #include <utility>
@@ -65,13 +66,15 @@ class Layout {
             own.after = {keys.score};
             keys.own_score = jobs_.graph.want(own).key;
         }
-        Job fetches = of_cell(keys_.fetches(cell), ArtifactKind::fetches, {gbuffer_, contract_});
-        fetches.after = {keys.score};
-        keys.fetches = jobs_.graph.want(fetches).key;
-        Job times = of_cell(keys_.times(cell), ArtifactKind::times, {gbuffer_});
-        times.after = {keys.score};
-        times.in_turns = true;
-        keys.times = jobs_.graph.want(times).key;
+        if (contestant_of(cell.request)->has_cost()) {
+            Job fetches = of_cell(keys_.fetches(cell), ArtifactKind::fetches, {gbuffer_, contract_});
+            fetches.after = {keys.score};
+            keys.fetches = jobs_.graph.want(fetches).key;
+            Job times = of_cell(keys_.times(cell), ArtifactKind::times, {gbuffer_});
+            times.after = {keys.score};
+            times.in_turns = true;
+            keys.times = jobs_.graph.want(times).key;
+        }
         jobs_.cells.push_back(std::move(keys));
     }
 

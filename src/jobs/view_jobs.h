@@ -10,8 +10,9 @@ namespace aoscore {
 
 /// Where the artifacts of one cell are found.
 struct CellKeys {
-    Key image, score, fetches, times;
+    Key image, score;
     std::optional<Key> own_score;
+    std::optional<Key> fetches, times;  ///< empty for a contestant without a cost
 };
 
 /// The jobs of one view: what its results need, and what that is made of.

@@ -2,6 +2,7 @@
 
 #include "core/machine.h"
 #include "core/threads.h"
+#include "jobs/contestant.h"
 #include "screen/request_digest.h"
 
 #include <vector>
@@ -90,7 +91,7 @@ Key ViewKeys::gbuffer_file() const {
 Key ViewKeys::image(const CellWork& cell) const {
     const auto [found, is_new] = images_.try_emplace(&cell);
     if (is_new) {
-        KeyBuilder key("image");
+        KeyBuilder key("image", contestant_of(cell.request)->code());
         key.input(gbuffer(needed_gbuffer_inputs(cell.request)));
         found->second = key.text(request_digest(cell.request, orthographic())).key();
     }

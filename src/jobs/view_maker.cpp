@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/log.h"
+#include "jobs/contestant.h"
 #include "jobs/draw_image.h"
 #include "jobs/image_output.h"
 #include "jobs/time_requests.h"
@@ -225,7 +226,7 @@ void ViewMaker::write_gbuffer_file(const Job& job) {
 
 void ViewMaker::make_image(const Job& job) {
     const CellWork& work = cell(job);
-    image_.emplace(job.key, draw_image(work_.tools.ready_renderer(), work.request));
+    image_.emplace(job.key, contestant_of(work.request)->image(work_.tools, frame_));
     if (!pictured_.contains(job.key)) return;
     const MethodOutput& image = image_->second;
     std::vector<ChannelView> channels{{"Y", &image.visibility}};

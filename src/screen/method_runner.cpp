@@ -190,12 +190,15 @@ void MethodRunner::process(const Step& step, GLuint target, const InputSettings&
     read_texture(inputs_.texture("linear_depth", step.build, settings, 0), GL_RED, depth.pixels.data());
     read_texture(inputs_.texture("normal_geometric", step.build, settings, 0), GL_RGBA, normal.pixels.data());
     const SweepInput input{&gbuffer_->frame(), &depth, &normal, gbuffer_->far_depth()};
-    const ImageF result = line_sweep(input, *step.build.parameters);
-    gl::BindTexture(GL_TEXTURE_2D, target);
+    write(target, line_sweep(input, *step.build.parameters));
+}
+
+void MethodRunner::write(GLuint texture, const ImageF& image) const {
+    gl::BindTexture(GL_TEXTURE_2D, texture);
     gl::PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl::TexImage2D(GL_TEXTURE_2D, 0, kR32F.internal, width_, height_, 0, kR32F.transfer, GL_FLOAT,
-                   result.pixels.data());
-    gl::check("uploading a processed pass");
+                   image.pixels.data());
+    gl::check("uploading a picture");
 }
 
 void MethodRunner::upsample(GLuint coarse, int scale) {
@@ -255,6 +258,14 @@ void MethodRunner::draw_method(const Frame& frame) {
         if (scale > 1 && (i + 1 == steps.size() || next_is_fine)) upsample(target, scale);
         previous = target;
     }
+    filtered_ = &raw_;
+}
+
+void MethodRunner::take_raw(const ImageF& visibility) {
+    allocate();
+    if (visibility.width != width_ || visibility.height != height_)
+        throw internal_error("a picture of another size than the G-buffer's is to be filtered");
+    write(raw_.name(), visibility);
     filtered_ = &raw_;
 }
 

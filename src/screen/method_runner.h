@@ -35,6 +35,8 @@ class MethodRunner {
 
     /// The AO passes in the request's resolution mode; the result is raw().
     void draw_method(const Frame& frame);
+    /// What was made elsewhere, of the picture's size, as raw().
+    void take_raw(const ImageF& visibility);
     /// The filter's passes over raw(); the result is filtered(), which is raw() without a filter.
     void draw_filter(const Frame& frame);
     /// The lighting's pass over filtered(); the result is lit(). Nothing without one.
@@ -78,6 +80,7 @@ class MethodRunner {
     void upsample(GLuint coarse, int scale);
     /// A one-channel texture of the picture's size.
     ImageF read(GLuint texture) const;
+    void write(GLuint texture, const ImageF& image) const;
 
     const GBuffer* gbuffer_;
     InputTextures inputs_;

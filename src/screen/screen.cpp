@@ -131,6 +131,16 @@ MethodOutput ScreenRenderer::run(const MethodRequest& request) {
     return output;
 }
 
+ImageF ScreenRenderer::filter(const ImageF& visibility, const MethodRequest& request) {
+    MethodRunner& runner = impl_->ready_runner();
+    const MethodRunner::Frame frame = runner.prepare(request);
+    runner.take_raw(visibility);
+    runner.draw_filter(frame);
+    ImageF filtered = runner.filtered();
+    cut_off_above_one(filtered);
+    return filtered;
+}
+
 ScreenRenderer::PassTimes ScreenRenderer::time(const MethodRequest& request) {
     MethodRunner& runner = impl_->ready_runner();
     const MethodRunner::Frame frame = runner.prepare(request);  // compiling is not part of a frame

@@ -109,6 +109,10 @@ class ScreenRenderer {
     /// shader that does not compile, file_error where descriptor and shader disagree on inputs or parameters.
     MethodOutput run(const MethodRequest& request);
 
+    /// The request's filter over a picture that was made elsewhere, visibility of the G-buffer's size; the
+    /// picture itself without one.
+    ImageF filter(const ImageF& visibility, const MethodRequest& request);
+
     /// What was done since the renderer was made.
     struct Work {
         std::uint64_t gbuffers = 0;      ///< drawn, those for the clock alone left out

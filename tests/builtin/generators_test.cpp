@@ -27,7 +27,7 @@ TEST(BuiltinTable, HasTheNamedScenes) {
         EXPECT_FALSE(scene.description.empty()) << scene.id;
     }
     EXPECT_THAT(ids, ::testing::UnorderedElementsAre("atrium", "cathedral", "pillar", "plane", "wall",
-                                                     "wall_tall", "sphere", "pit", "yard"));
+                                                     "wall_tall", "sphere", "pit", "railing", "yard"));
 }
 
 TEST_P(EveryBuiltin, IsTheSameEachTime) {

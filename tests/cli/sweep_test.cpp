@@ -134,5 +134,43 @@ TEST(Claims, AreJudgedFromWhatWasMeasuredForThem) {
     EXPECT_EQ(run_aoscore("claims H99", folder).exit_code, 64);
 }
 
+// One view at several radii is several pictures: none may take another's place.
+TEST(Claims, OneViewAtSeveralRadiiIsKeptApart) {
+    const auto folder = output_dir();
+    const auto run = run_aoscore("claims F48 --scale 0.2 --out out", folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Results results = read_results(folder / "out");
+    std::map<std::string, double> radius_by_key;
+    for (const ViewRecord& view : results.views) radius_by_key[view.key] = view.radius_m;
+    EXPECT_EQ(radius_by_key.size(), results.views.size());
+    std::map<std::string, int> cells_by_id;
+    for (const CellRecord& cell : results.cells) {
+        EXPECT_EQ(++cells_by_id[cell.id], 1) << cell.id;
+        EXPECT_EQ(cell.parameters.at("radius").get<double>(), radius_by_key.at(cell.view_key));
+    }
+    EXPECT_EQ(results.cells.size(), 4u);
+}
+
+TEST(Claims, RaysContendWithoutATimeOfTheirOwn) {
+    const auto folder = output_dir();
+    const auto run = run_aoscore("claims F53 --scale 0.2 --out out", folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Results results = read_results(folder / "out");
+    ASSERT_FALSE(results.cells.empty());
+    for (const CellRecord& cell : results.cells) {
+        EXPECT_EQ(cell.method, "ray-traced");
+        EXPECT_TRUE(cell.error.empty()) << cell.error;
+        EXPECT_FALSE(cell.ao.median_ms);
+        // Of one ray everything is noise; of more, in a picture so small, the filter blurs more than it
+        // mends.
+        if (cell.parameters.at("rays") == 1) {
+            EXPECT_LT(*cell.ranked.at("rmse").value, *cell.raw.at("rmse").value) << "the filter mends";
+        }
+    }
+    EXPECT_THAT(read_file(folder / "out/index.html"), HasSubstr("Waldner, Real-time Ray Traced"));
+    const auto again = run_aoscore("claims F53 --scale 0.2 --out again", folder);
+    EXPECT_THAT(again.err, HasSubstr("all measured before"));
+}
+
 }  // namespace
 }  // namespace aoscore

@@ -22,7 +22,15 @@ using ::testing::HasSubstr;
 /// A list with one claim of one check on cells "a" (alchemy), "c" (crytek-ssao) and a sweep of samples "s".
 class Claims : public ::testing::Test {
   protected:
-    ClaimList list_of(json check, const json& size = {64, 48}) const {
+    /// Written where it is loaded from: what the program makes of a file.
+    static ClaimList loaded(const json& file) {
+        const auto folder = testing::output_dir() / "claims";
+        std::filesystem::create_directories(folder);
+        std::ofstream(folder / "test.json") << file;
+        return load_claims(folder).front();
+    }
+
+    static json file_of(json check, const json& size = {64, 48}) {
         json file = {
             {"id", "test"},
             {"source", {{"author", "A"}, {"title", "T"}, {"year", 2020}}},
@@ -38,10 +46,20 @@ class Claims : public ::testing::Test {
             file["claims"][0]["cannot"] = check;
         else
             file["claims"][0]["checks"] = json::array({std::move(check)});
-        const auto folder = testing::output_dir() / "claims";
-        std::filesystem::create_directories(folder);
-        std::ofstream(folder / "test.json") << file;
-        return load_claims(folder).front();
+        return file;
+    }
+
+    static ClaimList list_of(json check, const json& size = {64, 48}) {
+        return loaded(file_of(std::move(check), size));
+    }
+
+    /// A list of one claim that cites "a" of these sources.
+    static json citing(json sources) {
+        json file = file_of("it needs frames");
+        file.erase("source");
+        file["sources"] = std::move(sources);
+        file["claims"][0]["source"] = "a";
+        return file;
     }
 
     /// Results in which every planned cell has these times and this bias.
@@ -151,6 +169,53 @@ TEST_F(Claims, AListMustBeUnderstoodWhole) {
         << "no range";
 }
 
+TEST_F(Claims, EveryClaimCitesItsOwnSource) {
+    const json page = {{"author", "A"}, {"title", "T"}, {"version", "6.7"}};
+    const json readme = {{"repository", "o/r"}, {"document", "README.md"}, {"year", 2024}};
+    json file = citing({{"a", page}, {"b", readme}});
+    file["claims"].push_back(
+        {{"id", "T02"}, {"source", "b"}, {"place", "p"}, {"claim", "c"}, {"cannot", "x"}});
+    const ClaimList list = loaded(file);
+    const std::vector<ClaimRecord> records = judge_claims({list}, Results());
+    EXPECT_EQ(records.at(0).source, "A, T, 6.7");
+    EXPECT_EQ(records.at(1).source, "o/r, README.md, 2024");
+    EXPECT_THAT(verdict_text(records.at(1)),
+                HasSubstr("T02 cannot be told here: c (o/r, README.md, 2024, p)"));
+}
+
+TEST_F(Claims, ASourceThatNobodyCouldFindIsRefused) {
+    const json good = {{"author", "A"}, {"title", "T"}, {"year", 2024}};
+    EXPECT_NO_THROW(loaded(citing({{"a", good}})));
+    EXPECT_THROW(loaded(citing({{"b", good}})), Error) << "the claim's is not there";
+    EXPECT_THROW(loaded(citing({{"a", good}, {"b", good}})), Error) << "cited by no claim";
+    EXPECT_THROW(loaded(citing({{"a", {{"author", "A"}, {"title", "T"}}}})), Error)
+        << "neither year nor version";
+    EXPECT_THROW(loaded(citing({{"a", {{"repository", "o/r"}, {"year", 2024}}}})), Error) << "no document";
+    EXPECT_THROW(loaded(citing(json::object())), Error) << "none at all";
+    json both = citing({{"a", good}});
+    both["source"] = good;
+    EXPECT_THROW(loaded(both), Error) << "one for all, and several";
+    json none = citing({{"a", good}});
+    none["claims"][0].erase("source");
+    EXPECT_THROW(loaded(none), Error) << "the claim names none";
+}
+
+TEST_F(Claims, AListIsChosenByItsIdAndAClaimByItsOwn) {
+    const auto count = [&](const std::vector<std::string>& ids) {
+        std::size_t sum = 0;
+        for (const ClaimList& list : chosen_claims(load_claims(), ids)) sum += list.claims.size();
+        return sum;
+    };
+    std::size_t field = 0;
+    for (const ClaimList& list : load_claims()) {
+        if (list.id == "field") field = list.claims.size();
+    }
+    EXPECT_EQ(count({"field"}), field);
+    EXPECT_EQ(count({"field", "H01"}), field + 1);
+    EXPECT_EQ(count({"H01"}), 1u);
+    EXPECT_THROW(count({"fields"}), Error);
+}
+
 TEST_F(Claims, NothingIsLitOrDrawnAsAWholeThatNoQuantityNeeds) {
     const auto planned = [&](const char* quantity) {
         json check = order();
@@ -183,10 +248,26 @@ TEST_F(Claims, EveryClaimOfTheListsIsAnswered) {
     for (auto it = std::sregex_iterator(text.begin(), text.end(), line); it != std::sregex_iterator(); ++it)
         asked.insert((*it)[2]);
     for (const ClaimList& list : load_claims()) {
+        if (list.id == "field") continue;  // of those who are no dissertations
         for (const Claim& claim : list.claims) answered.insert(claim.id);
     }
     EXPECT_EQ(asked.size(), 119u);
     EXPECT_EQ(asked, answered);
+}
+
+// Twenty that are measured, of more than ten sources: one of a few would not be the field.
+TEST_F(Claims, TheFieldIsHeardInManyVoices) {
+    std::set<std::string> sources;
+    std::size_t measured = 0;
+    for (const ClaimList& list : load_claims()) {
+        if (list.id != "field") continue;
+        for (const Claim& claim : list.claims) {
+            sources.insert(claim.source);
+            measured += claim.checks.empty() ? 0 : 1;
+        }
+    }
+    EXPECT_GE(measured, 20u);
+    EXPECT_GT(sources.size(), 10u);
 }
 
 TEST(Measured, AnExpressionOfDrawsHasAnInterval) {

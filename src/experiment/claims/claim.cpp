@@ -4,8 +4,8 @@
 #include "core/files.h"
 #include "core/image_size.h"
 #include "core/known_names.h"
-#include "core/source_reference.h"
 #include "core/strict_json.h"
+#include "experiment/claims/claim_sources.h"
 #include "experiment/claims/quantity.h"
 #include "experiment/resolved_cell.h"
 
@@ -53,15 +53,15 @@ const KindRow& kind_named(const std::string& id, const std::string& where) {
 class Reader {
   public:
     Reader(ClaimList& list, const json& file, const std::string& where)
-        : list_(list), top_(StrictObject::of_file(file, where)) {}
+        : list_(list), top_(StrictObject::of_file(file, where)), sources_(top_) {}
 
     void read() {
         list_.id = top_.text("id");
-        list_.source = source_reference(top_.object("source"));
         for (auto& [name, value] : top_.object("views").members()) read_view(name, value);
         StrictObject cells = top_.object("cells");
         for (auto& [name, value] : cells.members()) named_[name] = value;
         for (StrictObject& claim : top_.objects("claims")) list_.claims.push_back(read_claim(claim));
+        sources_.finish();
         top_.finish();
     }
 
@@ -85,6 +85,7 @@ class Reader {
     Claim read_claim(StrictObject& object) {
         Claim claim;
         claim.id = object.text("id");
+        claim.source = sources_.cited_by(object);
         claim.place = object.text("place");
         claim.text = object.text("claim");
         claim.own = object.text_or("own", "");
@@ -216,6 +217,7 @@ class Reader {
 
     ClaimList& list_;
     StrictObject top_;
+    ClaimSources sources_;
     std::map<std::string, json> named_;
 };
 

@@ -41,19 +41,19 @@ struct ClaimCheck {
 
 /// One statement of a source and what decides it here.
 struct Claim {
-    std::string id;     ///< "H01"
-    std::string place;  ///< where the source says it
-    std::string text;   ///< in our own words
+    std::string id;      ///< "H01"
+    std::string source;  ///< what says it, as source_reference() has it
+    std::string place;   ///< where in the source
+    std::string text;    ///< in our own words
     std::vector<ClaimCheck> checks;
     std::string cannot;  ///< why nothing here can tell; set where there are no checks
     std::string own;     ///< what the source's own printed numbers say of it; empty where they agree
     std::string note;    ///< how our measurement differs from what the source looked at
 };
 
-/// The claims of one source: reports/claims/<id>.json.
+/// The claims of one source, or of several about one subject: reports/claims/<id>.json.
 struct ClaimList {
     std::string id;
-    std::string source;                     ///< author, title, year
     std::map<std::string, ViewPlan> views;  ///< without cells
     std::vector<Claim> claims;
 };

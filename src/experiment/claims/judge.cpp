@@ -50,7 +50,7 @@ class Judge {
     Judge(const ClaimList& list, const Results& results) : list_(list), results_(results) {}
 
     ClaimRecord judge(const Claim& claim) {
-        ClaimRecord record{claim.id,     list_.source, claim.place, claim.text, ClaimRecord::kCannotTell,
+        ClaimRecord record{claim.id,     claim.source, claim.place, claim.text, ClaimRecord::kCannotTell,
                            claim.cannot, claim.own,    claim.note,  {},         {}};
         if (claim.checks.empty()) return record;
         std::set<std::string> outcomes;
@@ -257,15 +257,22 @@ std::vector<ClaimRecord> judge_claims(const std::vector<ClaimList>& lists, const
     return records;
 }
 
+std::string verdict_text(const ClaimRecord& claim) {
+    return fmt::format("{} {}: {} ({}, {})", claim.id, claim.verdict, claim.claim, claim.source, claim.place);
+}
+
 std::vector<ClaimList> chosen_claims(std::vector<ClaimList> lists, const std::vector<std::string>& ids) {
     if (ids.empty()) return lists;
-    std::set<std::string> missing(ids.begin(), ids.end());
+    const std::set<std::string> asked(ids.begin(), ids.end());
+    std::set<std::string> missing = asked;
     std::vector<std::string> known;
     for (ClaimList& list : lists) {
+        known.push_back(list.id);
+        missing.erase(list.id);
         std::erase_if(list.claims, [&](const Claim& claim) {
             known.push_back(claim.id);
             missing.erase(claim.id);
-            return std::find(ids.begin(), ids.end(), claim.id) == ids.end();
+            return !asked.contains(claim.id) && !asked.contains(list.id);
         });
     }
     if (!missing.empty()) throw unknown_name("no claim", *missing.begin(), known, "claims");

@@ -13,7 +13,11 @@ namespace aoscore {
 /// and does not when one of them fails.
 std::vector<ClaimRecord> judge_claims(const std::vector<ClaimList>& lists, const Results& results);
 
-/// Those of them whose ids are named; all when `ids` is empty. Throws usage_error for an unknown id.
+/// The verdict in a line: "H01 holds: … (Hussain, …, 2022, section 5.2)".
+std::string verdict_text(const ClaimRecord& claim);
+
+/// Those of them whose ids are named, or whose list's id is: "H01", "field"; all when `ids` is empty. Throws
+/// usage_error for an unknown id.
 std::vector<ClaimList> chosen_claims(std::vector<ClaimList> lists, const std::vector<std::string>& ids);
 
 }  // namespace aoscore

@@ -17,6 +17,8 @@ const std::vector<BuiltinScene>& builtin_scenes() {
          builtin::generate_wall_tall},
         {"sphere", "closed form: a sphere over a floor", builtin::generate_sphere},
         {"pit", "closed form: a circular pit, rim at zenith angle 40 degrees", builtin::generate_pit},
+        {"railing", "thin bars before a wall: what a height field takes for solid",
+         builtin::generate_railing},
         {"yard", "a pit, a wall, a box and a floating sphere: what the stress tests distort",
          builtin::generate_yard},
     };

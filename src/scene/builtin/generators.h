@@ -14,6 +14,7 @@ Scene generate_wall();
 Scene generate_wall_tall();
 Scene generate_sphere();
 Scene generate_pit();
+Scene generate_railing();
 Scene generate_yard();
 
 }  // namespace aoscore::builtin
