@@ -11,7 +11,7 @@ namespace aoscore {
 
 /// Raise this with every change that changes a bit of any truth: of points, rays, tracing, sums or estimates.
 /// Truths of another version are not used.
-inline constexpr int kIntegratorVersion = 3;
+inline constexpr int kIntegratorVersion = 4;
 
 /// Everything that a truth depends on.
 struct TruthRequest {
