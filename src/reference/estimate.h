@@ -26,8 +26,8 @@ double error_of_agreement(int samples, int agreeing, int alike);
 /// Assessing Differential Expression, 2004) does for genes. Pixels whose rays all agree state
 /// error_of_agreement(), those of a single ray the spread of their tile.
 ///
-/// Meant to hold in the tail: over many seeds fewer than 1 pixel in 200 errs by more than three times what it
-/// states, and the root of the mean square of what is stated is that of the true errors within 5 %.
+/// Meant to hold in the tail: over many seeds and scenes fewer than 1 pixel in 200 errs by more than three
+/// times what it states, and the mean square of what is stated is that of the true errors within 10 %.
 std::vector<Estimate> moderated_estimates(std::span<const PixelSpread> pixels, const TileLawRules& rules);
 
 }  // namespace aoscore

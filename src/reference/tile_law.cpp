@@ -10,7 +10,7 @@ namespace {
 
 /// The usual law, V(N) = kUsualScale * visibility_shape() * N^log2(kUsualRatio), measured at 16, 64 and 256
 /// rays on halls, a court, a staircase and scanned figures.
-constexpr double kUsualRatio = 0.37;
+constexpr double kUsualRatio = 0.373;
 constexpr double kUsualScale = 0.3;
 /// Part of the usual scale that a tile has at least.
 constexpr double kLeastScale = 0.7;
@@ -28,10 +28,10 @@ constexpr int kLeastSamplesToTell = 8;
 constexpr double kThinFrom = 0.15;
 /// Thin occluders leave no two neighbours alike: standard deviations of true visibility over the tile at
 /// which it may begin to count as thin, and may fully.
-constexpr double kSmoothSpread = 0.1, kRoughSpread = 0.15;
+constexpr double kSmoothSpread = 0.03, kRoughSpread = 0.1;
 
-/// In units of one ray.
-constexpr double kAgreementVariance = 0.3;
+/// Keeps the shape above 0 where all rays agree, in units of one ray.
+constexpr double kShapeAtEnds = 0.8;
 
 double squared(double x) {
     return x * x;
@@ -84,7 +84,7 @@ double thinness_of(std::span<const PixelSpread> pixels, double scale) {
 
 double visibility_shape(const PixelSpread& pixel) {
     const double v = pixel.visibility;
-    return std::sqrt(v * (1 - v) + kAgreementVariance / pixel.samples);
+    return std::sqrt(v * (1 - v) + kShapeAtEnds / pixel.samples);
 }
 
 double size_shape(const PixelSpread& pixel) {

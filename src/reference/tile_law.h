@@ -28,8 +28,8 @@ struct TileLawRules {
     bool binary = true;
 };
 
-/// sqrt(V (1 - V) + a / N): how variance depends on visibility, as stratified points at the edge of a shadow
-/// have it.
+/// sqrt(V (1 - V) + a / N): how variance depends on visibility, as stratified points at the edge of a
+/// shadow have it.
 double visibility_shape(const PixelSpread& pixel);
 
 /// n^log2(ratio) for the n rays of one of its blocks, as the usual law has it.

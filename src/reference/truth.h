@@ -116,10 +116,10 @@ struct PrimaryHits {
 /// The rays of a pixel are one scrambled sequence, as independent scrambles of fewer points each would err
 /// more. The standard error comes from how far the means of its blocks lie apart, and how that shrinks as
 /// blocks grow, moderated by what the surrounding tile shows (see moderated_estimates()). From 16 rays on it
-/// holds in the tail: fewer than 1 pixel in 200 errs by more than three times of it; and pooled over a
-/// picture its root mean square is that of the true errors within 5 %, so that its square may be taken off a
-/// mean square error. Where all rays of a pixel agree the spread says nothing, and how many of its neighbours
-/// agree as well takes its place (see error_of_agreement()); a single sample has the spread of its tile.
+/// holds in the tail, fewer than 1 pixel in 200 errs by more than three times of it, and its root mean square
+/// is that of the true errors within 5 % over six scenes and 10 % on each. Where all rays of a pixel agree
+/// the spread says nothing, and how many of its neighbours agree as well takes its place (see
+/// error_of_agreement()); a single sample has the spread of its tile.
 struct Truth {
     PrimaryHits hits;
     std::vector<TruthQuery> queries;
