@@ -21,7 +21,6 @@ struct Options {
     ImageSize size;
     std::vector<double> radii;
     TruthEffort effort;
-    double mean_error = 0;
     bool shading_normals = false;
     TruthExtras extras;
     std::filesystem::path out;
@@ -39,9 +38,9 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
         if (radius.automatic) log_warning(radius_warning(radius, view));
     }
     TruthSettings settings;
-    settings.samples = options.effort.samples;
+    settings.samples = options.effort.least_samples();
     settings.max_error = options.effort.max_error;
-    settings.mean_error = options.mean_error;
+    settings.mean_error = options.effort.mean_error;
     settings.seed = global.seed;
     settings.shading_normals = options.shading_normals;
     settings.extras = options.extras;
@@ -71,7 +70,7 @@ CommandEntry add_reference_command(CLI::App& program, const GlobalOptions& globa
     add_size_option(*app, options->size);
     add_radii_option(*app, options->radii);
     add_truth_options(*app, options->effort);
-    app->add_option("--mean-error", options->mean_error,
+    app->add_option("--mean-error", options->effort.mean_error,
                     "Trace until the mean standard error over the picture is about this, for the fewest rays")
         ->check(CLI::Range(1e-4, 0.5))
         ->excludes("--error");

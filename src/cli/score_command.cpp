@@ -49,7 +49,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     view.load = options.choice.view.load;
     view.width = options.size.width;
     view.height = options.size.height;
-    view.samples = options.effort.samples;
+    view.samples = options.effort.least_samples();
     view.max_error = options.effort.max_error;
     if (!options.radii.empty()) view.radius_m = options.radii[0];
     view.cells = plan_cells(chosen_methods(options, plan.warnings), load_filters(), options.method_options,

@@ -4,6 +4,7 @@
 #include "core/known_names.h"
 #include "core/text.h"
 #include "experiment/scene_views.h"
+#include "reference/sample_plan.h"
 #include "scene/scene_frame.h"
 #include "scene/view_choice.h"
 #include "scene/view_limits.h"
@@ -93,10 +94,17 @@ void add_radii_option(CLI::App& app, std::vector<double>& radii) {
         ->type_name("R[,R...]");
 }
 
+int TruthEffort::least_samples() const {
+    constexpr int kUsual = 64;
+    return samples.value_or(max_error > 0 || mean_error > 0 ? kFewestToTellError : kUsual);
+}
+
 void add_truth_options(CLI::App& app, TruthEffort& effort) {
-    app.add_option("--samples", effort.samples, "Truth rays a pixel; with --error the fewest")
-        ->check(CLI::Range(1, 1 << 20))
-        ->capture_default_str();
+    app.add_option("--samples", effort.samples,
+                   fmt::format("Truth rays a pixel, 64 unless an error is asked for; with one the fewest, {} "
+                               "unless named",
+                               kFewestToTellError))
+        ->check(CLI::Range(1, kMostSamples));
     app.add_option("--error", effort.max_error,
                    "Trace until every pixel's standard error is at most this, such as 0.01")
         ->check(CLI::Range(1e-4, 0.5));

@@ -29,8 +29,12 @@ void add_radii_option(CLI::App& app, std::vector<double>& radii);
 
 /// How finely the truth is traced.
 struct TruthEffort {
-    int samples = 64;      ///< rays a pixel; the fewest where max_error is set
-    double max_error = 0;  ///< 0, or the standard error that every pixel is traced to
+    std::optional<int> samples;  ///< as the user named them
+    double max_error = 0;        ///< 0, or the standard error that every pixel is traced to
+    double mean_error = 0;       ///< 0, or that of the mean over the picture
+    /// Rays a pixel, the fewest where an error is asked for: those named, else as few as tell an error where
+    /// one is asked for, else 64.
+    int least_samples() const;
 };
 /// --samples N and --error E.
 void add_truth_options(CLI::App& app, TruthEffort& effort);

@@ -69,7 +69,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
     ViewPlan view;
     view.width = options.size.width;
     view.height = options.size.height;
-    view.samples = options.effort.samples;
+    view.samples = options.effort.least_samples();
     view.max_error = options.effort.max_error;
     if (!options.radii.empty()) view.radius_m = options.radii[0];
     view.extras = {};  // they say more of one picture than curves can show

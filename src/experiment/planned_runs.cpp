@@ -81,8 +81,7 @@ void name_views(std::vector<PreparedView>& prepared) {
     for (PreparedView& p : prepared) {
         p.key = p.scene->id + "/" + p.view.id;
         if (taken.contains(p.key)) p.key += fmt::format("@{}x{}", p.plan->width, p.plan->height);
-        if (taken.contains(p.key))
-            p.key = fmt::format("{}/{}@{:g}m", p.scene->id, p.view.id, p.radius.metres);
+        if (taken.contains(p.key)) p.key += fmt::format("@{:g}m", p.radius.metres);
         taken.insert(p.key);
     }
 }

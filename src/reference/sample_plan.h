@@ -4,6 +4,10 @@
 
 namespace aoscore {
 
+/// Standard errors were measured to hold from so many rays a pixel on: the fewest to begin with where an
+/// error is asked for and nobody names another count.
+inline constexpr int kFewestToTellError = 16;
+
 /// How many rays pixels get, round by round.
 class SamplePlan {
   public:

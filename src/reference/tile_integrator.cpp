@@ -148,8 +148,8 @@ void TileIntegrator::trace_all() {
         if (plan_.first() == plan_.most()) return;
         more = false;
         for (std::size_t q = 0; q < queries_.size(); ++q) {
-            const std::vector<Estimate> now =
-                stated_estimates(samples_, settings_, [&](std::size_t i) { return tracer_.sums(i, q); });
+            const std::vector<Estimate> now = stated_estimates(
+                samples_, queries_[q], settings_, [&](std::size_t i) { return tracer_.sums(i, q); });
             for (std::size_t i = 0; i < traced_.size(); ++i) {
                 ranges[i].last = std::max(ranges[i].last, plan_.next(samples_[i], now[i].standard_error));
                 more = more || ranges[i].last > ranges[i].first;
@@ -171,8 +171,8 @@ void TileIntegrator::trace_by_tile() {
         double error_sum = 0;  // of the query that errs most
         for (std::size_t q = 0; q < queries_.size(); ++q) {
             double sum = 0;
-            for (const Estimate& e :
-                 stated_estimates(samples_, settings_, [&](std::size_t i) { return tracer_.sums(i, q); }))
+            for (const Estimate& e : stated_estimates(samples_, queries_[q], settings_,
+                                                      [&](std::size_t i) { return tracer_.sums(i, q); }))
                 sum += e.standard_error;
             error_sum = std::max(error_sum, sum);
         }

@@ -43,14 +43,16 @@ std::span<const double> TileState::sums_of(std::size_t query, std::size_t querie
     return {&sums[(query * surfaces() + surface) * width], width};
 }
 
-std::vector<Estimate> stated_estimates(std::span<const int> samples, const TruthSettings& settings,
+std::vector<Estimate> stated_estimates(std::span<const int> samples, const TruthQuery& query,
+                                       const TruthSettings& settings,
                                        const std::function<std::span<const double>(std::size_t)>& sums) {
     const SamplePlan plan(settings);
     std::vector<PixelSpread> spreads;
     spreads.reserve(samples.size());
     for (std::size_t i = 0; i < samples.size(); ++i) spreads.push_back(pixel_spread(sums(i), samples[i]));
-    std::vector<Estimate> all =
-        moderated_estimates(spreads, settings.max_error > 0 && plan.first() < plan.most());
+    const TileLawRules rules{settings.max_error > 0 && plan.first() < plan.most(),
+                             query.falloff == Falloff::binary};
+    std::vector<Estimate> all = moderated_estimates(spreads, rules);
     if (settings.max_error > 0) {
         for (Estimate& e : all) e.standard_error = std::min(kStoppingAllowance * e.standard_error, 0.5);
     }
@@ -80,9 +82,10 @@ void develop(const Tile& tile, const TileState& state, const CameraFrame& frame,
             develop_extras(state.extras[s], static_cast<double>(state.samples[s]), pixel, frame, truth);
     }
     for (std::size_t q = 0; q < development.which.size(); ++q) {
-        const std::vector<Estimate> all = stated_estimates(samples, development.settings, [&](std::size_t i) {
-            return state.sums_of(development.which[q], development.queries, traced[i]);
-        });
+        const std::vector<Estimate> all =
+            stated_estimates(samples, truth.queries[q], development.settings, [&](std::size_t i) {
+                return state.sums_of(development.which[q], development.queries, traced[i]);
+            });
         for (std::size_t i = 0; i < traced.size(); ++i) {
             truth.visibility[q].pixels[pixels[i]] = static_cast<float>(all[i].visibility);
             truth.standard_error[q].pixels[pixels[i]] = static_cast<float>(all[i].standard_error);

@@ -29,9 +29,10 @@ struct TileState {
     bool operator==(const TileState&) const = default;
 };
 
-/// Estimates of pixels that have so many rays each, traced with these settings; `sums(i)` are the sums of
-/// pixel i.
-std::vector<Estimate> stated_estimates(std::span<const int> samples, const TruthSettings& settings,
+/// Estimates for `query` of pixels that have so many rays each, traced with these settings; `sums(i)` are the
+/// sums of pixel i.
+std::vector<Estimate> stated_estimates(std::span<const int> samples, const TruthQuery& query,
+                                       const TruthSettings& settings,
                                        const std::function<std::span<const double>(std::size_t)>& sums);
 
 /// What a tile was traced for, and which of its queries are wanted: truth.queries[i] is number which[i].

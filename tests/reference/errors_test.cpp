@@ -105,23 +105,26 @@ TEST(StandardErrors, AreHonestWhereAllRaysOfAPixelAgree) {
         for (const int samples : {32, 64, 128}) {
             settings.samples = samples;
             double squared = 0, stated = 0;
-            int pixels = 0;
+            int pixels = 0, beyond = 0;
             for (std::uint64_t seed = 1; seed <= 20; ++seed) {
                 settings.seed = seed;
                 const Truth truth = reference.trace(kFrame, query, settings, "agreeing");
                 for (std::size_t i = 0; i < truth.visibility[0].size(); ++i) {
                     const float v = truth.visibility[0].pixels[i];
                     if (truth.hits.surface.pixels[i] == 0 || (v != 0 && v != 1)) continue;
-                    squared += std::pow(v - exact.visibility[0].pixels[i], 2);
+                    const double error = std::abs(v - exact.visibility[0].pixels[i]);
+                    squared += error * error;
                     stated += std::pow(truth.standard_error[0].pixels[i], 2);
+                    beyond += error > 3 * truth.standard_error[0].pixels[i];
                     ++pixels;
                 }
             }
             settings.seed = 1;
             ASSERT_GT(pixels, 500);
             const double ratio = std::sqrt(squared / stated);
-            EXPECT_LT(ratio, 1.25) << samples << " samples, " << pixels << " pixels";
-            EXPECT_GT(ratio, 0.5) << samples << " samples, " << pixels << " pixels";
+            EXPECT_LT(ratio, 1.4) << samples << " samples, " << pixels << " pixels";
+            EXPECT_GT(ratio, 0.4) << samples << " samples, " << pixels << " pixels";
+            EXPECT_LT(beyond, 0.02 * pixels) << samples << " samples, " << pixels << " pixels";
         }
     }
 }
@@ -200,7 +203,7 @@ TEST(Estimates, PoolAlignedBlocksByTheRatio) {
 TEST(Estimates, OfALoneNoisyPixelLeanOnTheUsualLaw) {
     const std::array sums = {5.0, 9.0, 2.0, 7.0, 8.0, 4.0, 4.0, 3.0};
     const PixelSpread pixel = pixel_spread(sums, 128);
-    const double error = moderated_estimates({&pixel, 1}, false)[0].standard_error;
+    const double error = moderated_estimates({&pixel, 1}, {})[0].standard_error;
     double spread = 0;  // as if blocks were independent
     for (const double sum : sums) spread += std::pow(sum / 16 - (1 - pixel.visibility), 2) / (7 * 8);
     EXPECT_LT(error, std::sqrt(spread));
@@ -213,26 +216,53 @@ TEST(Estimates, NeverStateNothing) {
     const std::array half = {16.0, 16.0, 16.0, 16.0, 16.0, 16.0, 16.0, 16.0};
     for (const auto& sums : {none, all, half}) {
         const PixelSpread pixel = pixel_spread(sums, 256);
-        EXPECT_EQ(moderated_estimates({&pixel, 1}, false)[0].standard_error, 0.5 / 256);
+        const double error = moderated_estimates({&pixel, 1}, {})[0].standard_error;
+        EXPECT_GE(error, 0.3 / 256);
+        EXPECT_LE(error, 2.0 / 256);
     }
-    const std::array one = {1.0};
-    const PixelSpread single = pixel_spread(one, 1);
-    EXPECT_EQ(moderated_estimates({&single, 1}, false)[0].standard_error, 0.5);
+}
+
+TEST(Estimates, OfSingleRaysStateTheSpreadOfTheirTile) {
+    const std::array open = {0.0}, blocked = {1.0};
+    std::vector<PixelSpread> pixels(48, pixel_spread(open, 1));
+    pixels.insert(pixels.end(), 16, pixel_spread(blocked, 1));
+    for (const Estimate& estimate : moderated_estimates(pixels, {}))
+        EXPECT_NEAR(estimate.standard_error, std::sqrt(0.75 * 0.25), 0.005);
+}
+
+TEST(Estimates, OfALuckyHalfAreThoseOfItsNeighbours) {
+    // All blocks of one pixel of a penumbra agree by luck; its neighbours say how little that means.
+    const std::array lucky = {4.0, 4.0, 4.0, 4.0, 4.0, 4.0, 4.0, 4.0};
+    const std::array usual = {5.0, 4.0, 3.0, 4.0, 4.0, 5.0, 4.0, 3.0};
+    std::vector<PixelSpread> pixels(64, pixel_spread(usual, 64));
+    pixels[0] = pixel_spread(lucky, 64);
+    const std::vector<Estimate> estimates = moderated_estimates(pixels, {});
+    EXPECT_GT(estimates[0].standard_error, 0.9 * estimates[1].standard_error);
+    // A whole tile that agrees states no less than a part of what all scenes have.
+    std::fill(pixels.begin(), pixels.end(), pixel_spread(lucky, 64));
+    EXPECT_GT(moderated_estimates(pixels, {})[0].standard_error, 0.5 / 64);
 }
 
 TEST(Estimates, OfAgreeingPixelsFallAsTheirTileAgrees) {
+    EXPECT_GT(error_of_agreement(256, 1, 1), 0.3 / 256);
+    double before = 1;
+    for (const int agreeing : {1, 8, 16, 32, 48, 60, 64}) {
+        const double error = error_of_agreement(64, agreeing, 64);
+        EXPECT_LT(error, before);
+        EXPECT_DOUBLE_EQ(error_of_agreement(256, agreeing, 64), error / 4);
+        before = error;
+    }
     const std::array none = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-    const std::array one = {0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     const std::array many = {8.0, 8.0, 8.0, 8.0, 8.0, 8.0, 8.0, 8.0};
+    const std::array most = {32.0, 32.0, 32.0, 32.0, 32.0, 32.0, 32.0, 31.0};
     const auto first_error = [](const std::vector<std::span<const double>>& tile) {
         std::vector<PixelSpread> pixels;
         for (const auto sums : tile) pixels.push_back(pixel_spread(sums, 256));
-        return moderated_estimates(pixels, false)[0].standard_error;
+        return moderated_estimates(pixels, {})[0].standard_error;
     };
-    EXPECT_DOUBLE_EQ(first_error({none, none, none, none}), 0.25 / 256);
-    EXPECT_GE(first_error({none, none, one, one}), std::sqrt(0.25 + 0.25 / 2) / 256);
-    // What lies across an edge of depth does not speak for it or against it.
-    EXPECT_GE(first_error({none, none, many, many}), std::sqrt(0.25 / 2) / 256);
+    EXPECT_GT(first_error({none, none, many, many}), first_error({none, none, none, none}));
+    // What lies across an edge of depth, mostly blocked, does not speak for it or against it.
+    EXPECT_DOUBLE_EQ(first_error({none, none, most, most}), first_error({none, none}));
 }
 
 }  // namespace
