@@ -113,8 +113,10 @@ TEST(MultiResolution, ReadsItsLevelsFormulasAtTheBottomOfABowl) {
 // A new method must be checked like the others, or be named here with the reason.
 TEST(Estimators, OfAllMethodsAreChecked) {
     // The line sweep has no radius: closed_form_test.cpp has it. Multi-resolution is checked above. three.js'
-    // pass and Filament's follow no paper: published_test.cpp has them, as all that are drawn as published.
-    std::set<std::string> checked = {"multi-resolution", "line-sweep", "three-gtao", "filament-ssao"};
+    // pass, Filament's and Unity's follow no paper: published_test.cpp has them, as all that are drawn as
+    // published.
+    std::set<std::string> checked = {"multi-resolution", "line-sweep", "three-gtao", "filament-ssao",
+                                     "unity-ssao"};
     for (const Case& c : cases()) checked.insert(c.method);
     for (const MethodDescriptor& m : load_methods()) EXPECT_TRUE(checked.contains(m.id)) << m.id;
 }
