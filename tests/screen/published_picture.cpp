@@ -46,6 +46,14 @@ dvec2 Picture::place(const dvec3& p) const {
     return {(p.x / (-p.z * tan_x_) + 1) / 2 * width(), (1 - p.y / (-p.z * tan_y_)) / 2 * height()};
 }
 
+dvec3 Picture::face_normal(int x, int y) const {
+    const dvec3 p = point(x, y);
+    const dvec3 along = x + 1 < width() ? point(x + 1, y) - p : p - point(x - 1, y);
+    const dvec3 down = y + 1 < height() ? point(x, y + 1) - p : p - point(x, y - 1);
+    const dvec3 n = glm::normalize(glm::cross(down, along));
+    return glm::dot(n, p) > 0 ? -n : n;
+}
+
 dvec3 Picture::normal_from_depth(int x, int y) const {
     const dvec3 centre = point(x, y);
     const auto edge = [&](int dx, int dy) {
@@ -121,10 +129,10 @@ double bilinear(const ImageF& image, const dvec2& at) {
                      std::lerp(clamped(image, i, j + 1), clamped(image, i + 1, j + 1), x - i), y - j);
 }
 
-Noise hash_noise(std::uint64_t seed) {
-    return [seed](int px, int py) {
+Noise hash_noise(std::uint64_t seed, std::uint32_t stream) {
+    return [seed, stream](int px, int py) {
         std::array<std::uint32_t, 4> v = {static_cast<std::uint32_t>(px), static_cast<std::uint32_t>(py),
-                                          static_cast<std::uint32_t>(seed), 0};
+                                          static_cast<std::uint32_t>(seed), stream};
         const auto stir = [&] {
             v[0] += v[1] * v[3];
             v[1] += v[2] * v[0];
