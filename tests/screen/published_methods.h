@@ -29,9 +29,6 @@ Estimator filament_ssao(const Picture& picture, double radius);
 /// SSRT3's occlusion, one frame; the noise's first number in place of its sine.
 Estimator visibility_bitmask(const Picture& picture, const Noise& noise, double radius, double thickness);
 
-/// Points of a kernel or numbers of a sample, which the program generates: an input.
-using Kernel3 = std::vector<glm::dvec3>;
-using Numbers = std::vector<glm::dvec2>;
 /// De Vries' LearnOpenGL.
 Estimator learnopengl_ssao(const Picture& picture, const Kernel3& kernel, const Noise& noise, double radius);
 /// Hussain's programs of Crytek's and Alchemy's AO.

@@ -1,11 +1,11 @@
 #include "published_picture.h"
 
-#include "screen/kernel.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
+#include <string>
 #include <utility>
 
 namespace aoscore::testing::published {
@@ -185,6 +185,22 @@ Noise hilbert_noise() {
 
 Noise tiled_noise(std::uint64_t seed) {
     return [tile = generate_noise_4x4(seed)](int x, int y) { return dvec4(tile.at(x % 4, y % 4)); };
+}
+
+Kernel3 points_of(const Kernel& kernel, std::uint64_t seed) {
+    Kernel3 points;
+    for (const glm::vec3& p : generate_kernel(kernel, seed)) points.emplace_back(p);
+    return points;
+}
+
+Numbers sample_numbers(int samples, std::uint64_t seed) {
+    Numbers numbers;
+    const Kernel kernel{"numbers", std::to_string(samples), "disc", "uniform", "none", "random"};
+    for (const dvec3& p : points_of(kernel, seed)) {
+        const double turns = std::atan2(p.y, p.x) / (2 * std::numbers::pi);
+        numbers.emplace_back(std::hypot(p.x, p.y), turns);
+    }
+    return numbers;
 }
 
 }  // namespace aoscore::testing::published

@@ -2,6 +2,7 @@
 
 #include "core/image.h"
 #include "scene/camera.h"
+#include "screen/kernel.h"
 #include "screen/screen.h"
 
 #include <glm/glm.hpp>
@@ -36,8 +37,8 @@ class Picture {
     glm::dvec2 place(const glm::dvec3& point) const;
     double pixels_per_metre(double depth) const { return height() / (2 * tan_y_ * depth); }
 
-    /// From the differences of position to the right and below, or to the left and above at the picture's edge;
-    /// turned to the camera.
+    /// From the differences of position to the right and below, or to the left and above at the picture's
+    /// edge; turned to the camera.
     glm::dvec3 face_normal(int x, int y) const;
 
     /// From the depths around, extrapolated from the better side (Wu, Accurate Normal Reconstruction from
@@ -80,5 +81,11 @@ Noise hash_noise(std::uint64_t seed, std::uint32_t stream = 0);
 Noise hilbert_noise();
 /// The program's tile of 4x4, which is an input.
 Noise tiled_noise(std::uint64_t seed);
+
+/// Points of a kernel and two numbers in [0,1) a sample, which the program generates: inputs too.
+using Kernel3 = std::vector<glm::dvec3>;
+using Numbers = std::vector<glm::dvec2>;
+Kernel3 points_of(const Kernel& kernel, std::uint64_t seed);
+Numbers sample_numbers(int samples, std::uint64_t seed);
 
 }  // namespace aoscore::testing::published

@@ -3,7 +3,6 @@
 #include "hand_made.h"
 #include "published_methods.h"
 #include "scene/scene.h"
-#include "screen/kernel.h"
 #include "support/support.h"
 
 #include <gtest/gtest.h>
@@ -29,18 +28,12 @@ constexpr std::uint64_t kSeed = 1;
 constexpr double kRadius = 0.5;
 const double kTanHalf = std::tan(60 * std::numbers::pi / 360);  // the view's
 
-// The points of a kernel, which the program generates.
-Kernel3 points_of(const Kernel& kernel) {
-    Kernel3 points;
-    for (const glm::vec3& p : generate_kernel(kernel, kSeed)) points.emplace_back(p);
-    return points;
-}
-
 const Kernel3& disc(int points) {
     static std::map<int, Kernel3> known;
     return known
-        .try_emplace(points,
-                     points_of({"disc", std::to_string(points), "disc", "volume", "none", "low_discrepancy"}))
+        .try_emplace(
+            points,
+            points_of({"disc", std::to_string(points), "disc", "volume", "none", "low_discrepancy"}, kSeed))
         .first->second;
 }
 
@@ -48,15 +41,6 @@ std::vector<glm::dvec2> disc_pattern(int points) {
     std::vector<glm::dvec2> pattern;
     for (const glm::dvec3& p : disc(points)) pattern.emplace_back(p.x, p.y);
     return pattern;
-}
-
-// Two numbers in [0,1) a sample.
-Numbers sample_numbers(int samples) {
-    Numbers numbers;
-    for (const glm::dvec3& p :
-         points_of({"numbers", std::to_string(samples), "disc", "uniform", "none", "random"}))
-        numbers.emplace_back(std::hypot(p.x, p.y), std::atan2(p.y, p.x) / (2 * std::numbers::pi));
-    return numbers;
 }
 
 // The G-buffer, drawn once for all cases.
@@ -165,7 +149,7 @@ const std::vector<PublishedCase>& cases() {
          {},
          [](const Picture& p) {
              const Kernel3 kernel =
-                 points_of({"points", "64", "hemisphere_cube", "uniform", "squared", "random"});
+                 points_of({"points", "64", "hemisphere_cube", "uniform", "squared", "random"}, kSeed);
              return learnopengl_ssao(p, kernel, tiled_noise(kSeed), kRadius);
          },
          box_blurred,
@@ -176,7 +160,7 @@ const std::vector<PublishedCase>& cases() {
          {},
          [](const Picture& p) {
              const Kernel3 kernel =
-                 points_of({"points", "16", "hemisphere", "volume", "none", "low_discrepancy"});
+                 points_of({"points", "16", "hemisphere", "volume", "none", "low_discrepancy"}, kSeed);
              return vermeer_ssao(p, kernel, hash_noise(kSeed), kRadius);
          },
          {},
@@ -201,7 +185,7 @@ const std::vector<PublishedCase>& cases() {
          {},
          [](const Picture& p) {
              const Kernel3 kernel =
-                 points_of({"points", "16", "sphere_cube", "uniform", "squared_of_64", "random"});
+                 points_of({"points", "16", "sphere_cube", "uniform", "squared_of_64", "random"}, kSeed);
              return hussain_crytek(p, kernel, tiled_noise(kSeed), kRadius);
          },
          box_blurred,
@@ -212,7 +196,7 @@ const std::vector<PublishedCase>& cases() {
          {{"radius", kRadius}},
          [](const Picture& p) {
              const Kernel3 kernel =
-                 points_of({"points", "16", "hemisphere_cosine", "shell", "none", "random"});
+                 points_of({"points", "16", "hemisphere_cosine", "shell", "none", "random"}, kSeed);
              return whinham_ssao(p, kernel, tiled_noise(kSeed), kRadius);
          },
          box_blurred,
@@ -242,14 +226,14 @@ const std::vector<PublishedCase>& cases() {
          "unity-ssao",
          "published",
          {{"radius", kRadius / 1.5}},
-         [](const Picture& p) { return unity_ssao(p, sample_numbers(8), kSeed, kRadius / 1.5); },
+         [](const Picture& p) { return unity_ssao(p, sample_numbers(8, kSeed), kSeed, kRadius / 1.5); },
          unity_blurred,
          0.02},
         {"unity_ssao_gradient",
          "unity-ssao",
          "interleaved-gradient",
          {{"radius", kRadius}},
-         [](const Picture& p) { return unity_gradient_ssao(p, sample_numbers(8), kRadius); },
+         [](const Picture& p) { return unity_gradient_ssao(p, sample_numbers(8, kSeed), kRadius); },
          unity_blurred,
          0.02},
         {"visibility_bitmask",
