@@ -30,7 +30,7 @@ bool assign(const Assignment& assignment, const std::vector<MethodDescriptor>& m
         cell.overrides[parameter] = value;
         return true;
     }
-    const std::string id = parameter.substr(kFilterPrefix.size()), filter = filter_of(cell, method);
+    const std::string id = parameter.substr(kFilterPrefix.size()), filter = filter_of(cell, method).filter;
     if (filter == "none" || find_method(filters, filter).find_parameter(id) == nullptr) return false;
     cell.filter_overrides[id] = value;
     return true;
@@ -43,7 +43,7 @@ std::vector<std::string> assignable_parameters(const std::vector<CellPlan>& cell
     for (const CellPlan& cell : cells) {
         const MethodDescriptor& method = find_method(methods, cell.method);
         for (const Parameter& p : method.parameters) names.insert(p.id);
-        const std::string filter = filter_of(cell, method);
+        const std::string filter = filter_of(cell, method).filter;
         if (filter == "none") continue;
         for (const Parameter& p : find_method(filters, filter).parameters)
             names.insert(std::string(kFilterPrefix) + p.id);

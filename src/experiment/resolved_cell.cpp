@@ -55,10 +55,8 @@ std::string cell_name(const CellPlan& plan) {
     return name;
 }
 
-std::string filter_of(const CellPlan& plan, const MethodDescriptor& method) {
-    if (plan.filter) return *plan.filter;
-    const auto own = method.preset_filters.find(plan.preset);
-    return own == method.preset_filters.end() ? "none" : own->second;
+PresetFilter filter_of(const CellPlan& plan, const MethodDescriptor& method) {
+    return plan.filter ? PresetFilter{*plan.filter} : method.filter_of(plan.preset);
 }
 
 std::string setting_text(const CellPlan& plan) {
@@ -93,11 +91,13 @@ ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64
     cell.request.seed = seed;
     plan.modes.apply_to(cell.request);
     add_lengths(method, cell.request.parameters, plan.overrides, origin, "", cell.lengths);
-    cell.filter = filter_of(plan, method);
+    const PresetFilter chosen = filter_of(plan, method);
+    cell.filter = chosen.filter;
     if (cell.filter != "none") {
         const MethodDescriptor& filter = find_method(registry.filters, cell.filter);
         cell.request.filter = &filter;
-        cell.request.filter_parameters = drawn_values(filter, "default", plan.filter_overrides, drawn_for_m);
+        cell.request.filter_parameters =
+            drawn_values(filter, chosen.preset, plan.filter_overrides, drawn_for_m);
         add_lengths(filter, cell.request.filter_parameters, plan.filter_overrides, origin, kFilterPrefix,
                     cell.lengths);
     }

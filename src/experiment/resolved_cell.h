@@ -48,8 +48,9 @@ std::string cell_name(const CellPlan& plan);
 /// filter is not among it: it stands in a column of its own.
 std::string setting_text(const CellPlan& plan);
 
-/// The id of the filter that the cell is run with, the preset's own where the plan names none; "none".
-std::string filter_of(const CellPlan& plan, const MethodDescriptor& method);
+/// The filter that the cell is run with: with its default preset where the plan names it, else the method's
+/// preset's own.
+PresetFilter filter_of(const CellPlan& plan, const MethodDescriptor& method);
 
 /// The cell with its lengths drawn for the AO radius `drawn_for_m`; empty: as descriptors have them. Throws
 /// usage_error for an unknown method, preset, filter or parameter, and for a length that leaves its range.

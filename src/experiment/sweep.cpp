@@ -124,7 +124,7 @@ class Expansion {
                 throw unknown_name("no " + id, choice, mode->choices, "vary " + id);
             mode->choose(point.cell.modes, choice);
         } else if (id.starts_with(kFilterPrefix)) {
-            const std::string filter = filter_of(point.cell, method);
+            const std::string filter = filter_of(point.cell, method).filter;
             if (filter == "none") return false;
             return set_parameter(find_method(registry_.filters, filter), point.cell.filter_overrides,
                                  id.substr(kFilterPrefix.size()), value);

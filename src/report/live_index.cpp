@@ -97,11 +97,19 @@ void check_passes(StrictObject& method) {
     mips.finish();
 }
 
+void check_preset_filters(StrictObject filters) {
+    for (const auto& [preset, own] : filters.members()) {
+        StrictObject filter(own, filters.where(preset));
+        for (const char* key : {"filter", "preset"}) filter.text(key);
+        filter.finish();
+    }
+}
+
 void check_method(StrictObject method) {
     for (const char* key : {"id", "label", "summary"}) method.text(key);
     for (StrictObject& parameter : method.objects("parameters")) check_parameter(std::move(parameter));
     check_presets(method.object("presets"));
-    check_texts(method.object("preset_filters"));
+    check_preset_filters(method.object("preset_filters"));
     check_texts(method.object("absolute_presets"));
     if (method.has("processor"))
         method.text("processor");

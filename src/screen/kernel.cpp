@@ -63,6 +63,11 @@ glm::dvec3 direction(const std::string& kind, const std::array<double, 4>& u) {
         const double length = glm::length(p);
         return length > 0 ? p / length : glm::dvec3(0, 0, 1);
     }
+    if (kind == "hemisphere_cube") {
+        const glm::dvec3 p(2 * u[0] - 1, 2 * u[1] - 1, u[2]);
+        const double length = glm::length(p);
+        return length > 0 ? p / length : glm::dvec3(0, 0, 1);
+    }
     if (kind == "hemisphere") return from_height(u[0], u[1]);
     if (kind == "hemisphere_cosine") return from_height(std::sqrt(1 - u[0]), u[1]);
     if (kind == "disc") return from_height(0, u[1]);
@@ -84,8 +89,8 @@ double scale(const std::string& kind, std::size_t i, std::size_t size) {
 }  // namespace
 
 const std::set<std::string>& KernelChoices::directions() {
-    static const std::set<std::string> all = {"sphere", "sphere_cube", "hemisphere", "hemisphere_cosine",
-                                              "disc"};
+    static const std::set<std::string> all = {"sphere",          "sphere_cube",       "hemisphere",
+                                              "hemisphere_cube", "hemisphere_cosine", "disc"};
     return all;
 }
 const std::set<std::string>& KernelChoices::radii() {

@@ -16,8 +16,8 @@ namespace aoscore {
 /// What the members of a descriptor's kernel may say.
 ///   directions: "sphere" uniform; "sphere_cube" a uniform point of the cube [-1,1]^3, normalised (denser
 ///   toward
-///     its corners, as widely copied code has it); "hemisphere" uniform, z >= 0; "hemisphere_cosine" density
-///     proportional to z (Malley); "disc" uniform angle, z = 0.
+///     its corners, as widely copied code has it); "hemisphere_cube" the same of [-1,1]²x[0,1]; "hemisphere"
+///     uniform, z >= 0; "hemisphere_cosine" density proportional to z (Malley); "disc" uniform angle, z = 0.
 ///   radii: "shell" 1; "uniform" in [0,1); "volume" so that the points fill the ball (or disc) evenly.
 ///   scale: "none"; "squared" lerp(0.1, 1, (i/N)²) pulls the first points inward; "squared_of_64" the same
 ///   with 64

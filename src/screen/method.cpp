@@ -61,6 +61,11 @@ const Parameter* MethodDescriptor::find_parameter(std::string_view parameter) co
     return find_row(parameters, parameter);
 }
 
+PresetFilter MethodDescriptor::filter_of(const std::string& preset) const {
+    const auto own = preset_filters.find(preset);
+    return own == preset_filters.end() ? PresetFilter{} : own->second;
+}
+
 ParameterValues MethodDescriptor::values(std::string_view preset, const ParameterValues& overrides) const {
     const auto chosen = presets.find(std::string(preset));
     if (chosen == presets.end()) {

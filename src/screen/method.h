@@ -64,6 +64,12 @@ struct ReferenceRadius {
     double metres = 0;
 };
 
+/// The filter that follows a method's preset, and with which of the filter's own presets.
+struct PresetFilter {
+    std::string filter = "none";
+    std::string preset = "default";
+};
+
 /// What a method is for: to be used in frames, or to show how far others could go, at no usable cost.
 enum class MethodRole { method, bound };
 
@@ -94,8 +100,8 @@ struct MethodDescriptor {
     /// Where it breaks by its nature: stress axis to the reason, a sentence each.
     std::map<std::string, std::string> limits;
     std::vector<Parameter> parameters;
-    std::map<std::string, ParameterValues> presets;     ///< by id; "default" always exists
-    std::map<std::string, std::string> preset_filters;  ///< preset -> filter id, "none" where unsaid
+    std::map<std::string, ParameterValues> presets;      ///< by id; "default" always exists
+    std::map<std::string, PresetFilter> preset_filters;  ///< by preset; none where unsaid
     ReferenceRadius reference_radius;
     /// Presets whose lengths are metres, whatever the AO radius of a run, and why: where they are printed.
     std::map<std::string, std::string> absolute_presets;
@@ -111,6 +117,9 @@ struct MethodDescriptor {
 
     /// The parameter of that id, null when there is none.
     const Parameter* find_parameter(std::string_view parameter) const;
+
+    /// The filter that follows this preset.
+    PresetFilter filter_of(const std::string& preset) const;
 
     /// Every parameter's value: the preset's over the defaults, `overrides` over both. Throws usage_error for
     /// an unknown preset or parameter, or a value out of type or range.

@@ -124,10 +124,12 @@ json method_data(const MethodDescriptor& method, std::uint64_t seed) {
                  {"summary", method.summary},
                  {"parameters", json::array()},
                  {"presets", json::object()},
-                 {"preset_filters", method.preset_filters},
+                 {"preset_filters", json::object()},
                  {"absolute_presets", method.absolute_presets}};
     for (const Parameter& p : method.parameters) data["parameters"].push_back(parameter_data(p));
     for (const auto& [preset, unused] : method.presets) data["presets"][preset] = method.values(preset);
+    for (const auto& [preset, own] : method.preset_filters)
+        data["preset_filters"][preset] = {{"filter", own.filter}, {"preset", own.preset}};
     const auto processed = std::find_if(method.passes.begin(), method.passes.end(),
                                         [](const Pass& p) { return !p.processor.empty(); });
     if (processed != method.passes.end()) {

@@ -13,7 +13,8 @@ namespace aoscore {
 ///
 ///   id, label, summary; parameters: [{id, type, default, low, high, choices, unit, length_power,
 ///   meaning}];
-///   presets: every parameter's value by preset; preset_filters; absolute_presets;
+///   presets: every parameter's value by preset; preset_filters: {filter, preset: the filter's} by preset;
+///   absolute_presets;
 ///   passes: [{inputs, scale, source: index into sources}], or processor: what computes it in place of
 ///   shaders; kernels: [{id, size, scale, largest, tables: [{when: choices by parameter, points: [x, y, z,
 ///   …]}]}]: `largest` points

@@ -231,6 +231,16 @@ ReferenceRadius parse_reference_radius(const MethodDescriptor& method, StrictObj
     return {p->id, 0};
 }
 
+PresetFilter parse_preset_filter(const json& value, const std::string& where) {
+    if (value.is_string()) return {value.get<std::string>(), "default"};
+    if (!value.is_object())
+        throw file_error("has another form", where, "a filter's id, or an object of filter and preset");
+    StrictObject object(value, where + ".");
+    const PresetFilter parsed{object.text("filter"), object.text("preset")};
+    object.finish();
+    return parsed;
+}
+
 std::map<std::string, std::string> parse_absolute_presets(const MethodDescriptor& method,
                                                           StrictObject presets) {
     std::map<std::string, std::string> absolute;
@@ -344,9 +354,7 @@ MethodDescriptor load_descriptor(const fs::path& folder, const std::set<std::str
         StrictObject filters = top.object("preset_filters");
         for (const auto& [preset, filter] : filters.members()) {
             if (!method.presets.contains(preset)) throw file_error("is no preset", filters.where(preset));
-            if (!filter.is_string())
-                throw file_error("has another form", filters.where(preset), "a filter's id");
-            method.preset_filters[preset] = filter.get<std::string>();
+            method.preset_filters[preset] = parse_preset_filter(filter, filters.where(preset));
         }
     }
     method.reference_radius = parse_reference_radius(method, top);

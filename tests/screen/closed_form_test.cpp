@@ -184,7 +184,7 @@ class ClosedForms : public ::testing::Test {
 
     double read(const Relief& relief, const HorizonMethod& tested) {
         renderer_.set_scene(relief.scene);
-        renderer_.draw_gbuffer(from_above(relief.width, relief.height), {"normal_geometric"});
+        renderer_.draw_gbuffer(from_above(relief.width, relief.height), gbuffer_inputs());
         MethodRequest request;
         request.method = &method(tested.method);
         request.parameters = request.method->values("default", tested.settings);
@@ -294,7 +294,7 @@ TEST_F(ClosedForms, AndTheMethodsOwnBiasesAreRead) {
         Scene scene = plane_scene({0, 0, kFloor}, normal, 50);
         if (is_wall) add_quad(scene, {-50, -50, kFloor + kHeight}, {50 - kEdge, 0, 0}, {0, 100, 0});
         renderer_.set_scene(scene);
-        renderer_.draw_gbuffer(from_above(formula::kSize, formula::kSize), {"normal_geometric"});
+        renderer_.draw_gbuffer(from_above(formula::kSize, formula::kSize), gbuffer_inputs());
         const oracle::Field field{
             [&](double x, double) { return kFloor + slope * x + (is_wall && x < -kEdge ? kHeight : 0.0); },
             kPixel_m};

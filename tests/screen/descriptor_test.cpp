@@ -186,6 +186,46 @@ TEST(Descriptor, AbsolutePresetMustExistAndSayWhy) {
     EXPECT_THAT(with("{\"coarse\": \"\"}"), HasSubstr("absolute_presets.coarse"));
 }
 
+std::string with_filters(const std::string& filters) {
+    return replaced(kDescriptor, "\"reference_radius\"",
+                    fmt::format("\"preset_filters\": {}, \"reference_radius\"", filters));
+}
+
+TEST(Descriptor, FilterOfAPresetIsAnIdOrAnIdWithAPresetOfTheFilter) {
+    const auto methods = load_methods(folder_with(
+        with_filters(R"({"default": "box-4x4", "coarse": {"filter": "filament-blur", "preset": "ultra"}})"),
+        kFragment));
+    const MethodDescriptor& method = find_method(methods, "depth-edges");
+    EXPECT_EQ(method.filter_of("default").filter, "box-4x4");
+    EXPECT_EQ(method.filter_of("default").preset, "default");
+    const auto filters = load_filters();
+    const MethodRequest request = request_for(method, filters, "coarse");
+    EXPECT_EQ(request.filter->id, "filament-blur");
+    EXPECT_EQ(request.filter_parameters, request.filter->values("ultra"));
+    EXPECT_NE(request.filter_parameters, request.filter->values("default"));
+}
+
+TEST(Descriptor, FilterOfAPresetInAnotherFormIsAnErrorWithItsPlace) {
+    for (const char* wrong : {R"(["box-4x4"])", R"({"filter": "box-4x4"})", R"({"preset": "ultra"})", "3",
+                              R"({"filter": "box-4x4", "preset": "default", "size": 5})"}) {
+        EXPECT_THAT(loading_error(with_filters(fmt::format(R"({{"coarse": {}}})", wrong))),
+                    HasSubstr("preset_filters.coarse"))
+            << wrong;
+    }
+    EXPECT_THAT(loading_error(with_filters(R"({"fine": "box-4x4"})")), HasSubstr("preset_filters.fine"));
+}
+
+TEST(Descriptor, FiltersOfAllPresetsExistWithTheNamedPreset) {
+    const auto filters = load_filters();
+    for (const MethodDescriptor& method : load_methods()) {
+        for (const auto& [preset, own] : method.preset_filters) {
+            if (own.filter == "none") continue;
+            EXPECT_NO_THROW(find_method(filters, own.filter).values(own.preset))
+                << method.id << ", " << preset;
+        }
+    }
+}
+
 TEST(Descriptor, UnknownInputIsAnErrorThatListsTheKnownOnes) {
     EXPECT_THAT(loading_error(replaced(kDescriptor, "[\"linear_depth\"]", "[\"depth\"]")),
                 HasSubstr("linear_depth"));

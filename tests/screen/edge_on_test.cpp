@@ -65,7 +65,7 @@ TEST_P(EdgeOn, RayMarchGivesWhatAFinerPictureGives) {
     renderer.set_scene(scene);
     const auto draw = [&](int size) {
         const CameraFrame frame(camera, size, size);
-        renderer.draw_gbuffer(frame, {"normal_geometric"});
+        renderer.draw_gbuffer(frame, gbuffer_inputs());
         return Picture{frame, renderer.read_gbuffer()};
     };
     const Picture fine = draw(kFiner * kSize), picture = draw(kSize);

@@ -121,10 +121,10 @@ MethodRequest request_for(const MethodDescriptor& method, const std::vector<Meth
     MethodRequest request;
     request.method = &method;
     request.parameters = method.values(preset, overrides);
-    const auto filter = method.preset_filters.find(preset);
-    if (filter != method.preset_filters.end() && filter->second != "none") {
-        request.filter = &find_method(filters, filter->second);
-        request.filter_parameters = request.filter->values("default");
+    const PresetFilter own = method.filter_of(preset);
+    if (own.filter != "none") {
+        request.filter = &find_method(filters, own.filter);
+        request.filter_parameters = request.filter->values(own.preset);
     }
     return request;
 }

@@ -105,7 +105,7 @@ TEST_P(Limit, IsThePapersFormulaItself) {
     const CameraFrame frame = oracle_frame(stress.footprint_m);
     ScreenRenderer renderer;
     renderer.set_scene(height_field_scene(stress.z, stress.footprint_m));
-    renderer.draw_gbuffer(frame, {"normal_geometric"});
+    renderer.draw_gbuffer(frame, gbuffer_inputs());
     const GBufferImages images = renderer.read_gbuffer();
     const ImageF shader = mean_over_seeds(renderer, methods, c, stress.precision);
     const Field stored{stress.stored, stress.footprint_m}, there{stress.z, stress.footprint_m};
@@ -172,7 +172,7 @@ class LimitOfCoarseDepth : public ::testing::Test {
   protected:
     LimitOfCoarseDepth() {
         renderer_.set_scene(height_field_scene(stress_.z, stress_.footprint_m));
-        renderer_.draw_gbuffer(frame_, {"normal_geometric"});
+        renderer_.draw_gbuffer(frame_, gbuffer_inputs());
         images_ = renderer_.read_gbuffer();
     }
 
@@ -239,7 +239,7 @@ TEST(LimitOfAlchemy, IsThatItsBiasGrowsWithTheDistance) {
         for (int i = 0; i < 2; ++i) {
             const auto bowl = bowl_at(i == 0 ? 6 : 90);
             renderer.set_scene(height_field_scene(bowl, kPixel));
-            renderer.draw_gbuffer(frame, {"normal_geometric"});
+            renderer.draw_gbuffer(frame, gbuffer_inputs());
             const ImageF shader = mean_over_seeds(renderer, methods, c);
             const Point point = point_at(frame, renderer.read_gbuffer(), 60, 60);
             formulas[i] = c.expected(Field{bowl, kPixel}, point);
@@ -257,7 +257,7 @@ TEST(LimitOfHbaoHussain, IsThatItLooksOnlyAsFarAsItsSteps) {
     const CameraFrame frame = oracle_frame(stress.footprint_m);
     ScreenRenderer renderer;
     renderer.set_scene(height_field_scene(stress.z, stress.footprint_m));
-    renderer.draw_gbuffer(frame, {"normal_geometric"});
+    renderer.draw_gbuffer(frame, gbuffer_inputs());
     const ImageF shader = mean_over_seeds(renderer, methods, oracle_case("hbao_hussain"));
     const Point point = point_at(frame, renderer.read_gbuffer(), 60, 60);
     const Field there{stress.z, stress.footprint_m};

@@ -39,7 +39,7 @@ TEST_P(Estimator, AgreesWithItsPapersFormulaInDoublePrecision) {
     const CameraFrame frame(camera, kSize, kSize);
     ScreenRenderer renderer;
     renderer.set_scene(height_field_scene(terrain, kPixel));
-    renderer.draw_gbuffer(frame, {"normal_geometric"});
+    renderer.draw_gbuffer(frame, gbuffer_inputs());
     const GBufferImages images = renderer.read_gbuffer();
     MethodRequest request;
     request.method = &find_method(methods, c.method);
@@ -80,7 +80,7 @@ TEST(MultiResolution, ReadsItsLevelsFormulasAtTheBottomOfABowl) {
     camera.half_height = kSize * kPixel / 2;
     ScreenRenderer renderer;
     renderer.set_scene(height_field_scene(bowl, kPixel));
-    renderer.draw_gbuffer(CameraFrame(camera, kSize, kSize), {"normal_geometric"});
+    renderer.draw_gbuffer(CameraFrame(camera, kSize, kSize), gbuffer_inputs());
     double darkest = 1, product = 1;
     for (const int scale : {1, 2, 4, 8}) {
         double sum = 0, taps = 0;
@@ -113,8 +113,10 @@ TEST(MultiResolution, ReadsItsLevelsFormulasAtTheBottomOfABowl) {
 // A new method must be checked like the others, or be named here with the reason.
 TEST(Estimators, OfAllMethodsAreChecked) {
     // The line sweep has no radius: closed_form_test.cpp has it. Multi-resolution is checked above. three.js'
-    // pass and Filament's follow no paper: published_test.cpp has them, as all that are drawn as published.
-    std::set<std::string> checked = {"multi-resolution", "line-sweep", "three-gtao", "filament-ssao"};
+    // pass, Filament's and Unity's follow no paper: published_test.cpp has them, as all that are drawn as
+    // published.
+    std::set<std::string> checked = {"multi-resolution", "line-sweep", "three-gtao", "filament-ssao",
+                                     "unity-ssao"};
     for (const Case& c : cases()) checked.insert(c.method);
     for (const MethodDescriptor& m : load_methods()) EXPECT_TRUE(checked.contains(m.id)) << m.id;
 }

@@ -16,8 +16,8 @@ Estimator xegtao(const Picture& picture, const Noise& noise, double radius, int 
 Estimator three_gtao(const Picture& picture, double radius, double thickness);
 /// NVIDIA's HBAO+ without its power.
 Estimator hbao_plus(const Picture& picture, const Noise& noise, double radius);
-/// Ports of ASSAO: CACAO at quality high, Godot's at its default quality. The pattern's places in the unit disc
-/// are an input, as is the tangent of half the angle of view.
+/// Ports of ASSAO: CACAO at quality high, Godot's at its default quality. The pattern's places in the unit
+/// disc are an input, as is the tangent of half the angle of view.
 Estimator cacao(const Picture& picture, const std::vector<glm::dvec2>& pattern, double radius,
                 double tan_half);
 Estimator godot_ssao(const Picture& picture, const std::vector<glm::dvec2>& pattern, double radius,
@@ -29,6 +29,25 @@ Estimator filament_ssao(const Picture& picture, double radius);
 /// SSRT3's occlusion, one frame; the noise's first number in place of its sine.
 Estimator visibility_bitmask(const Picture& picture, const Noise& noise, double radius, double thickness);
 
+/// De Vries' LearnOpenGL.
+Estimator learnopengl_ssao(const Picture& picture, const Kernel3& kernel, const Noise& noise, double radius);
+/// Hussain's programs of Crytek's and Alchemy's AO.
+Estimator hussain_crytek(const Picture& picture, const Kernel3& kernel, const Noise& noise, double radius);
+Estimator hussain_alchemy(const Picture& picture, const Kernel3& disc, const Noise& noise, double radius);
+/// Whinham's hemisphere.
+Estimator whinham_ssao(const Picture& picture, const Kernel3& kernel, const Noise& noise, double radius);
+/// Gravås' Alchemy AO on a spiral, 9 taps.
+Estimator gravas_spiral(const Picture& picture, double radius);
+/// Vermeer's algorithms 1, 2 and 3; 16 points, or 4 directions of 4 steps.
+Estimator vermeer_ssao(const Picture& picture, const Kernel3& kernel, const Noise& noise, double radius);
+Estimator vermeer_hbao(const Picture& picture, const Noise& noise, double radius);
+Estimator vermeer_hbao_plus(const Picture& picture, const Noise& noise, double radius);
+/// HBAO of NVIDIA's Direct3D SDK 11.
+Estimator nvidia_hbao(const Picture& picture, const Noise& noise, double radius);
+/// Unity's SSAO: with white noise in place of its blue one, or its interleaved gradient noise.
+Estimator unity_ssao(const Picture& picture, const Numbers& numbers, std::uint64_t seed, double radius);
+Estimator unity_gradient_ssao(const Picture& picture, const Numbers& numbers, double radius);
+
 /// Filters: of an image of visibility, over which the implementation's own filter with its power.
 ImageF xegtao_denoised(const Picture& picture, const ImageF& visibility);
 ImageF n8ao_denoised(const Picture& picture, const Noise& noise, const ImageF& visibility, double radius);
@@ -36,6 +55,9 @@ ImageF three_denoised(const Picture& picture, const Noise& noise, const ImageF& 
 ImageF hbao_plus_blurred(const Picture& picture, const ImageF& visibility);
 ImageF cacao_blurred(const Picture& picture, const ImageF& visibility);
 ImageF filament_blurred(const Picture& picture, const ImageF& visibility);
+ImageF nvidia_hbao_blurred(const Picture& picture, const ImageF& visibility);
+ImageF unity_blurred(const Picture& picture, const ImageF& visibility);
+ImageF box_blurred(const Picture& picture, const ImageF& visibility);
 ImageF sao_blurred(const Picture& picture, const ImageF& visibility);
 
 }  // namespace aoscore::testing::published

@@ -1,11 +1,11 @@
 #include "published_picture.h"
 
-#include "screen/kernel.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
+#include <string>
 #include <utility>
 
 namespace aoscore::testing::published {
@@ -44,6 +44,14 @@ dvec3 Picture::point(double x, double y, double depth) const {
 
 dvec2 Picture::place(const dvec3& p) const {
     return {(p.x / (-p.z * tan_x_) + 1) / 2 * width(), (1 - p.y / (-p.z * tan_y_)) / 2 * height()};
+}
+
+dvec3 Picture::face_normal(int x, int y) const {
+    const dvec3 p = point(x, y);
+    const dvec3 along = x + 1 < width() ? point(x + 1, y) - p : p - point(x - 1, y);
+    const dvec3 down = y + 1 < height() ? point(x, y + 1) - p : p - point(x, y - 1);
+    const dvec3 n = glm::normalize(glm::cross(down, along));
+    return glm::dot(n, p) > 0 ? -n : n;
 }
 
 dvec3 Picture::normal_from_depth(int x, int y) const {
@@ -121,10 +129,10 @@ double bilinear(const ImageF& image, const dvec2& at) {
                      std::lerp(clamped(image, i, j + 1), clamped(image, i + 1, j + 1), x - i), y - j);
 }
 
-Noise hash_noise(std::uint64_t seed) {
-    return [seed](int px, int py) {
+Noise hash_noise(std::uint64_t seed, std::uint32_t stream) {
+    return [seed, stream](int px, int py) {
         std::array<std::uint32_t, 4> v = {static_cast<std::uint32_t>(px), static_cast<std::uint32_t>(py),
-                                          static_cast<std::uint32_t>(seed), 0};
+                                          static_cast<std::uint32_t>(seed), stream};
         const auto stir = [&] {
             v[0] += v[1] * v[3];
             v[1] += v[2] * v[0];
@@ -177,6 +185,22 @@ Noise hilbert_noise() {
 
 Noise tiled_noise(std::uint64_t seed) {
     return [tile = generate_noise_4x4(seed)](int x, int y) { return dvec4(tile.at(x % 4, y % 4)); };
+}
+
+Kernel3 points_of(const Kernel& kernel, std::uint64_t seed) {
+    Kernel3 points;
+    for (const glm::vec3& p : generate_kernel(kernel, seed)) points.emplace_back(p);
+    return points;
+}
+
+Numbers sample_numbers(int samples, std::uint64_t seed) {
+    Numbers numbers;
+    const Kernel kernel{"numbers", std::to_string(samples), "disc", "uniform", "none", "random"};
+    for (const dvec3& p : points_of(kernel, seed)) {
+        const double turns = std::atan2(p.y, p.x) / (2 * std::numbers::pi);
+        numbers.emplace_back(std::hypot(p.x, p.y), turns);
+    }
+    return numbers;
 }
 
 }  // namespace aoscore::testing::published

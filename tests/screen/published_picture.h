@@ -2,6 +2,7 @@
 
 #include "core/image.h"
 #include "scene/camera.h"
+#include "screen/kernel.h"
 #include "screen/screen.h"
 
 #include <glm/glm.hpp>
@@ -35,6 +36,10 @@ class Picture {
     glm::dvec3 point(int x, int y) const { return point(x + 0.5, y + 0.5, depth(x, y)); }
     glm::dvec2 place(const glm::dvec3& point) const;
     double pixels_per_metre(double depth) const { return height() / (2 * tan_y_ * depth); }
+
+    /// From the differences of position to the right and below, or to the left and above at the picture's
+    /// edge; turned to the camera.
+    glm::dvec3 face_normal(int x, int y) const;
 
     /// From the depths around, extrapolated from the better side (Wu, Accurate Normal Reconstruction from
     /// Depth Buffer, 2019); turned to the camera.
@@ -70,11 +75,17 @@ double bilinear(const ImageF& image, const glm::dvec2& at);
 
 /// Four numbers in [0,1) a pixel.
 using Noise = std::function<glm::dvec4(int x, int y)>;
-/// Jarzynski and Olano, Hash Functions for GPU Rendering, 2020: pcg4d of pixel, seed and 0, 24 bits.
-Noise hash_noise(std::uint64_t seed);
+/// Jarzynski and Olano, Hash Functions for GPU Rendering, 2020: pcg4d of pixel, seed and stream, 24 bits.
+Noise hash_noise(std::uint64_t seed, std::uint32_t stream = 0);
 /// The R2 sequence along a Hilbert curve of 64x64 pixels; two numbers, the rest 0.
 Noise hilbert_noise();
 /// The program's tile of 4x4, which is an input.
 Noise tiled_noise(std::uint64_t seed);
+
+/// Points of a kernel and two numbers in [0,1) a sample, which the program generates: inputs too.
+using Kernel3 = std::vector<glm::dvec3>;
+using Numbers = std::vector<glm::dvec2>;
+Kernel3 points_of(const Kernel& kernel, std::uint64_t seed);
+Numbers sample_numbers(int samples, std::uint64_t seed);
 
 }  // namespace aoscore::testing::published

@@ -15,19 +15,8 @@ struct Sao {
     DepthLevels levels;
     double radius;
 
-    // As the differences to the right and below, or to the left and above at the picture's edge.
-    dvec3 face_normal(int x, int y) const {
-        const dvec3 p = picture.point(x, y);
-        const dvec3 along =
-            x + 1 < picture.width() ? picture.point(x + 1, y) - p : p - picture.point(x - 1, y);
-        const dvec3 down =
-            y + 1 < picture.height() ? picture.point(x, y + 1) - p : p - picture.point(x, y - 1);
-        const dvec3 n = glm::normalize(glm::cross(down, along));
-        return glm::dot(n, p) > 0 ? -n : n;
-    }
-
     double operator()(int px, int py) const {
-        const dvec3 p = picture.point(px, py), n = face_normal(px, py);
+        const dvec3 p = picture.point(px, py), n = picture.face_normal(px, py);
         const double disc = radius * picture.pixels_per_metre(-p.z), r2 = radius * radius;
         const long hash = (3L * px) ^ (py + static_cast<long>(px) * py);
         const double spin = std::fmod(static_cast<double>(hash) * 10, 2 * std::numbers::pi);

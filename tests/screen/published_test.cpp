@@ -3,7 +3,6 @@
 #include "hand_made.h"
 #include "published_methods.h"
 #include "scene/scene.h"
-#include "screen/kernel.h"
 #include "support/support.h"
 
 #include <gtest/gtest.h>
@@ -11,11 +10,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <optional>
 #include <ostream>
 #include <random>
+#include <string_view>
 
 namespace aoscore::testing {
 namespace {
@@ -27,11 +28,18 @@ constexpr std::uint64_t kSeed = 1;
 constexpr double kRadius = 0.5;
 const double kTanHalf = std::tan(60 * std::numbers::pi / 360);  // the view's
 
-// The points of a method's disc, which the program generates.
+const Kernel3& disc(int points) {
+    static std::map<int, Kernel3> known;
+    return known
+        .try_emplace(
+            points,
+            points_of({"disc", std::to_string(points), "disc", "volume", "none", "low_discrepancy"}, kSeed))
+        .first->second;
+}
+
 std::vector<glm::dvec2> disc_pattern(int points) {
-    const Kernel kernel{"disc", std::to_string(points), "disc", "volume", "none", "low_discrepancy"};
     std::vector<glm::dvec2> pattern;
-    for (const glm::vec3& p : generate_kernel(kernel, kSeed)) pattern.emplace_back(p.x, p.y);
+    for (const glm::dvec3& p : disc(points)) pattern.emplace_back(p.x, p.y);
     return pattern;
 }
 
@@ -135,6 +143,99 @@ const std::vector<PublishedCase>& cases() {
          [](const Picture& p) { return filament_ssao(p, kRadius); },
          filament_blurred,
          0.02},
+        {"learnopengl_ssao",
+         "ssao",
+         "learnopengl",
+         {},
+         [](const Picture& p) {
+             const Kernel3 kernel =
+                 points_of({"points", "64", "hemisphere_cube", "uniform", "squared", "random"}, kSeed);
+             return learnopengl_ssao(p, kernel, tiled_noise(kSeed), kRadius);
+         },
+         box_blurred,
+         0.02},
+        {"vermeer_ssao",
+         "ssao",
+         "published",
+         {},
+         [](const Picture& p) {
+             const Kernel3 kernel =
+                 points_of({"points", "16", "hemisphere", "volume", "none", "low_discrepancy"}, kSeed);
+             return vermeer_ssao(p, kernel, hash_noise(kSeed), kRadius);
+         },
+         {},
+         0.02},
+        {"vermeer_hbao",
+         "hbao",
+         "published",
+         {},
+         [](const Picture& p) { return vermeer_hbao(p, hash_noise(kSeed), kRadius); },
+         {},
+         0.02},
+        {"vermeer_hbao_plus",
+         "hbao-plus",
+         "published",
+         {},
+         [](const Picture& p) { return vermeer_hbao_plus(p, hash_noise(kSeed), kRadius); },
+         {},
+         0.02},
+        {"crytek_listing",
+         "crytek-ssao",
+         "listing",
+         {},
+         [](const Picture& p) {
+             const Kernel3 kernel =
+                 points_of({"points", "16", "sphere_cube", "uniform", "squared_of_64", "random"}, kSeed);
+             return hussain_crytek(p, kernel, tiled_noise(kSeed), kRadius);
+         },
+         box_blurred,
+         0.02},
+        {"whinham_ssao",
+         "hemisphere-ssao",
+         "published",
+         {{"radius", kRadius}},
+         [](const Picture& p) {
+             const Kernel3 kernel =
+                 points_of({"points", "16", "hemisphere_cosine", "shell", "none", "random"}, kSeed);
+             return whinham_ssao(p, kernel, tiled_noise(kSeed), kRadius);
+         },
+         box_blurred,
+         0.02},
+        {"alchemy_listing",
+         "alchemy",
+         "listing",
+         {},
+         [](const Picture& p) { return hussain_alchemy(p, disc(12), hash_noise(kSeed), kRadius); },
+         box_blurred,
+         0.02},
+        {"alchemy_spiral",
+         "alchemy-spiral",
+         "published",
+         {},
+         [](const Picture& p) { return gravas_spiral(p, kRadius); },
+         {},
+         0.02},
+        {"nvidia_hbao",
+         "hbao",
+         "nvidia",
+         {},
+         [](const Picture& p) { return nvidia_hbao(p, tiled_noise(kSeed), kRadius); },
+         nvidia_hbao_blurred,
+         0.02},
+        {"unity_ssao",
+         "unity-ssao",
+         "published",
+         {{"radius", kRadius / 1.5}},
+         [](const Picture& p) { return unity_ssao(p, sample_numbers(8, kSeed), kSeed, kRadius / 1.5); },
+         unity_blurred,
+         0.02},
+        {"unity_ssao_gradient",
+         "unity-ssao",
+         "interleaved-gradient",
+         {{"radius", kRadius}},
+         [](const Picture& p) { return unity_gradient_ssao(p, sample_numbers(8, kSeed), kRadius); },
+         unity_blurred,
+         0.02},
         {"visibility_bitmask",
          "visibility-bitmask",
          "published",
@@ -163,8 +264,12 @@ class Published : public ::testing::TestWithParam<PublishedCase> {
         }
         return chosen;
     }
-    static void expect_near(const char* what, const ImageF& shader,
-                            const std::function<double(int, int)>& expected, double share_off) {
+    struct Distance {
+        double share_off = 0, rmsd = 0;
+    };
+    // Printed as it is measured, of the random pixels.
+    static Distance distance(const char* what, const ImageF& shader,
+                             const std::function<double(int, int)>& expected) {
         std::size_t off = 0;
         double squares = 0, sum = 0;
         const auto chosen = pixels();
@@ -175,10 +280,24 @@ class Published : public ::testing::TestWithParam<PublishedCase> {
             sum += difference;
         }
         const auto count = static_cast<double>(chosen.size());
-        std::printf("%-14s %-9s farther off than %g: %zu of %zu; rmsd %.5f, bias %+.5f\n", GetParam().name,
-                    what, kNear, off, chosen.size(), std::sqrt(squares / count), sum / count);
-        EXPECT_LE(static_cast<double>(off), share_off * count) << what;
-        EXPECT_LT(std::sqrt(squares / count), 0.01) << what;
+        const Distance measured{static_cast<double>(off) / count, std::sqrt(squares / count)};
+        std::printf("%-20s %-17s farther off than %g: %4zu of %zu; rmsd %.5f, bias %+.5f\n", GetParam().name,
+                    what, kNear, off, chosen.size(), measured.rmsd, sum / count);
+        return measured;
+    }
+    static void expect_near(const char* what, const ImageF& shader,
+                            const std::function<double(int, int)>& expected, double share_off) {
+        const Distance measured = distance(what, shader, expected);
+        EXPECT_LE(measured.share_off, share_off) << what;
+        EXPECT_LT(measured.rmsd, 0.01) << what;
+    }
+    // What the method's default is off without having to be near.
+    static void print_default(const PublishedCase& c, const std::function<double(int, int)>& expected) {
+        MethodRequest request =
+            request_for(find_method(stage().methods, c.method), stage().filters, "default", c.settings);
+        request.filter = nullptr;
+        request.seed = kSeed;
+        distance("raw, by default", stage().renderer.run(request).raw, expected);
     }
 
   private:
@@ -207,6 +326,7 @@ TEST_P(Published, AgreesWithItsImplementationInDoublePrecisionOnAScenesOwnView) 
         return [&image](int x, int y) { return std::min(static_cast<double>(image.at(x, y)), 1.0); };
     };
     expect_near("raw", output.raw, read(whole), c.share_off);
+    if (std::string_view(c.preset) != "default") print_default(c, read(whole));
     if (!c.filter) return;
     const ImageF filtered = c.filter(picture, whole);
     expect_near("filtered", output.visibility, read(filtered), 2 * c.share_off);

@@ -111,7 +111,8 @@ class LiveBench {
     this.chooseMode('border', cell?.parameters.border ?? 'far');
     this.chooseMode('resolution', cell?.parameters.resolution === 'half' ? 'half' : 'full');
     fillParameters(this.form.querySelector('.live-method-parameters'), method, this.setting.parameters, () => this.request());
-    this.chooseFilter(cell?.filter ?? method.preset_filters[preset] ?? 'none', cell?.parameters);
+    const own = method.preset_filters[preset] ?? { filter: 'none', preset: 'default' };
+    this.chooseFilter(cell?.filter ?? own.filter, cell?.parameters, own.preset);
   }
 
   chooseMode(name, choice) {
@@ -120,11 +121,11 @@ class LiveBench {
     this.request();
   }
 
-  // `measured` may hold parameters of the filter, as cells name them.
-  chooseFilter(id, measured = {}) {
+  // `measured` may hold parameters of the filter, as cells name them; `preset` is the filter's own.
+  chooseFilter(id, measured = {}, preset = 'default') {
     const filter = this.filters.find((other) => other.id === id) ?? null;
     this.setting.filter = filter;
-    const usual = filterOfPreset(filter, this.setting.method, this.form.elements.preset.value)?.presets.default;
+    const usual = filterOfPreset(filter, this.setting.method, this.form.elements.preset.value)?.presets[preset];
     this.setting.filterParameters = Object.fromEntries(
       Object.entries(usual ?? {}).map(([name, value]) => [name, measured[`filter.${name}`] ?? value]));
     const { blur, filter: chooser } = this.form.elements;

@@ -16,7 +16,7 @@ float visibility(vec2 image_px, vec3 position) {
     float sum = 0.0;
 #pragma unroll
     for (int i = 0; i < p_samples; ++i) {
-        vec3 v = tap_position(image_px + radius_px * spiral_tap(i, p_samples, 1.0, turn)) - position;
+        vec3 v = surface_at(image_px + radius_px * spiral_tap(i, p_samples, 1.0, turn), p_tap_position == tap_position_place) - position;
         sum += alchemy_obscurance(v, normal, position.z, p_beta, p_epsilon);
     }
     return pow(max(0.0, 1.0 - 2.0 * p_sigma / float(p_samples) * sum), p_kappa);

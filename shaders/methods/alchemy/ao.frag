@@ -16,14 +16,14 @@ bool rejected(vec3 v) {
 }
 
 float visibility(vec2 image_px, vec3 position) {
-    vec3 normal = centre_normal_geometric();
+    vec3 normal = p_normals == normals_from_depth ? centre_normal_from_depth() : centre_normal_geometric();
     vec2 radius_px = disc_radius_px(-position.z);
     mat2 turn = rotation(kTwoPi * pixel_noise().x);
 
     float sum = 0.0;
 #pragma unroll
     for (int i = 0; i < p_samples; ++i) {
-        vec3 v = tap_position(image_px + radius_px * (turn * k_disc[i].xy)) - position;
+        vec3 v = surface_at(image_px + radius_px * (turn * k_disc[i].xy), p_tap_position == tap_position_place) - position;
         sum += rejected(v) ? 0.0 : alchemy_obscurance(v, normal, position.z, p_beta, p_epsilon);
     }
     sum *= 2.0 * p_sigma / float(p_samples);

@@ -43,7 +43,7 @@ float direction_occlusion(vec2 direction, vec2 image_px, vec3 position, vec3 nor
 float visibility(vec2 image_px, vec3 position) {
     // NVIDIA leaves a pixel open whose radius is below one pixel.
     if (p_interleaved && p_radius * pixels_per_metre(-position.z) < 1.0) return 1.0;
-    vec3 normal = centre_normal_geometric();
+    vec3 normal = p_normals == normals_from_depth ? centre_normal_from_depth() : centre_normal_geometric();
     vec4 noise = pixel_noise();
     float occlusion = 0.0;
     for (int i = 0; i < p_directions; ++i) {

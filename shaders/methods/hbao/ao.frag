@@ -11,10 +11,19 @@ float attenuation(float distance_squared) {
     return p_falloff == falloff_none ? 1.0 : 1.0 - distance_squared / (p_radius * p_radius);
 }
 
+#include "nvidia.glsl"
+
 bool within_threshold(float cosine) { return p_threshold > 3.1415 || cosine >= cos(p_threshold); }
 
+// The direction in the tangent plane that the picture's direction and the view's axis span, as algorithm 2 has it.
+vec3 printed_tangent(vec2 direction, vec3 normal) {
+    vec3 along = view_of_image_direction(direction);
+    return along - vec3(0.0, 0.0, dot(along, normal) / max(normal.z, 1e-4));
+}
+
 float visibility(vec2 image_px, vec3 position) {
-    vec3 normal = centre_normal_geometric();
+    if (p_form == form_nvidia) return nvidia_visibility(image_px, position);
+    vec3 normal = p_normals == normals_from_depth ? centre_normal_from_depth() : centre_normal_geometric();
     vec3 line_of_sight = view_ray(image_px);
     vec4 noise = pixel_noise();
     float step_px = p_radius * pixels_per_metre(-position.z) / float(p_steps + 1);
@@ -23,11 +32,12 @@ float visibility(vec2 image_px, vec3 position) {
     for (int i = 0; i < p_directions; ++i) {
         vec2 direction = image_direction(i, p_directions, noise.x);
         Slice slice = slice_along(direction, normal, line_of_sight);
-        float sin_horizon = sin(min(elevation(slice.tangent) + p_bias, kHalfPi));
+        vec3 tangent = p_plane == plane_picture ? printed_tangent(direction, normal) : slice.tangent;
+        float sin_horizon = sin(min(elevation(tangent) + p_bias, kHalfPi));
 #pragma unroll
         for (int j = 0; j < p_steps; ++j) {
             vec3 tap = tap_position(image_px + direction * (float(j + 1) + noise.y) * step_px);
-            vec3 v = into_slice(tap - position, slice);
+            vec3 v = p_plane == plane_picture ? tap - position : into_slice(tap - position, slice);
             float distance_squared = dot(v, v);
             float inverse_distance = inversesqrt(distance_squared);
             float sin_elevation = v.z * inverse_distance;

@@ -1,22 +1,39 @@
-// Screen-space ambient occlusion (Vermeer 2020, algorithm 1): O = 1/N sum over hidden points of smoothstep(0, 1, R/|P.z -
-// z|), z the surface's.
+// Screen-space ambient occlusion (Vermeer 2020, algorithm 1; de Vries, LearnOpenGL): O = 1/N sum over hidden points of
+// smoothstep(0, 1, R/|P.z - z|), z the surface's.
 #include "contract/ao_pass.glsl"
 #include "lib/constants.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
 #include "lib/point_test.glsl"
 
+vec3 shading_normal() {
+    if (p_normals == normals_smooth) return centre_normal_smooth();
+    return p_normals == normals_from_depth ? centre_normal_from_depth() : centre_normal_geometric();
+}
+
+// What the tangent is turned toward: an even angle, or a point of the square, whose diagonals are likelier.
+vec3 random_direction() {
+    vec4 noise = pixel_noise();
+    float angle = kTwoPi * noise.x;
+    return p_rotation == rotation_square ? vec3(2.0 * noise.xy - 1.0, 0.0) : vec3(cos(angle), sin(angle), 0.0);
+}
+
+// View z of the surface at the point's place, at the picture's edge where that is outside and the border is clamp.
+float surface_z(vec3 point) {
+    vec2 tap_px = image_of(point);
+    return -tap_linear_depth(p_border == border_clamp ? inside_picture(tap_px) : tap_px);
+}
+
 float visibility(vec2 image_px, vec3 position) {
-    float angle = kTwoPi * pixel_noise().x;
-    mat3 view_from_tangent = basis_toward(centre_normal_geometric(), vec3(cos(angle), sin(angle), 0.0));
+    mat3 view_from_tangent = basis_toward(shading_normal(), random_direction());
     float occlusion = 0.0;
 #pragma unroll
     for (int i = 0; i < p_samples; ++i) {
         vec3 point = position + view_from_tangent * k_points[i] * p_radius;
-        float surface_z = surface_z_at(point);
+        float z = surface_z(point);
         // |difference| kept from 0: the weight is 1 there.
-        float weight = smoothstep(0.0, 1.0, p_radius / max(abs(position.z - surface_z), 1e-20));
-        occlusion += hides(surface_z, point, p_bias) ? weight : 0.0;
+        float weight = smoothstep(0.0, 1.0, p_radius / max(abs(position.z - z), 1e-20));
+        occlusion += hides(z, point, p_bias) ? weight : 0.0;
     }
     return 1.0 - occlusion / float(p_samples);
 }

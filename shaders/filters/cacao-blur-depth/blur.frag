@@ -1,1 +1,0 @@
-#include "filters/cacao-blur/blur.frag"

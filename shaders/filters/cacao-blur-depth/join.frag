@@ -1,1 +1,0 @@
-#include "filters/cacao-blur/join.frag"

@@ -1,0 +1,3 @@
+#include "blur.glsl"
+
+float filtered(ivec2 texel) { return blurred(texel, ivec2(1, 0)); }
