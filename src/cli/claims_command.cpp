@@ -2,7 +2,7 @@
 #include "cli/run_and_report.h"
 #include "cli/shared_options.h"
 #include "core/files.h"
-#include "experiment/claims/judge.h"
+#include "verdict/claim_verdicts.h"
 
 #include <memory>
 
@@ -42,7 +42,8 @@ CommandEntry add_claims_command(CLI::App& program, const GlobalOptions& global) 
                                            "Measure what the published claims of reports/claims/ state, and "
                                            "say which hold; prints the page's path");
     const auto options = std::make_shared<Options>();
-    app->add_option("id", options->ids, "Claims to judge, such as H01, or a file of them, such as field [all]");
+    app->add_option("id", options->ids,
+                    "Claims to judge, such as H01, or a file of them, such as field [all]");
     app->add_option("--scale", options->scale, "Makes every picture this many times as wide and high")
         ->check(CLI::Range(0.05, 8.0))
         ->capture_default_str();

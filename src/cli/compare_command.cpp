@@ -1,10 +1,10 @@
 #include "cli/command.h"
 #include "cli/outcome_options.h"
+#include "compare/comparison.h"
 #include "core/files.h"
 #include "core/json_text.h"
 #include "core/log.h"
 #include "core/output.h"
-#include "experiment/comparison.h"
 #include "report/comparison_page.h"
 
 #include <fmt/format.h>

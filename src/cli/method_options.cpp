@@ -3,8 +3,8 @@
 #include "cli/shared_options.h"
 #include "core/error.h"
 #include "core/known_names.h"
-#include "experiment/assignment.h"
-#include "experiment/run_modes.h"
+#include "plan/assignment.h"
+#include "plan/run_modes.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "experiment/gates.h"
 #include "results/export/export_files.h"
 #include "results/results.h"
+#include "verdict/gates.h"
 
 #include <CLI/CLI.hpp>
 

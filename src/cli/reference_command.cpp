@@ -2,9 +2,9 @@
 #include "cli/shared_options.h"
 #include "core/log.h"
 #include "core/output.h"
-#include "experiment/ranking_radius.h"
 #include "jobs/image_output.h"
 #include "jobs/truth_provenance.h"
+#include "plan/ranking_radius.h"
 #include "store/truth/truth_cache.h"
 
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 #include "cli/command.h"
 #include "cli/outcome_options.h"
 #include "core/output.h"
-#include "experiment/baseline.h"
 #include "report/report.h"
 #include "report/stress_page.h"
 #include "results/stress_results.h"
+#include "verdict/baseline.h"
 
 #include <memory>
 

@@ -3,7 +3,7 @@
 #include "cli/command.h"
 #include "cli/outcome_options.h"
 #include "core/error.h"
-#include "experiment/plan.h"
+#include "plan/plan.h"
 
 #include <filesystem>
 

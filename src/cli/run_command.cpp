@@ -3,7 +3,7 @@
 #include "cli/shared_options.h"
 #include "core/files.h"
 #include "core/log.h"
-#include "experiment/plan.h"
+#include "plan/plan.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "core/known_names.h"
 #include "core/text.h"
-#include "experiment/scene_views.h"
+#include "plan/scene_views.h"
 #include "reference/sample_plan.h"
 #include "scene/scene_frame.h"
 #include "scene/view_choice.h"

@@ -1,8 +1,8 @@
 #include "cli/command.h"
 #include "core/files.h"
 #include "core/output.h"
-#include "experiment/stress.h"
 #include "report/stress_page.h"
+#include "stress/stress.h"
 
 #include <memory>
 

@@ -3,7 +3,7 @@
 #include "cli/run_and_report.h"
 #include "cli/shared_options.h"
 #include "core/files.h"
-#include "experiment/sweep.h"
+#include "plan/sweep.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

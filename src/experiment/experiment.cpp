@@ -7,13 +7,13 @@
 #include "core/staged_folder.h"
 #include "core/stopwatch.h"
 #include "core/threads.h"
-#include "experiment/baseline.h"
-#include "experiment/claims/judge.h"
-#include "experiment/live_output.h"
 #include "experiment/planned_runs.h"
-#include "experiment/rankings.h"
 #include "experiment/work_plan.h"
+#include "plan/live_output.h"
 #include "results/sweep_rows.h"
+#include "verdict/baseline.h"
+#include "verdict/claim_verdicts.h"
+#include "verdict/rankings.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "experiment/plan.h"
+#include "plan/plan.h"
 #include "results/results.h"
 
 #include <filesystem>

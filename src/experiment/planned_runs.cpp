@@ -1,8 +1,8 @@
 #include "experiment/planned_runs.h"
 
 #include "core/log.h"
-#include "experiment/live_output.h"
-#include "experiment/scene_views.h"
+#include "plan/live_output.h"
+#include "plan/scene_views.h"
 #include "scene/view_choice.h"
 
 #include <fmt/format.h>

@@ -2,11 +2,11 @@
 
 #include "core/log.h"
 #include "core/progress.h"
-#include "experiment/run_modes.h"
-#include "experiment/view_description.h"
 #include "jobs/executor.h"
 #include "jobs/own_truth.h"
 #include "jobs/view_maker.h"
+#include "plan/run_modes.h"
+#include "plan/view_description.h"
 #include "screen/lengths.h"
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "experiment/ranking_radius.h"
-#include "experiment/resolved_cell.h"
 #include "jobs/view_jobs.h"
 #include "jobs/view_work.h"
+#include "plan/ranking_radius.h"
+#include "plan/resolved_cell.h"
 #include "results/results.h"
 #include "store/artifact_store.h"
 

@@ -7,7 +7,9 @@
 
 namespace aoscore {
 
-std::string tracer_version() { return "Embree " RTC_VERSION_STRING; }
+std::string tracer_version() {
+    return "Embree " RTC_VERSION_STRING;
+}
 
 SceneHandle new_trace_scene(RTCDevice device) {
     SceneHandle handle(rtcNewScene(device));

@@ -97,7 +97,7 @@ struct ViewRecord {
     std::string truth_origin = "traced";
     /// What the truth was made for, which may be more than this run asked for; where it came from the cache,
     /// by an earlier run.
-    int least_samples = 0;  ///< rays that every pixel got which got any
+    int least_samples = 0;   ///< rays that every pixel got which got any
     std::string integrator;  ///< digest of the code that makes truths: other code may make other bits
     std::string
         truth_command;  ///< that traces the truth of the ranking again, and those of other binary radii

@@ -14,7 +14,8 @@ using testing::output_dir;
 using testing::ProgramRun;
 using testing::run_aoscore;
 
-const std::string kScore = "score pillar --view main --size 64x48 --samples 16 --methods alchemy,crytek-ssao --quiet ";
+const std::string kScore =
+    "score pillar --view main --size 64x48 --samples 16 --methods alchemy,crytek-ssao --quiet ";
 
 TEST(FilterParameters, AreSetOnTheCommandLineAndRecorded) {
     const auto folder = output_dir();

@@ -1,11 +1,12 @@
-#include <gtest/gtest.h>
-
 #include <glm/glm.hpp>
+#include <gtest/gtest.h>
 
 namespace aoscore {
 namespace {
 
-[[gnu::noinline]] glm::dvec3 through_float(const glm::dvec3& v) { return glm::dvec3(glm::vec3(v)); }
+[[gnu::noinline]] glm::dvec3 through_float(const glm::dvec3& v) {
+    return glm::dvec3(glm::vec3(v));
+}
 
 // Offsets against self-hits, depths and the camera contract all rely on it; see cmake/Rooms.cmake.
 TEST(Rounding, DoublesThatPassThroughFloatAreRounded) {

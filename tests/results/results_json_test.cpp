@@ -109,13 +109,13 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     cell.image_file = "c.exr";
     results.cells = {cell};
     const CellRecord back = results_from_json(to_json(results), "results.json").cells.at(0);
-    const auto& [id, view_key, method, method_label, role, preset, setting, filter, parameters, lengths, error, ao,
-                 blur, fixed_pass_ms, lighting, frame_ms, frame, frame_at_once, frame_by_pass,
+    const auto& [id, view_key, method, method_label, role, preset, setting, filter, parameters, lengths,
+                 error, ao, blur, fixed_pass_ms, lighting, frame_ms, frame, frame_at_once, frame_by_pass,
                  fetches_per_pixel, nonfinite, ranked_truth, own_truth, ranked, own, raw, analysis,
                  image_file] = back;
     EXPECT_EQ(std::tie(id, view_key, method, method_label, role, preset, setting, filter, parameters, error),
-              std::tie(cell.id, cell.view_key, cell.method, cell.method_label, cell.role, cell.preset, cell.setting,
-                       cell.filter, cell.parameters, cell.error));
+              std::tie(cell.id, cell.view_key, cell.method, cell.method_label, cell.role, cell.preset,
+                       cell.setting, cell.filter, cell.parameters, cell.error));
     ASSERT_EQ(lengths.size(), 1U);
     EXPECT_EQ(lengths[0].id, "radius");
     EXPECT_EQ(lengths[0].value, 0.5);

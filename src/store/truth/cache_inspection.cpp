@@ -1,10 +1,10 @@
 #include "core/error.h"
+#include "reference/tile.h"
+#include "scene/scene.h"
 #include "store/truth/cache_file.h"
 #include "store/truth/entry_lock.h"
 #include "store/truth/tile_codec.h"
 #include "store/truth/truth_cache.h"
-#include "reference/tile.h"
-#include "scene/scene.h"
 
 #include <fmt/format.h>
 

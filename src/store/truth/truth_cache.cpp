@@ -3,11 +3,11 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/log.h"
+#include "reference/sample_plan.h"
+#include "reference/tile.h"
 #include "store/truth/cache_file.h"
 #include "store/truth/entry_lock.h"
 #include "store/truth/tile_codec.h"
-#include "reference/sample_plan.h"
-#include "reference/tile.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "store/truth/truth_request.h"
 #include "reference/truth.h"
 #include "scene/scene.h"
+#include "store/truth/truth_request.h"
 
 #include <cstddef>
 #include <cstdint>

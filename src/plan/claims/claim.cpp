@@ -1,0 +1,294 @@
+#include "plan/claims/claim.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/image_size.h"
+#include "core/known_names.h"
+#include "core/strict_json.h"
+#include "plan/claims/claim_sources.h"
+#include "plan/claims/quantity.h"
+#include "plan/resolved_cell.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace aoscore {
+namespace {
+
+using nlohmann::json;
+using Kind = ClaimCheck::Kind;
+
+constexpr double kAny = std::numeric_limits<double>::max();
+
+struct KindRow {
+    const char* id;
+    Kind kind;
+    std::size_t least_cells, most_cells;
+    bool has_range;
+};
+constexpr std::size_t kMany = 1000;
+constexpr std::array kKinds{
+    KindRow{"order", Kind::order, 2, kMany, false},
+    KindRow{"monotone", Kind::monotone, 2, kMany, false},
+    KindRow{"ratio", Kind::ratio, 2, 2, true},
+    KindRow{"difference", Kind::difference, 2, 2, true},
+    KindRow{"ratio_difference", Kind::ratio_difference, 4, 4, true},
+    KindRow{"slope", Kind::slope, 3, kMany, true},
+    KindRow{"value", Kind::value, 1, kMany, true},
+    KindRow{"spread", Kind::spread, 2, kMany, true},
+    KindRow{"gain", Kind::gain, 4, 4, true},
+};
+
+const KindRow& kind_named(const std::string& id, const std::string& where) {
+    return row_in_file(kKinds, id, where);
+}
+
+class Reader {
+  public:
+    Reader(ClaimList& list, const json& file, const std::string& where)
+        : list_(list), top_(StrictObject::of_file(file, where)), sources_(top_) {}
+
+    void read() {
+        list_.id = top_.text("id");
+        for (auto& [name, value] : top_.object("views").members()) read_view(name, value);
+        StrictObject cells = top_.object("cells");
+        for (auto& [name, value] : cells.members()) named_[name] = value;
+        for (StrictObject& claim : top_.objects("claims")) list_.claims.push_back(read_claim(claim));
+        sources_.finish();
+        top_.finish();
+    }
+
+  private:
+    void read_view(const std::string& name, const json& value) {
+        StrictObject object(value, top_.where("views") + "." + name);
+        ViewPlan view;
+        view.scene = object.text("scene");
+        view.view = object.text("view");
+        const ImageSize size = read_image_size(object);
+        view.width = size.width;
+        view.height = size.height;
+        view.samples = object.integer("samples", 1, 1 << 20);
+        view.radius_m = object.number("radius_m", 1e-9, 1e6);
+        view.extras = {};
+        view.timing_goal = TimingGoal();
+        object.finish();
+        list_.views[name] = view;
+    }
+
+    Claim read_claim(StrictObject& object) {
+        Claim claim;
+        claim.id = object.text("id");
+        claim.source = sources_.cited_by(object);
+        claim.place = object.text("place");
+        claim.text = object.text("claim");
+        claim.own = object.text_or("own", "");
+        claim.note = object.text_or("note", "");
+        claim.cannot = object.text_or("cannot", "");
+        for (StrictObject& check : object.objects_or_empty("checks"))
+            claim.checks.push_back(read_check(check));
+        if (claim.checks.empty() == claim.cannot.empty())
+            throw file_error(claim.id + " needs either checks or a reason why it cannot be told",
+                             object.where());
+        object.finish();
+        return claim;
+    }
+
+    ClaimCheck read_check(StrictObject& object) {
+        ClaimCheck check;
+        const KindRow& kind = kind_named(object.text("kind"), object.where("kind"));
+        check.kind = kind.kind;
+        check.quantity = object.text("quantity");
+        find_quantity(check.quantity, object.where("quantity"));
+        check.about = object.text_or("about", "");
+        if (kind.has_range) {
+            if (object.has("low")) check.low = object.number("low", -kAny, kAny);
+            if (object.has("high")) check.high = object.number("high", -kAny, kAny);
+            if (!check.low && !check.high) throw file_error("has neither low nor high", object.where());
+        }
+        if (check.kind == Kind::monotone) check.tolerance = object.number_or("tolerance", 0, 0, kAny);
+        const json& cells = object.raw("cells");
+        if (!cells.is_array()) throw file_error("is no list", object.where("cells"));
+        for (const json& cell : cells) add_cells(check.cells, cell, object.where("cells"));
+        if (check.cells.size() < kind.least_cells || check.cells.size() > kind.most_cells) {
+            throw file_error(fmt::format("has {} cells", check.cells.size()), object.where("cells"),
+                             fmt::format("{} to {}", kind.least_cells, kind.most_cells));
+        }
+        object.finish();
+        return check;
+    }
+
+    // A name, or an object that begins "like" a name and changes it.
+    json merged(const json& cell, const std::string& where) {
+        if (cell.is_string() || cell.contains("like")) {
+            const json& name = cell.is_string() ? cell : cell.at("like");
+            const auto found = name.is_string() ? named_.find(name.get<std::string>()) : named_.end();
+            if (found == named_.end())
+                throw file_error("names the cell " + name.dump() + ", which is not there", where);
+            json base = merged(found->second, where);
+            if (cell.is_string()) return base;
+            for (const auto& [key, value] : cell.items()) {
+                if (key == "like") continue;
+                if (value.is_object() && base.contains(key))
+                    base[key].update(value);
+                else
+                    base[key] = value;
+            }
+            return base;
+        }
+        return cell;
+    }
+
+    void add_cells(std::vector<ClaimCell>& cells, const json& given, const std::string& where) {
+        json cell = merged(given, where);
+        if (!cell.contains("vary")) {
+            cells.push_back(read_cell(cell, where));
+            return;
+        }
+        const json vary = cell.at("vary");
+        cell.erase("vary");
+        if (!vary.is_object() || vary.size() != 1)
+            throw file_error("varies no single thing", where + ".vary");
+        const auto& [axis, values] = *vary.items().begin();
+        for (const json& value : values) {
+            json varied = cell;
+            if (axis == "view" || axis == "preset" || axis == "filter" || axis == "method")
+                varied[axis] = value;
+            else if (axis.starts_with(kFilterPrefix))
+                varied["filter_set"][axis.substr(kFilterPrefix.size())] = value;
+            else if (is_mode(axis))
+                varied["modes"][axis] = value;
+            else
+                varied["set"][axis] = value;
+            ClaimCell read = read_cell(varied, where);
+            read.label = axis + " " + (value.is_string() ? value.get<std::string>() : value.dump());
+            if (value.is_number()) read.x = value.get<double>();
+            cells.push_back(std::move(read));
+        }
+    }
+
+    static bool is_mode(const std::string& id) {
+        const auto& modes = run_mode_options();
+        return std::any_of(modes.begin(), modes.end(), [&](const RunModeOption& m) { return m.id == id; });
+    }
+
+    ClaimCell read_cell(const json& value, const std::string& where) {
+        StrictObject object(value, where);
+        ClaimCell cell;
+        cell.view = object.text("view");
+        const auto view = list_.views.find(cell.view);
+        if (view == list_.views.end()) throw file_error("names no view: " + cell.view, object.where("view"));
+        cell.plan.method = object.text("method");
+        cell.plan.preset = object.text_or("preset", "default");
+        if (object.has("filter")) cell.plan.filter = object.text("filter");
+        if (object.has("set")) {
+            for (auto& [id, member] : object.object("set").members()) cell.plan.overrides[id] = member;
+        }
+        if (object.has("filter_set")) {
+            for (auto& [id, member] : object.object("filter_set").members())
+                cell.plan.filter_overrides[id] = member;
+        }
+        cell.plan.own_truth = object.boolean_or("own_truth", false);
+        if (object.has("modes")) read_modes(object.object("modes"), cell.plan.modes);
+        cell.plan.keep_image = false;
+        object.finish();
+        cell.x = double{1} * view->second.width * view->second.height;
+        cell.label = fmt::format("{}, {}", cell.view, cell_name(cell.plan));
+        return cell;
+    }
+
+    static void read_modes(StrictObject object, RunModes& modes) {
+        for (const RunModeOption& mode : run_mode_options()) {
+            if (!object.has(mode.id)) continue;
+            const std::string choice = object.text(mode.id);
+            if (std::find(mode.choices.begin(), mode.choices.end(), choice) == mode.choices.end())
+                throw file_error("is " + choice, object.where(mode.id),
+                                 fmt::format("{}", fmt::join(mode.choices, ", ")));
+            mode.choose(modes, choice);
+        }
+        object.finish();
+    }
+
+    ClaimList& list_;
+    StrictObject top_;
+    ClaimSources sources_;
+    std::map<std::string, json> named_;
+};
+
+}  // namespace
+
+std::vector<ClaimList> load_claims() {
+    return load_claims(home_dir() / "reports" / "claims");
+}
+
+std::vector<ClaimList> load_claims(const std::filesystem::path& folder) {
+    std::vector<ClaimList> lists;
+    if (!std::filesystem::is_directory(folder)) return lists;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().extension() != ".json") continue;
+        const json file = parse_json_file(entry.path());
+        Reader(lists.emplace_back(), file, entry.path().filename().string()).read();
+    }
+    std::sort(lists.begin(), lists.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+    std::set<std::string> ids;
+    for (const ClaimList& list : lists) {
+        for (const Claim& claim : list.claims) {
+            if (!ids.insert(claim.id).second)
+                throw file_error("stands twice", list.id + ".json: " + claim.id);
+        }
+    }
+    return lists;
+}
+
+std::vector<ClaimList> chosen_claims(std::vector<ClaimList> lists, const std::vector<std::string>& ids) {
+    if (ids.empty()) return lists;
+    const std::set<std::string> asked(ids.begin(), ids.end());
+    std::set<std::string> missing = asked;
+    std::vector<std::string> known;
+    for (ClaimList& list : lists) {
+        known.push_back(list.id);
+        missing.erase(list.id);
+        std::erase_if(list.claims, [&](const Claim& claim) {
+            known.push_back(claim.id);
+            missing.erase(claim.id);
+            return !asked.contains(claim.id) && !asked.contains(list.id);
+        });
+    }
+    if (!missing.empty()) throw unknown_name("no claim", *missing.begin(), known, "claims");
+    return lists;
+}
+
+void scale_views(std::vector<ClaimList>& lists, double factor) {
+    const auto scaled = [&](int side) { return std::max(1, static_cast<int>(std::lround(side * factor))); };
+    for (ClaimList& list : lists) {
+        for (auto& [name, view] : list.views) {
+            view.width = scaled(view.width);
+            view.height = scaled(view.height);
+        }
+    }
+}
+
+void plan_claims(ExperimentPlan& plan, const std::vector<ClaimList>& lists) {
+    for (const ClaimList& list : lists) {
+        for (const Claim& claim : list.claims) {
+            for (const ClaimCheck& check : claim.checks) {
+                const Timed needs = find_quantity(check.quantity, "claims").needs;
+                for (const ClaimCell& cell : check.cells) {
+                    ViewPlan view = list.views.at(cell.view);
+                    view.lit = needs != Timed::passes;
+                    CellPlan asked = cell.plan;
+                    asked.whole_frames = needs == Timed::whole_frames;
+                    shared_cell(plan.views[shared_view(plan, std::move(view))], std::move(asked));
+                }
+            }
+        }
+    }
+}
+
+}  // namespace aoscore

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "plan/resolved_cell.h"
+#include "scene/camera.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace aoscore {
+
+/// Everything of the G-buffer that some method or filter of the registry reads.
+std::set<std::string> gbuffer_inputs_of(const Registry& registry);
+
+/// What the page needs of a view to draw methods there.
+struct LiveView {
+    CameraFrame frame;
+    std::optional<double> drawn_for_m;  ///< AO radius of all lengths; empty: they are the descriptors' own
+};
+
+/// Writes kLiveFile (results/live_file.h) into the folder: every method and filter of the registry, whose
+/// user's own methods come from `methods_dir` (empty: none), and the views by their keys: their cameras, and
+/// the lengths of every preset as it is drawn there.
+void write_live_file(const std::filesystem::path& folder, const Registry& registry,
+                     const std::filesystem::path& methods_dir, const std::map<std::string, LiveView>& views,
+                     std::uint64_t seed);
+
+}  // namespace aoscore

@@ -1,0 +1,240 @@
+#include "plan/plan.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/image_size.h"
+#include "core/known_names.h"
+#include "core/source_reference.h"
+#include "core/strict_json.h"
+#include "plan/claims/claim.h"
+#include "plan/sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace aoscore {
+namespace {
+
+constexpr double kLargestRadius_m = 1e6;
+constexpr double kSmallestRadius_m = 1e-9;
+
+// The published figures are shown, not computed with: they may be any numbers, null where nothing was
+// printed.
+void check_published(StrictObject published, const std::string& where) {
+    for (const auto& [key, value] : published.members()) {
+        if (!value.is_number() && !value.is_null()) {
+            throw file_error("is no number", where + ".published." + key,
+                             "a number, or null where none is printed");
+        }
+    }
+}
+
+void check_alternatives(StrictObject alternatives) {
+    for (const auto& [key, value] : alternatives.members()) {
+        if (!value.is_array() || value.size() != 2 || !value[0].is_number() || !value[1].is_string()) {
+            throw file_error("has another form", alternatives.where(key),
+                             "[number, \"where it is printed\"]");
+        }
+    }
+}
+
+CellPlan read_row(StrictObject row) {
+    CellPlan cell;
+    cell.method = row.text("method");
+    cell.preset = row.text("preset");
+    check_published(row.object("published"), row.where());
+    if (row.has("alternatives")) check_alternatives(row.object("alternatives"));
+    row.texts_or_empty("notes");
+    row.finish();
+    return cell;
+}
+
+bool same_picture(const ViewPlan& a, const ViewPlan& b) {
+    return a.scene == b.scene && a.load == b.load && a.view == b.view && a.width == b.width &&
+           a.height == b.height && a.radius_m == b.radius_m;
+}
+
+void set_size(ViewPlan& view, ImageSize size, double scale) {
+    view.width = std::max(1, static_cast<int>(std::lround(size.width * scale)));
+    view.height = std::max(1, static_cast<int>(std::lround(size.height * scale)));
+}
+
+// What a source states of its measurements; null where it shows a bar and prints no number.
+void check_stated(StrictObject stated) {
+    stated.text("what");
+    stated.text("where");
+    const nlohmann::json& value = stated.raw("value");
+    if (!value.is_number() && !value.is_string() && !value.is_null())
+        throw file_error("is " + value.dump(), stated.where("value"),
+                         "a number, a text, or null where none is printed");
+    stated.text_or("unit", "");
+    stated.finish();
+}
+
+SweepRequest read_sweep(StrictObject object) {
+    SweepRequest request;
+    request.methods = object.texts_or_empty("methods");
+    if (request.methods.empty())
+        throw file_error("names no method", object.where("methods"), "ids of methods");
+    request.base.preset = object.text_or("preset", "default");
+    if (object.has("filter")) request.base.filter = object.text("filter");
+    if (object.has("set")) {
+        for (const auto& [id, value] : object.object("set").members()) request.set.push_back({id, value});
+    }
+    request.base.own_truth = false;
+    request.base.keep_image = object.boolean_or("images", false);
+    for (const auto& [id, values] : object.object("vary").members()) {
+        if (!values.is_array() || values.empty())
+            throw file_error("is no list of values", object.where("vary") + "." + id);
+        request.axes.push_back({id, values});
+    }
+    object.finish();
+    return request;
+}
+
+void add_sweep_report(ExperimentPlan& plan, const ReportDefinition& report, double scale) {
+    SweepPlan sweep;
+    sweep.definition = parse_json_file(report.file);
+    StrictObject object = StrictObject::of_file(sweep.definition, report.file.filename().string());
+    for (const char* key : {"id", "kind", "hardware"}) object.text(key);
+    sweep.title = object.text("title");
+    source_reference(object.object("source"));
+    object.texts_or_empty("notes");
+    for (StrictObject& stated : object.objects_or_empty("stated")) check_stated(std::move(stated));
+    ViewPlan view;
+    view.samples = object.integer("samples", 1, 1 << 20);
+    view.radius_m = object.number("radius_m", kSmallestRadius_m, kLargestRadius_m);
+    view.extras = {};
+    view.timing_goal = TimingGoal();
+    view.lit = true;
+    const Registry registry = load_registry();
+    std::vector<SweepRequest> requests;
+    for (StrictObject& one : object.objects("sweeps")) requests.push_back(read_sweep(std::move(one)));
+    for (StrictObject& one : object.objects("views")) {
+        view.scene = one.text("scene");
+        view.view = one.text("view");
+        set_size(view, read_image_size(one), scale);
+        one.finish();
+        for (const SweepRequest& request : requests) add_sweep(plan, view, request, sweep, registry);
+    }
+    const std::vector<std::string> claims = object.texts_or_empty("claims");
+    object.finish();  // the last use of the definition, which moves into the plan with the sweep
+    plan.sweeps.push_back(std::move(sweep));
+    if (claims.empty()) return;
+    std::vector<ClaimList> lists = chosen_claims(load_claims(), claims);
+    scale_views(lists, scale);
+    plan_claims(plan, lists);
+    plan.claim_ids.insert(plan.claim_ids.end(), claims.begin(), claims.end());
+}
+
+void add_table_report(ExperimentPlan& plan, const ReportDefinition& report, double scale) {
+    TablePlan table;
+    table.definition = parse_json_file(report.file);
+    StrictObject object = StrictObject::of_file(table.definition, report.file.filename().string());
+    for (const char* key : {"id", "title", "hardware"}) object.text(key);
+    object.text_or("kind", "");
+    source_reference(object.object("source"));
+    object.texts_or_empty("notes");
+
+    ViewPlan view;
+    view.scene = object.text("scene");
+    view.view = object.text("view");
+    set_size(view, read_image_size(object), scale);
+    const std::vector<std::string> claims = object.texts_or_empty("claims");
+    plan.claim_ids.insert(plan.claim_ids.end(), claims.begin(), claims.end());
+    view.samples = object.integer("samples", 1, 1 << 20);
+    view.max_error = object.number_or("error", 0, 1e-4, 0.5);
+    view.radius_m = object.number("radius_m", kSmallestRadius_m, kLargestRadius_m);
+    std::vector<StrictObject> rows = object.objects("rows");
+    object.finish();
+
+    table.view_index = shared_view(plan, std::move(view));
+    for (StrictObject& row : rows) {
+        table.cell_indices.push_back(shared_cell(plan.views[table.view_index], read_row(row)));
+    }
+    plan.tables.push_back(std::move(table));
+}
+
+}  // namespace
+
+bool CellPlan::same_as(const CellPlan& other) const {
+    return method == other.method && preset == other.preset && overrides == other.overrides &&
+           filter == other.filter && filter_overrides == other.filter_overrides && modes == other.modes;
+}
+
+std::size_t shared_view(ExperimentPlan& plan, ViewPlan view) {
+    const auto found = std::find_if(plan.views.begin(), plan.views.end(),
+                                    [&](const ViewPlan& other) { return same_picture(other, view); });
+    if (found == plan.views.end()) {
+        plan.views.push_back(std::move(view));
+        return plan.views.size() - 1;
+    }
+    found->samples = std::max(found->samples, view.samples);
+    if (view.max_error > 0)
+        found->max_error = found->max_error > 0 ? std::min(found->max_error, view.max_error) : view.max_error;
+    found->extras.causes |= view.extras.causes;
+    found->extras.one_layer_bound |= view.extras.one_layer_bound;
+    found->extras.bent_normals |= view.extras.bent_normals;
+    if (view.timing_goal) found->timing_goal = view.timing_goal;
+    found->lit |= view.lit;
+    return static_cast<std::size_t>(found - plan.views.begin());
+}
+
+std::size_t shared_cell(ViewPlan& view, CellPlan cell) {
+    const auto found = std::find_if(view.cells.begin(), view.cells.end(),
+                                    [&](const CellPlan& other) { return other.same_as(cell); });
+    if (found == view.cells.end()) {
+        view.cells.push_back(std::move(cell));
+        return view.cells.size() - 1;
+    }
+    found->own_truth |= cell.own_truth;
+    found->keep_image |= cell.keep_image;
+    found->whole_frames |= cell.whole_frames;
+    return static_cast<std::size_t>(found - view.cells.begin());
+}
+
+std::vector<ReportDefinition> list_reports() {
+    std::vector<ReportDefinition> reports;
+    const std::filesystem::path folder = home_dir() / "reports";
+    std::error_code ec;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ec)) {
+        if (entry.path().extension() != ".json") continue;
+        const nlohmann::json json = parse_json_file(entry.path());
+        StrictObject object = StrictObject::of_file(json, entry.path().filename().string());
+        ReportDefinition report;
+        report.id = entry.path().stem().string();
+        if (object.text("id") != report.id) {
+            throw file_error("is " + object.text("id"), object.where("id"), "the file's stem, " + report.id);
+        }
+        report.title = object.text("title");
+        const std::string kind = object.text_or("kind", "table");
+        if (kind != "table" && kind != "sweep")
+            throw file_error("is " + kind, object.where("kind"), "table, sweep");
+        report.kind = kind == "sweep" ? ReportDefinition::Kind::sweep : ReportDefinition::Kind::table;
+        report.source = source_reference(object.object("source"));
+        report.file = entry.path();
+        reports.push_back(std::move(report));
+    }
+    std::sort(reports.begin(), reports.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+    return reports;
+}
+
+ExperimentPlan plan_reports(const std::vector<std::string>& report_ids, double scale) {
+    const std::vector<ReportDefinition> known = list_reports();
+    ExperimentPlan plan;
+    plan.claim_scale = scale;
+    plan.own_parameters = true;
+    for (const std::string& id : report_ids) {
+        const ReportDefinition& report = row_of(known, id, "no report", "run");
+        if (report.kind == ReportDefinition::Kind::sweep)
+            add_sweep_report(plan, report, scale);
+        else
+            add_table_report(plan, report, scale);
+    }
+    return plan;
+}
+
+}  // namespace aoscore

@@ -1,0 +1,108 @@
+#include "plan/resolved_cell.h"
+
+#include "jobs/few_rays.h"
+#include "jobs/own_truth.h"
+#include "screen/lengths.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace aoscore {
+
+Registry load_registry(const std::filesystem::path& methods_dir, const std::vector<std::string>& asked,
+                       std::vector<std::string>& warnings) {
+    return {load_asked_methods(methods_dir, asked, warnings), load_filters(), load_fixed_pass(),
+            load_lighting(), few_rays_descriptor()};
+}
+
+Registry load_registry() {
+    std::vector<std::string> none;
+    return load_registry({}, {}, none);
+}
+
+namespace {
+
+/// What the plan has otherwise than the preset, each as its name, `equals` and its value.
+std::vector<std::string> changes_of(const CellPlan& plan, std::string_view equals) {
+    std::vector<std::string> changes;
+    const auto add = [&](const std::string& id, const nlohmann::json& value) {
+        changes.push_back(
+            fmt::format("{}{}{}", id, equals, value.is_string() ? value.get<std::string>() : value.dump()));
+    };
+    for (const auto& [id, value] : plan.overrides) add(id, value);
+    for (const auto& [id, value] : plan.filter_overrides) add(std::string(kFilterPrefix) + id, value);
+    for (const auto& [mode, choice] : unusual_modes(plan.modes)) add(mode, choice);
+    return changes;
+}
+
+void add_lengths(const MethodDescriptor& owner, const ParameterValues& values,
+                 const ParameterValues& overrides, const char* origin, std::string_view prefix,
+                 std::vector<LengthRecord>& lengths) {
+    for (const Parameter& p : owner.parameters) {
+        if (p.length_power == 0) continue;
+        lengths.push_back({std::string(prefix) + p.id, values.at(p.id).get<double>(), p.unit,
+                           overrides.contains(p.id) ? LengthRecord::kSet : origin});
+    }
+}
+
+}  // namespace
+
+std::string cell_name(const CellPlan& plan) {
+    std::string name = plan.method + "/" + plan.preset;
+    if (plan.filter) name += "/" + *plan.filter;
+    const std::vector<std::string> changes = changes_of(plan, "=");
+    if (!changes.empty()) name += fmt::format("/{}", fmt::join(changes, ","));
+    return name;
+}
+
+PresetFilter filter_of(const CellPlan& plan, const MethodDescriptor& method) {
+    return plan.filter ? PresetFilter{*plan.filter} : method.filter_of(plan.preset);
+}
+
+std::string setting_text(const CellPlan& plan) {
+    return fmt::format("{}", fmt::join(changes_of(plan, " "), ", "));
+}
+
+ParameterValues drawn_values(const MethodDescriptor& method, const std::string& preset,
+                             const ParameterValues& overrides, std::optional<double> drawn_for_m) {
+    return drawn_for_m ? values_for_radius(method, *drawn_for_m, preset, overrides)
+                       : method.values(preset, overrides);
+}
+
+void light(MethodRequest& request, const MethodDescriptor& lighting, std::optional<double> drawn_for_m) {
+    request.lighting = &lighting;
+    request.lighting_parameters = drawn_values(lighting, "default", {}, drawn_for_m);
+}
+
+ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64_t seed,
+                     std::optional<double> drawn_for_m) {
+    ResolvedCell cell;
+    cell.plan = plan;
+    const MethodDescriptor& method =
+        plan.method == kFewRays ? registry.few_rays : find_method(registry.methods, plan.method);
+    // An absolute preset keeps its filter's lengths as well.
+    const bool absolute = method.absolute_presets.contains(plan.preset);
+    if (absolute) drawn_for_m.reset();
+    const char* origin = absolute      ? LengthRecord::kPreset
+                         : drawn_for_m ? LengthRecord::kRun
+                                       : LengthRecord::kOwn;
+    cell.request.method = &method;
+    cell.request.parameters = drawn_values(method, plan.preset, plan.overrides, drawn_for_m);
+    cell.request.seed = seed;
+    plan.modes.apply_to(cell.request);
+    add_lengths(method, cell.request.parameters, plan.overrides, origin, "", cell.lengths);
+    const PresetFilter chosen = filter_of(plan, method);
+    cell.filter = chosen.filter;
+    if (cell.filter != "none") {
+        const MethodDescriptor& filter = find_method(registry.filters, cell.filter);
+        cell.request.filter = &filter;
+        cell.request.filter_parameters =
+            drawn_values(filter, chosen.preset, plan.filter_overrides, drawn_for_m);
+        add_lengths(filter, cell.request.filter_parameters, plan.filter_overrides, origin, kFilterPrefix,
+                    cell.lengths);
+    }
+    cell.own = own_truth(method, cell.request.parameters);
+    return cell;
+}
+
+}  // namespace aoscore

@@ -1,0 +1,80 @@
+#include "plan/run_modes.h"
+
+#include "screen/precision.h"
+
+#include <utility>
+
+namespace aoscore {
+namespace {
+
+template <class Mode>
+using Names = std::vector<std::pair<std::string, Mode>>;
+
+// `names` has every value of the mode.
+template <class Mode>
+RunModeOption option(std::string_view id, std::string_view meaning, Mode RunModes::*member,
+                     const Names<Mode>& names) {
+    RunModeOption row{id, meaning, {}, {}, {}};
+    for (const auto& [name, value] : names) row.choices.push_back(name);
+    row.choose = [member, names](RunModes& modes, const std::string& choice) {
+        for (const auto& [name, value] : names) {
+            if (name == choice) modes.*member = value;
+        }
+    };
+    row.chosen = [member, names](const RunModes& modes) {
+        for (const auto& [name, value] : names) {
+            if (modes.*member == value) return name;
+        }
+        return std::string();
+    };
+    return row;
+}
+
+Names<Precision> precision_names() {
+    Names<Precision> names;
+    for (const PrecisionFormat& format : precision_formats()) names.emplace_back(format.id, format.precision);
+    return names;
+}
+
+}  // namespace
+
+void RunModes::apply_to(MethodRequest& request) const {
+    request.border = border;
+    request.normals = normals;
+    request.resolution = resolution;
+    request.precision = precision;
+}
+
+const std::vector<RunModeOption>& run_mode_options() {
+    static const std::vector<RunModeOption> table{
+        option<Border>("border",
+                       "What a tap outside of the picture reads: the far plane, or the nearest pixel",
+                       &RunModes::border, {{"far", Border::far}, {"clamp", Border::clamp}}),
+        option<Normals>("normals", "Where normals come from", &RunModes::normals,
+                        {{"as-described", Normals::as_described},
+                         {"geometric", Normals::geometric},
+                         {"smooth", Normals::smooth},
+                         {"from-depth", Normals::from_depth},
+                         {"from-depth-accurate", Normals::from_depth_accurate}}),
+        option<Resolution>("resolution", "Which pixels are shaded, from which G-buffer",
+                           &RunModes::resolution,
+                           {{"full", Resolution::full},
+                            {"half", Resolution::half},
+                            {"dual", Resolution::dual},
+                            {"half-gbuffer", Resolution::half_gbuffer}}),
+        option<Precision>("precision", "How depth and normals are stored", &RunModes::precision,
+                          precision_names()),
+    };
+    return table;
+}
+
+std::map<std::string, std::string> unusual_modes(const RunModes& modes) {
+    std::map<std::string, std::string> unusual;
+    for (const RunModeOption& mode : run_mode_options()) {
+        const std::string chosen = mode.chosen(modes);
+        if (chosen != mode.choices.front()) unusual.emplace(mode.id, chosen);
+    }
+    return unusual;
+}
+
+}  // namespace aoscore

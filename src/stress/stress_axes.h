@@ -1,0 +1,40 @@
+#pragma once
+
+#include "stress/stress_case.h"
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace aoscore {
+
+/// One place on a stress axis: what it does to the base case.
+struct StressSetting {
+    std::string id;     ///< "1e-4": names files
+    std::string label;  ///< with its unit
+    /// Empty where nothing is done: the unstressed setting.
+    std::function<void(StressCase&)> apply;
+    bool unstressed() const { return !apply; }
+};
+
+/// How a stressed result is held against the unstressed one.
+enum class StressJudgement {
+    same_picture,  ///< exact arithmetic would give the base's picture: pixel by pixel
+    error,         ///< the picture changes: its error against its own truth, over the base's error
+};
+
+/// One kind of stress: a row of the one table. Settings are in order; one of them is the unstressed one.
+struct StressAxis {
+    std::string_view id;
+    std::string_view label;
+    std::string_view meaning;  ///< one sentence
+    StressJudgement judgement;
+    std::vector<StressSetting> settings;
+};
+const std::vector<StressAxis>& stress_axes();
+
+/// The base case with one setting applied, ready to be drawn and traced.
+StressCase stress_case(const StressSetting& setting, int size);
+
+}  // namespace aoscore

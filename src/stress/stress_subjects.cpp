@@ -1,0 +1,101 @@
+#include "stress/stress_subjects.h"
+
+#include "jobs/own_truth.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aoscore {
+namespace {
+
+// The parameter that the radius axis turns: the truth's, else the one of that name.
+std::string radius_parameter(const MethodDescriptor& method) {
+    if (!method.truth.radius_parameter.empty()) return method.truth.radius_parameter;
+    return method.find_parameter("radius") != nullptr ? "radius" : "";
+}
+
+// Lengths grow with the scene, areas with its square.
+ParameterValues scaled_values(const MethodDescriptor& method, const std::string& preset,
+                              const StressCase& stress, const std::string& radius) {
+    ParameterValues values = method.values(preset);
+    ParameterValues changed;
+    for (const Parameter& p : method.parameters) {
+        double factor = std::pow(stress.length_scale, p.length_power);
+        if (p.id == radius) factor *= stress.radius_scale;
+        if (factor != 1) changed[p.id] = values.at(p.id).get<double>() * factor;
+    }
+    return changed.empty() ? values : method.values(preset, changed);
+}
+
+std::string performance_preset(const MethodDescriptor& method) {
+    for (const auto& [preset, values] : method.presets) {
+        if (preset.starts_with("performance")) return preset;
+    }
+    return {};
+}
+
+}  // namespace
+
+std::map<std::string, std::string> StressSubject::limits() const {
+    if (kind == "bound") {
+        const std::string reason =
+            "What lies outside of the picture, behind its first surface or edge-on is not in one depth "
+            "layer.";
+        return {{"radius", reason}, {"tilt", reason}, {"inside", reason}};
+    }
+    if (method == nullptr) return {};
+    std::map<std::string, std::string> all = filter != nullptr ? filter->limits : method->limits;
+    if (filter != nullptr) {
+        for (const auto& [axis, reason] : method->limits)
+            all.emplace(axis, "As " + method->label + ", whose output it is given: " + reason);
+    }
+    return all;
+}
+
+std::vector<StressSubject> stress_subjects(const Registry& registry,
+                                           const std::vector<std::string>& methods) {
+    std::vector<StressSubject> subjects = {
+        {"reference", "Reference (ray tracer)", "reference", nullptr, nullptr},
+        {"one-layer", "Bound of one depth layer", "bound", nullptr, nullptr},
+    };
+    for (const std::string& id : methods) find_method(registry.methods, id);
+    for (const MethodDescriptor& method : registry.methods) {
+        if (methods.empty() || std::find(methods.begin(), methods.end(), method.id) != methods.end())
+            subjects.push_back({method.id, method.shown_label(), "method", &method, nullptr});
+    }
+    const MethodDescriptor& filtered = find_method(registry.methods, kFilteredMethod);
+    for (const MethodDescriptor& filter : registry.filters)
+        subjects.push_back({filter.id, filter.label, "filter", &filtered, &filter});
+    return subjects;
+}
+
+StressRequest stress_request(const StressSubject& subject, const StressCase& stress, std::uint64_t seed) {
+    StressRequest result;
+    if (subject.method == nullptr) return result;
+    const std::string radius = radius_parameter(*subject.method);
+    if (stress.radius_scale != 1 && radius.empty()) {
+        result.skipped = "has no radius";
+        return result;
+    }
+    if (stress.performance_presets_only) {
+        result.preset = performance_preset(*subject.method);
+        if (result.preset.empty() || subject.filter != nullptr) {
+            result.skipped = "has no performance preset";
+            return result;
+        }
+    }
+    MethodRequest request;
+    request.method = subject.method;
+    request.seed = seed;
+    stress.modes.apply_to(request);
+    request.parameters = scaled_values(*subject.method, result.preset, stress, radius);
+    if (subject.filter != nullptr) {
+        request.filter = subject.filter;
+        request.filter_parameters = scaled_values(*subject.filter, "default", stress, "");
+    }
+    result.own = own_truth(*subject.method, request.parameters);
+    result.request = std::move(request);
+    return result;
+}
+
+}  // namespace aoscore

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "plan/resolved_cell.h"
+#include "stress/stress_case.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace aoscore {
+
+/// One thing under stress: a method without filter, a filter over one method, the reference, or the bound:
+/// the most that any method could find that knows one depth layer, by the reference's rays.
+struct StressSubject {
+    std::string id, label, kind;               ///< kind: "method", "filter", "reference", "bound"
+    const MethodDescriptor* method = nullptr;  ///< null: traced, not drawn
+    const MethodDescriptor* filter = nullptr;
+
+    /// Stress axis to the reason why it breaks there by its nature. A filter has its method's beside its own.
+    std::map<std::string, std::string> limits() const;
+};
+
+/// The method whose output filters are given.
+inline constexpr const char* kFilteredMethod = "gtao";
+
+/// The reference, the bound, all filters and these methods, or all of them where none is named. `registry`
+/// must outlive the result. Throws usage_error for an unknown method.
+std::vector<StressSubject> stress_subjects(const Registry& registry, const std::vector<std::string>& methods);
+
+/// What a subject is run with in a case. Empty with `skipped` filled where the stress does not concern it.
+/// Throws usage_error where a scaled parameter leaves its range.
+struct StressRequest {
+    std::optional<MethodRequest> request;
+    std::string preset = "default";
+    TruthQuery own;
+    std::string skipped;
+};
+StressRequest stress_request(const StressSubject& subject, const StressCase& stress, std::uint64_t seed);
+
+}  // namespace aoscore

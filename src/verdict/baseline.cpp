@@ -1,0 +1,132 @@
+#include "verdict/baseline.h"
+
+#include "core/known_names.h"
+#include "core/sampling.h"
+#include "results/ranked_value.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace aoscore {
+namespace {
+
+/// Why two views do not show the same; empty where they do.
+std::string difference(const ViewRecord& a, const ViewRecord& b) {
+    if (a.scene_digest != b.scene_digest) return "the scene has changed";
+    if (a.width != b.width || a.height != b.height) return "the images differ in size";
+    if (a.position_m != b.position_m || a.target_m != b.target_m || a.up != b.up ||
+        a.projection != b.projection || a.fovy_deg != b.fovy_deg || a.half_height_m != b.half_height_m) {
+        return "the camera has changed";
+    }
+    if (a.radius_m != b.radius_m) return "the radius has changed";
+    return {};
+}
+
+/// Why two cells cannot be compared; empty where they can.
+std::string obstacle(const Results& now, const CellRecord& cell, const Results& before,
+                     const CellRecord* old) {
+    if (old == nullptr) return "not in the earlier run";
+    if (!old->analysis) return "failed in the earlier run: " + old->error;
+    const ViewRecord* view = find_row(now.views, cell.view_key, &ViewRecord::key);
+    const ViewRecord* old_view = find_row(before.views, old->view_key, &ViewRecord::key);
+    if (view == nullptr || old_view == nullptr) return "a view is not there";
+    if (const std::string text = difference(*view, *old_view); !text.empty()) return text;
+    if (cell.analysis && cell.analysis->blocks.counts != old->analysis->blocks.counts)
+        return "other pixels are valid";
+    return {};
+}
+
+/// The cell of the earlier run that this one stands for: of the same id, else the only one of its method,
+/// preset and filter on the view, so that a change of parameters can be held against what was before.
+const CellRecord* earlier_cell(const CellRecord& cell, const Results& before) {
+    if (const CellRecord* same = find_row(before.cells, cell.id)) return same;
+    const CellRecord* only = nullptr;
+    for (const CellRecord& old : before.cells) {
+        if (old.view_key != cell.view_key || old.method != cell.method || old.preset != cell.preset ||
+            old.filter != cell.filter)
+            continue;
+        if (only != nullptr) return nullptr;
+        only = &old;
+    }
+    return only;
+}
+
+/// A change, and where it can be resampled the metric now and before.
+struct Compared {
+    ChangeRecord change;
+    std::vector<Resampled> now_and_before;
+};
+
+std::string metric_of(const CellRecord& cell, const CellRecord* old) {
+    std::vector<const CellRecord*> cells{&cell};
+    if (old != nullptr) cells.push_back(old);
+    return ranking_metric(cells);
+}
+
+Compared compared(const Results& now, const CellRecord& cell, const Results& before) {
+    const CellRecord* old = earlier_cell(cell, before);
+    Compared result;
+    ChangeRecord& change = result.change;
+    change.cell_id = cell.id;
+    change.metric = metric_of(cell, old);
+    change.now = value_of(cell.ranked, change.metric);
+    if (old != nullptr) change.before = value_of(old->ranked, change.metric);
+    change.reason = obstacle(now, cell, before, old);
+    if (!change.reason.empty()) {
+        change.verdict = "not comparable";
+    } else if (!cell.analysis) {
+        change.verdict = "worse";
+        change.reason = "failed: " + cell.error;
+    } else if (change.now && change.before) {
+        // Views are drawn apart: what they have by chance in common must not look like certainty.
+        const auto view = std::ranges::find(now.views, cell.view_key, &ViewRecord::key);
+        const std::uint64_t seed = mix_bits(now.seed + static_cast<std::uint64_t>(view - now.views.begin()));
+        for (const CellRecord* one : {&cell, old}) {
+            const std::array<const BlockErrors*, 1> blocks{&one->analysis->blocks};
+            result.now_and_before.push_back(
+                {*value_of(one->ranked, change.metric), resampled(change.metric, blocks, seed)});
+        }
+    }
+    return result;
+}
+
+/// Gives every change that can be told its interval, all of them together, and what follows.
+void judge(std::vector<Compared>& comparisons) {
+    std::vector<Resampled> measures;
+    std::vector<MeasurePair> pairs;
+    std::vector<ChangeRecord*> changes;
+    for (Compared& one : comparisons) {
+        if (!one.change.verdict.empty()) continue;
+        changes.push_back(&one.change);
+        if (one.now_and_before.empty()) one.now_and_before.resize(2);
+        pairs.emplace_back(measures.size(), measures.size() + 1);
+        std::ranges::move(one.now_and_before, std::back_inserter(measures));
+    }
+    const auto intervals = simultaneous_intervals(measures, pairs);
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        ChangeRecord& change = *changes[i];
+        change.change = intervals[i];
+        if (!change.change) {
+            change.verdict = "not comparable";
+            change.reason = "the difference could not be resampled";
+        } else {
+            change.verdict = change.change->holds_zero() ? "same"
+                             : change.change->low > 0    ? "worse"
+                                                         : "better";
+        }
+    }
+}
+
+}  // namespace
+
+BaselineRecord against_baseline(const Results& now, const Results& before) {
+    std::vector<Compared> comparisons;
+    for (const CellRecord& cell : now.cells) comparisons.push_back(compared(now, cell, before));
+    judge(comparisons);
+    BaselineRecord record{before.program_version, before.created_utc, before.command, {}};
+    for (Compared& one : comparisons) record.changes.push_back(std::move(one.change));
+    return record;
+}
+
+}  // namespace aoscore

@@ -1,0 +1,263 @@
+#include "verdict/claim_verdicts.h"
+
+#include "core/error.h"
+#include "plan/claims/quantity.h"
+#include "plan/resolved_cell.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace aoscore {
+namespace {
+
+using Kind = ClaimCheck::Kind;
+using Range = Measured::Range;
+
+/// A cell of a check as it was found in the results.
+struct Found {
+    const ClaimCell* asked;
+    const CellRecord* cell;
+    const ViewRecord* view;
+    Measured measured;
+};
+
+/// One expression of a check with the range that it is claimed to lie in.
+struct Part {
+    std::string what;
+    Measured measured;
+    std::optional<double> low, high;
+    std::string unit;
+    int decimals;
+};
+
+const ViewRecord* find_view(const Results& results, const ViewPlan& plan) {
+    // The same size where it is there, else the view in any size.
+    const ViewRecord* other_size = nullptr;
+    for (const ViewRecord& view : results.views) {
+        if (view.scene != plan.scene || view.view != plan.view || view.radius_m != plan.radius_m) continue;
+        if (view.width == plan.width && view.height == plan.height) return &view;
+        if (other_size == nullptr) other_size = &view;
+    }
+    return other_size;
+}
+
+class Judge {
+  public:
+    Judge(const ClaimList& list, const Results& results) : list_(list), results_(results) {}
+
+    ClaimRecord judge(const Claim& claim) {
+        ClaimRecord record{claim.id,     claim.source, claim.place, claim.text, ClaimRecord::kCannotTell,
+                           claim.cannot, claim.own,    claim.note,  {},         {}};
+        if (claim.checks.empty()) return record;
+        std::set<std::string> outcomes;
+        for (const ClaimCheck& check : claim.checks) {
+            for (ClaimFinding& finding : findings(check, record.reason)) {
+                outcomes.insert(finding.outcome);
+                record.findings.push_back(std::move(finding));
+            }
+            if (!record.reason.empty()) return record;
+            add_errors(check, record);
+        }
+        if (outcomes.contains(ClaimRecord::kFails)) {
+            record.verdict = ClaimRecord::kFails;
+        } else if (outcomes.contains(ClaimRecord::kCannotTell)) {
+            record.reason = "what was measured lies too near to the limit for its uncertainty";
+        } else {
+            record.verdict = ClaimRecord::kHolds;
+        }
+        return record;
+    }
+
+  private:
+    std::vector<ClaimFinding> findings(const ClaimCheck& check, std::string& reason) {
+        const std::optional<std::vector<Found>> found = find_cells(check, reason);
+        if (!found) return {};
+        std::vector<ClaimFinding> list;
+        for (const Part& part : parts_of(check, *found)) list.push_back(finding(part, check));
+        return list;
+    }
+
+    std::optional<std::vector<Found>> find_cells(const ClaimCheck& check, std::string& reason) const {
+        const Quantity& quantity = find_quantity(check.quantity, "claims");
+        std::vector<Found> list;
+        for (const ClaimCell& asked : check.cells) {
+            const ViewRecord* view = find_view(results_, list_.views.at(asked.view));
+            const std::string name = cell_name(asked.plan);
+            const CellRecord* cell = nullptr;
+            for (const CellRecord& other : results_.cells) {
+                if (view != nullptr && other.id == view->key + "/" + name) cell = &other;
+            }
+            if (cell == nullptr) {
+                reason = fmt::format("this run did not measure {} on {}", name, asked.view);
+                return std::nullopt;
+            }
+            if (!cell->error.empty()) {
+                reason = fmt::format("{} failed: {}", cell->id, cell->error);
+                return std::nullopt;
+            }
+            Measured measured = quantity.measure(*cell, *view, results_.seed);
+            if (!measured.value) {
+                reason = fmt::format("{} has no {}", cell->id, quantity.label);
+                return std::nullopt;
+            }
+            list.push_back({&asked, cell, view, std::move(measured)});
+        }
+        return list;
+    }
+
+    static std::string name_of(const Found& found) {
+        return fmt::format("{} ({})", found.cell->method_label, found.asked->label);
+    }
+
+    static std::vector<Measured> measured_of(const std::vector<Found>& found) {
+        std::vector<Measured> list;
+        for (const Found& one : found) list.push_back(one.measured);
+        return list;
+    }
+
+    std::vector<Part> parts_of(const ClaimCheck& check, const std::vector<Found>& found) const {
+        const Quantity& q = find_quantity(check.quantity, "claims");
+        const std::string label(q.label), unit(q.unit);
+        const std::vector<Measured> all = measured_of(found);
+        const auto whole = [&](std::string what, auto f, std::string of_unit, int decimals) {
+            return std::vector<Part>{
+                {std::move(what), combined(all, f), check.low, check.high, std::move(of_unit), decimals}};
+        };
+        switch (check.kind) {
+            case Kind::order:
+            case Kind::monotone: {
+                std::vector<Part> parts;
+                for (std::size_t i = 0; i + 1 < found.size(); ++i) {
+                    const auto difference = [](const std::vector<double>& v) { return v[1] - v[0]; };
+                    parts.push_back({fmt::format("{}: {} less that of {}", label, name_of(found[i + 1]),
+                                                 name_of(found[i])),
+                                     combined({all[i], all[i + 1]}, difference), -check.tolerance,
+                                     std::nullopt, unit, q.decimals});
+                }
+                return parts;
+            }
+            case Kind::ratio:
+                return whole(
+                    fmt::format("{}: {} over {}", label, name_of(found[0]), name_of(found[1])),
+                    [](const auto& v) { return v[0] / v[1]; }, "", 3);
+            case Kind::difference:
+                return whole(
+                    fmt::format("{}: {} less {}", label, name_of(found[0]), name_of(found[1])),
+                    [](const auto& v) { return v[0] - v[1]; }, unit, q.decimals);
+            case Kind::ratio_difference:
+                return whole(
+                    fmt::format("{}: {} over {}, less {} over {}", label, name_of(found[0]),
+                                name_of(found[1]), name_of(found[2]), name_of(found[3])),
+                    [](const auto& v) { return v[0] / v[1] - v[2] / v[3]; }, "", 3);
+            case Kind::slope: {
+                std::vector<double> xs;
+                for (const Found& one : found) xs.push_back(std::log(one.asked->x.value_or(1)));
+                return whole(
+                    fmt::format("slope of log {} from {} to {}", label, name_of(found.front()),
+                                name_of(found.back())),
+                    [xs](const auto& v) { return log_slope(xs, v); }, "", 3);
+            }
+            case Kind::value: {
+                std::vector<Part> parts;
+                for (const Found& one : found)
+                    parts.push_back({fmt::format("{} of {}", label, name_of(one)), one.measured, check.low,
+                                     check.high, unit, q.decimals});
+                return parts;
+            }
+            case Kind::spread:
+                return whole(
+                    fmt::format("spread of {} over {} cells, as a part of their mean", label, found.size()),
+                    [](const auto& v) { return spread(v); }, "", 3);
+            case Kind::gain:
+                return whole(
+                    fmt::format("{}: gain from {} to {} as a part of that from {} to {}", label,
+                                found[2].asked->label, found[3].asked->label, found[0].asked->label,
+                                found[1].asked->label),
+                    [](const auto& v) { return (v[2] - v[3]) / (v[0] - v[1]); }, "", 3);
+        }
+        return {};
+    }
+
+    static double log_slope(const std::vector<double>& log_x, const std::vector<double>& y) {
+        const double n = static_cast<double>(y.size());
+        double mean_x = 0, mean_y = 0, covariance = 0, variance = 0;
+        for (std::size_t i = 0; i < y.size(); ++i) {
+            mean_x += log_x[i] / n;
+            mean_y += std::log(y[i]) / n;
+        }
+        for (std::size_t i = 0; i < y.size(); ++i) {
+            covariance += (log_x[i] - mean_x) * (std::log(y[i]) - mean_y);
+            variance += (log_x[i] - mean_x) * (log_x[i] - mean_x);
+        }
+        return covariance / variance;
+    }
+
+    static double spread(const std::vector<double>& values) {
+        const auto [low, high] = std::minmax_element(values.begin(), values.end());
+        double mean = 0;
+        for (const double value : values) mean += value / static_cast<double>(values.size());
+        return (*high - *low) / mean;
+    }
+
+    static ClaimFinding finding(const Part& part, const ClaimCheck& check) {
+        ClaimFinding result;
+        result.about = check.about;
+        result.what = part.what;
+        result.unit = part.unit;
+        result.decimals = part.decimals;
+        result.value = part.measured.value;
+        result.claimed_low = part.low;
+        result.claimed_high = part.high;
+        result.outcome = ClaimRecord::kCannotTell;
+        const std::optional<Range> range = part.measured.range();
+        if (!range) return result;
+        result.low = range->low;
+        result.high = range->high;
+        // Orders are strict: what is exactly equal is not less.
+        const bool strict = check.kind == Kind::order;
+        const auto above = [&](double v) {
+            return !part.low || v > *part.low || (!strict && v == *part.low);
+        };
+        const auto below = [&](double v) { return !part.high || v <= *part.high; };
+        const bool inside = above(range->low) && below(range->high);
+        const bool outside = !above(range->high) || !below(range->low);
+        result.outcome = inside    ? ClaimRecord::kHolds
+                         : outside ? ClaimRecord::kFails
+                                   : ClaimRecord::kCannotTell;
+        return result;
+    }
+
+    // What the truth says of the cells, whatever the claim asks of them.
+    void add_errors(const ClaimCheck& check, ClaimRecord& record) const {
+        for (const ClaimCell& asked : check.cells) {
+            const ViewRecord* view = find_view(results_, list_.views.at(asked.view));
+            if (view == nullptr) continue;
+            const std::string id = view->key + "/" + cell_name(asked.plan);
+            if (std::find(record.cell_ids.begin(), record.cell_ids.end(), id) == record.cell_ids.end())
+                record.cell_ids.push_back(id);
+        }
+    }
+
+    const ClaimList& list_;
+    const Results& results_;
+};
+
+}  // namespace
+
+std::vector<ClaimRecord> judge_claims(const std::vector<ClaimList>& lists, const Results& results) {
+    std::vector<ClaimRecord> records;
+    for (const ClaimList& list : lists) {
+        Judge judge(list, results);
+        for (const Claim& claim : list.claims) records.push_back(judge.judge(claim));
+    }
+    return records;
+}
+
+std::string verdict_text(const ClaimRecord& claim) {
+    return fmt::format("{} {}: {} ({}, {})", claim.id, claim.verdict, claim.claim, claim.source, claim.place);
+}
+
+}  // namespace aoscore

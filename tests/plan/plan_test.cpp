@@ -1,0 +1,122 @@
+#include "plan/plan.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "support/support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+namespace aoscore {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+/// A home folder with report definitions of the test's own.
+class Plan : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        home_ = testing::output_dir();
+        std::filesystem::create_directories(home_ / "reports");
+        setenv("AOSCORE_HOME", home_.c_str(), 1);
+    }
+    void TearDown() override { unsetenv("AOSCORE_HOME"); }
+
+    json definition(const std::string& id, const std::string& view) const {
+        return {{"id", id},
+                {"title", "A table"},
+                {"source", {{"author", "A"}, {"title", "T"}, {"year", 2022}}},
+                {"hardware", "none"},
+                {"scene", "atrium"},
+                {"view", view},
+                {"size", {64, 48}},
+                {"samples", 16},
+                {"radius_m", 0.5},
+                {"rows", json::array({{{"method", "alchemy"},
+                                       {"preset", "quality"},
+                                       {"published", {{"ao_ms", 1.1}, {"bias", nullptr}}}}})},
+                {"notes", json::array()}};
+    }
+    void write(const json& definition) {
+        std::ofstream(home_ / "reports" / (definition.at("id").get<std::string>() + ".json")) << definition;
+    }
+    std::string error_of(const std::vector<std::string>& ids, ExitCode expected) {
+        try {
+            plan_reports(ids);
+        } catch (const Error& e) {
+            EXPECT_EQ(e.exit_code(), expected) << e.what();
+            return e.what();
+        }
+        ADD_FAILURE() << "no error";
+        return "";
+    }
+
+    std::filesystem::path home_;
+};
+
+TEST_F(Plan, TablesOfOneViewShareItsTraceAndTheirCells) {
+    json finer = definition("b", "wide");
+    finer["samples"] = 64;
+    finer["rows"].push_back({{"method", "hbao"}, {"preset", "quality"}, {"published", json::object()}});
+    write(definition("a", "wide"));
+    write(finer);
+    write(definition("c", "close"));
+    const ExperimentPlan plan = plan_reports({"a", "b", "c"});
+    ASSERT_EQ(plan.views.size(), 2u);
+    EXPECT_EQ(plan.views[0].samples, 64) << "the finest truth that any table asks for";
+    EXPECT_EQ(plan.views[0].cells.size(), 2u) << "alchemy is run once for both tables";
+    ASSERT_EQ(plan.tables.size(), 3u);
+    EXPECT_EQ(plan.tables[1].cell_indices, (std::vector<std::size_t>{0, 1}));
+    EXPECT_EQ(plan.tables[2].view_index, 1u);
+}
+
+TEST_F(Plan, AnUnknownReportListsTheKnownOnes) {
+    write(definition("known", "wide"));
+    EXPECT_THAT(error_of({"unknown"}, ExitCode::usage), HasSubstr("known"));
+}
+
+TEST_F(Plan, EveryKeyOfADefinitionMustBeUnderstood) {
+    json bad = definition("bad", "wide");
+    bad["rows"][0]["presset"] = "quality";
+    write(bad);
+    EXPECT_THAT(error_of({"bad"}, ExitCode::file_error), HasSubstr("bad.json: rows[0].presset"));
+}
+
+TEST_F(Plan, PublishedFiguresAreNumbersOrNull) {
+    json bad = definition("bad", "wide");
+    bad["rows"][0]["published"]["ao_ms"] = "1.1 ms";
+    write(bad);
+    EXPECT_THAT(error_of({"bad"}, ExitCode::file_error), HasSubstr("published.ao_ms"));
+}
+
+TEST_F(Plan, SizesAndRadiiMustMakeSense) {
+    for (const auto& [key, value] : std::vector<std::pair<std::string, json>>{{"radius_m", 0},
+                                                                              {"radius_m", -1},
+                                                                              {"samples", 0},
+                                                                              {"samples", 1.5},
+                                                                              {"size", {0, 10}},
+                                                                              {"size", {10}},
+                                                                              {"size", {10.5, 10}}}) {
+        json bad = definition("bad", "wide");
+        bad[key] = value;
+        write(bad);
+        EXPECT_THAT(error_of({"bad"}, ExitCode::file_error), HasSubstr(key)) << value;
+    }
+}
+
+// With the program's own definitions.
+TEST(ReportDefinitions, PlanTheClaimsThatTheyName) {
+    for (const ReportDefinition& report : list_reports()) {
+        const json definition = json::parse(read_file(report.file));
+        const ExperimentPlan plan = plan_reports({report.id}, 0.1);
+        EXPECT_EQ(plan.claim_ids, definition.value("claims", std::vector<std::string>{})) << report.id;
+        EXPECT_FALSE(plan.views.empty()) << report.id;
+    }
+}
+
+}  // namespace
+}  // namespace aoscore

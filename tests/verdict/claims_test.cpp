@@ -1,0 +1,285 @@
+#include "core/error.h"
+#include "core/files.h"
+#include "plan/claims/quantity.h"
+#include "plan/resolved_cell.h"
+#include "support/support.h"
+#include "verdict/claim_verdicts.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <regex>
+#include <set>
+
+namespace aoscore {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+/// A list with one claim of one check on cells "a" (alchemy), "c" (crytek-ssao) and a sweep of samples "s".
+class Claims : public ::testing::Test {
+  protected:
+    /// Written where it is loaded from: what the program makes of a file.
+    static ClaimList loaded(const json& file) {
+        const auto folder = testing::output_dir() / "claims";
+        std::filesystem::create_directories(folder);
+        std::ofstream(folder / "test.json") << file;
+        return load_claims(folder).front();
+    }
+
+    static json file_of(json check, const json& size = {64, 48}) {
+        json file = {
+            {"id", "test"},
+            {"source", {{"author", "A"}, {"title", "T"}, {"year", 2020}}},
+            {"views",
+             {{"v",
+               {{"scene", "wall"}, {"view", "facing"}, {"size", size}, {"samples", 8}, {"radius_m", 1}}}}},
+            {"cells",
+             {{"a", {{"view", "v"}, {"method", "alchemy"}}},
+              {"c", {{"view", "v"}, {"method", "crytek-ssao"}}},
+              {"s", {{"like", "a"}, {"vary", {{"samples", {4, 8, 16}}}}}}}},
+            {"claims", json::array({{{"id", "T01"}, {"place", "p"}, {"claim", "c"}}})}};
+        if (check.is_string())
+            file["claims"][0]["cannot"] = check;
+        else
+            file["claims"][0]["checks"] = json::array({std::move(check)});
+        return file;
+    }
+
+    static ClaimList list_of(json check, const json& size = {64, 48}) {
+        return loaded(file_of(std::move(check), size));
+    }
+
+    /// A list of one claim that cites "a" of these sources.
+    static json citing(json sources) {
+        json file = file_of("it needs frames");
+        file.erase("source");
+        file["sources"] = std::move(sources);
+        file["claims"][0]["source"] = "a";
+        return file;
+    }
+
+    /// Results in which every planned cell has these times and this bias.
+    static Results results_of(const ClaimList& list, const std::map<std::string, std::vector<double>>& ms) {
+        ExperimentPlan plan;
+        plan_claims(plan, {list});
+        Results results;
+        ViewRecord view;
+        view.key = "wall/facing";
+        view.scene = "wall";
+        view.view = "facing";
+        view.width = 64;
+        view.height = 48;
+        view.radius_m = 1;
+        results.views.push_back(view);
+        for (const CellPlan& cell : plan.views.at(0).cells) {
+            CellRecord record;
+            record.id = view.key + "/" + cell_name(cell);
+            record.view_key = view.key;
+            record.method = record.method_label = cell.method;
+            const auto found = ms.find(cell_name(cell));
+            if (found == ms.end()) continue;
+            record.ao.runs_ms = found->second;
+            record.ao.median_ms = found->second.at(found->second.size() / 2);
+            record.fetches_per_pixel = 10;
+            results.cells.push_back(std::move(record));
+        }
+        return results;
+    }
+
+    std::string verdict(const json& check, const std::map<std::string, std::vector<double>>& ms) const {
+        const ClaimList list = list_of(check);
+        return judge_claims({list}, results_of(list, ms)).at(0).verdict;
+    }
+
+    static json order() { return {{"kind", "order"}, {"quantity", "ao_ms"}, {"cells", {"a", "c"}}}; }
+};
+
+const std::vector<double> kFive(10, 5.0), kSix(10, 6.0), kWild{4, 8, 5, 9, 3, 7, 4.5, 8.5, 5.5, 6};
+
+TEST_F(Claims, AreMeasuredInPicturesOfASizeThatThereIs) {
+    for (const json& size : {json{12.7, 48}, json{64, -3}, json{1e12, 48}}) {
+        try {
+            list_of("no reason", size);
+            ADD_FAILURE() << size;
+        } catch (const Error& e) {
+            EXPECT_EQ(e.exit_code(), ExitCode::file_error);
+            EXPECT_THAT(e.what(), HasSubstr("test.json: views.v.size"));
+            EXPECT_THAT(e.what(), HasSubstr("whole pixels"));
+        }
+    }
+}
+
+TEST_F(Claims, AnOrderHoldsFailsOrCannotBeTold) {
+    EXPECT_EQ(verdict(order(), {{"alchemy/default", kFive}, {"crytek-ssao/default", kSix}}),
+              ClaimRecord::kHolds);
+    EXPECT_EQ(verdict(order(), {{"alchemy/default", kSix}, {"crytek-ssao/default", kFive}}),
+              ClaimRecord::kFails);
+    EXPECT_EQ(verdict(order(), {{"alchemy/default", kFive}, {"crytek-ssao/default", kFive}}),
+              ClaimRecord::kFails)
+        << "what is equal is not less";
+    EXPECT_EQ(verdict(order(), {{"alchemy/default", kFive}, {"crytek-ssao/default", kWild}}),
+              ClaimRecord::kCannotTell);
+}
+
+TEST_F(Claims, WhatWasNotMeasuredCannotBeToldAndIsNamed) {
+    const ClaimList list = list_of(order());
+    const ClaimRecord record = judge_claims({list}, results_of(list, {{"alchemy/default", kFive}})).at(0);
+    EXPECT_EQ(record.verdict, ClaimRecord::kCannotTell);
+    EXPECT_THAT(record.reason, HasSubstr("crytek-ssao/default"));
+    const ClaimList reasoned = list_of("it needs frames");
+    EXPECT_EQ(judge_claims({reasoned}, Results()).at(0).reason, "it needs frames");
+}
+
+TEST_F(Claims, RatiosSlopesSpreadsAndGainsAreWhatTheyAreCalled) {
+    const std::map<std::string, std::vector<double>> ms{
+        {"alchemy/default/samples=4", std::vector<double>(8, 4.0)},
+        {"alchemy/default/samples=8", std::vector<double>(8, 8.0)},
+        {"alchemy/default/samples=16", std::vector<double>(8, 16.0)},
+        {"alchemy/default", kSix},
+        {"crytek-ssao/default", std::vector<double>(8, 3.0)}};
+    const auto value = [&](json check) {
+        check["quantity"] = "ao_ms";
+        check["low"] = 0;
+        const ClaimList list = list_of(check);
+        return *judge_claims({list}, results_of(list, ms)).at(0).findings.at(0).value;
+    };
+    EXPECT_DOUBLE_EQ(value({{"kind", "ratio"}, {"cells", {"a", "c"}}}), 2.0);
+    EXPECT_DOUBLE_EQ(value({{"kind", "difference"}, {"cells", {"a", "c"}}}), 3.0);
+    EXPECT_NEAR(value({{"kind", "slope"}, {"cells", {"s"}}}), 1.0, 1e-12);
+    EXPECT_NEAR(value({{"kind", "spread"}, {"cells", {"s"}}}), 12 / (28.0 / 3), 1e-12);
+    EXPECT_DOUBLE_EQ(value({{"kind", "ratio_difference"}, {"cells", {"s", "a"}}}), 0.5 - 16.0 / 6);
+    EXPECT_DOUBLE_EQ(value({{"kind", "gain"}, {"cells", {"s", "a"}}}), (16.0 - 6) / (4.0 - 8));
+}
+
+TEST_F(Claims, AListMustBeUnderstoodWhole) {
+    for (const auto& [key, value] : std::vector<std::pair<std::string, json>>{{"kind", "bigger"},
+                                                                              {"quantity", "speed"},
+                                                                              {"cells", {"nobody"}},
+                                                                              {"cells", {"a"}},
+                                                                              {"wrong", 1}}) {
+        json bad = order();
+        bad[key] = value;
+        EXPECT_THROW(list_of(bad), Error) << key;
+    }
+    EXPECT_THROW(list_of({{"kind", "ratio"}, {"quantity", "ao_ms"}, {"cells", {"a", "c"}}}), Error)
+        << "no range";
+}
+
+TEST_F(Claims, EveryClaimCitesItsOwnSource) {
+    const json page = {{"author", "A"}, {"title", "T"}, {"version", "6.7"}};
+    const json readme = {{"repository", "o/r"}, {"document", "README.md"}, {"year", 2024}};
+    json file = citing({{"a", page}, {"b", readme}});
+    file["claims"].push_back(
+        {{"id", "T02"}, {"source", "b"}, {"place", "p"}, {"claim", "c"}, {"cannot", "x"}});
+    const ClaimList list = loaded(file);
+    const std::vector<ClaimRecord> records = judge_claims({list}, Results());
+    EXPECT_EQ(records.at(0).source, "A, T, 6.7");
+    EXPECT_EQ(records.at(1).source, "o/r, README.md, 2024");
+    EXPECT_THAT(verdict_text(records.at(1)),
+                HasSubstr("T02 cannot be told here: c (o/r, README.md, 2024, p)"));
+}
+
+TEST_F(Claims, ASourceThatNobodyCouldFindIsRefused) {
+    const json good = {{"author", "A"}, {"title", "T"}, {"year", 2024}};
+    EXPECT_NO_THROW(loaded(citing({{"a", good}})));
+    EXPECT_THROW(loaded(citing({{"b", good}})), Error) << "the claim's is not there";
+    EXPECT_THROW(loaded(citing({{"a", good}, {"b", good}})), Error) << "cited by no claim";
+    EXPECT_THROW(loaded(citing({{"a", {{"author", "A"}, {"title", "T"}}}})), Error)
+        << "neither year nor version";
+    EXPECT_THROW(loaded(citing({{"a", {{"repository", "o/r"}, {"year", 2024}}}})), Error) << "no document";
+    EXPECT_THROW(loaded(citing(json::object())), Error) << "none at all";
+    json both = citing({{"a", good}});
+    both["source"] = good;
+    EXPECT_THROW(loaded(both), Error) << "one for all, and several";
+    json none = citing({{"a", good}});
+    none["claims"][0].erase("source");
+    EXPECT_THROW(loaded(none), Error) << "the claim names none";
+}
+
+TEST_F(Claims, AListIsChosenByItsIdAndAClaimByItsOwn) {
+    const auto count = [&](const std::vector<std::string>& ids) {
+        std::size_t sum = 0;
+        for (const ClaimList& list : chosen_claims(load_claims(), ids)) sum += list.claims.size();
+        return sum;
+    };
+    std::size_t field = 0;
+    for (const ClaimList& list : load_claims()) {
+        if (list.id == "field") field = list.claims.size();
+    }
+    EXPECT_EQ(count({"field"}), field);
+    EXPECT_EQ(count({"field", "H01"}), field + 1);
+    EXPECT_EQ(count({"H01"}), 1u);
+    EXPECT_THROW(count({"fields"}), Error);
+}
+
+TEST_F(Claims, NothingIsLitOrDrawnAsAWholeThatNoQuantityNeeds) {
+    const auto planned = [&](const char* quantity) {
+        json check = order();
+        check["quantity"] = quantity;
+        ExperimentPlan plan;
+        plan_claims(plan, {list_of(check)});
+        return plan.views.at(0);
+    };
+    EXPECT_FALSE(planned("cost_ms").lit);
+    EXPECT_TRUE(planned("frame_ms").lit);
+    EXPECT_FALSE(planned("frame_ms").cells.at(0).whole_frames);
+    EXPECT_TRUE(planned("waiting").lit && planned("waiting").cells.at(0).whole_frames);
+}
+
+TEST_F(Claims, EveryCellThatTheClaimsAskForCanBeResolved) {
+    ExperimentPlan plan;
+    plan_claims(plan, load_claims());
+    const Registry registry = load_registry();
+    for (const ViewPlan& view : plan.views) {
+        for (const CellPlan& cell : view.cells)
+            EXPECT_NO_THROW(resolve(cell, registry, 1, std::nullopt)) << cell_name(cell);
+    }
+}
+
+TEST_F(Claims, EveryClaimOfTheListsIsAnswered) {
+    REQUIRE_SHARED_INPUTS();
+    const std::string text = read_file(testing::shared_dir() / "claims.md");
+    const std::regex line("(^|\n)([HWG][0-9][0-9]) \\|");
+    std::set<std::string> asked, answered;
+    for (auto it = std::sregex_iterator(text.begin(), text.end(), line); it != std::sregex_iterator(); ++it)
+        asked.insert((*it)[2]);
+    for (const ClaimList& list : load_claims()) {
+        if (list.id == "field") continue;  // of those who are no dissertations
+        for (const Claim& claim : list.claims) answered.insert(claim.id);
+    }
+    EXPECT_EQ(asked.size(), 119u);
+    EXPECT_EQ(asked, answered);
+}
+
+// Twenty that are measured, of more than ten sources: one of a few would not be the field.
+TEST_F(Claims, TheFieldIsHeardInManyVoices) {
+    std::set<std::string> sources;
+    std::size_t measured = 0;
+    for (const ClaimList& list : load_claims()) {
+        if (list.id != "field") continue;
+        for (const Claim& claim : list.claims) {
+            sources.insert(claim.source);
+            measured += claim.checks.empty() ? 0 : 1;
+        }
+    }
+    EXPECT_GE(measured, 20u);
+    EXPECT_GT(sources.size(), 10u);
+}
+
+TEST(Measured, AnExpressionOfDrawsHasAnInterval) {
+    Measured a{2.0, {}}, b{4.0, {}};
+    for (int i = 0; i < 1000; ++i) b.draws.push_back(4.0 + (i - 500) / 500.0);
+    const Measured product = combined({a, b}, [](const auto& v) { return v[0] * v[1]; });
+    EXPECT_DOUBLE_EQ(*product.value, 8.0);
+    EXPECT_NEAR(product.range()->low, 6.1, 0.05);
+    EXPECT_NEAR(product.range()->high, 9.9, 0.05);
+    EXPECT_FALSE(combined({a, {}}, [](const auto& v) { return v[0]; }).value);
+    EXPECT_FALSE(combined({a}, [](const auto& v) { return std::log(-v[0]); }).value) << "never NaN";
+}
+
+}  // namespace
+}  // namespace aoscore
