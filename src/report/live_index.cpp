@@ -86,6 +86,7 @@ void check_passes(StrictObject& method) {
     std::vector<StrictObject> passes = method.objects("passes");
     if (passes.empty()) throw file_error("is empty", method.where("passes"), "at least one pass");
     for (StrictObject& pass : passes) {
+        pass.raw("inputs");  // must be there, if empty
         pass.texts_or_empty("inputs");
         pass.integer("scale", 1, 64);
         pass.integer("source", 0, sources - 1);

@@ -127,7 +127,8 @@ TEST_P(EveryMetric, HasAnIntervalWhereItsRowSaysHow) {
 }
 
 TEST_P(EveryMetric, NamesAnotherRowForItselfWithoutNoise) {
-    if (!GetParam().without_noise.empty()) EXPECT_NE(metric(GetParam().without_noise).id, GetParam().id);
+    if (GetParam().without_noise.empty()) return;
+    EXPECT_NE(metric(GetParam().without_noise).id, GetParam().id);
 }
 
 TEST(MetricRoles, AreRowsOfTheTableThatAreMeasuredUnrankedToo) {
