@@ -18,10 +18,10 @@ vec3 random_direction() {
     return p_rotation == rotation_square ? vec3(2.0 * noise.xy - 1.0, 0.0) : vec3(cos(angle), sin(angle), 0.0);
 }
 
-// View z of the surface at the point's place, at the picture's edge where that is outside and the border is clamp.
+// View z of the surface at the point's place, at the picture's edge where that is outside and `outside` is clamp.
 float surface_z(vec3 point) {
     vec2 tap_px = image_of(point);
-    return -tap_linear_depth(p_border == border_clamp ? inside_picture(tap_px) : tap_px);
+    return -tap_linear_depth(p_outside == outside_clamp ? inside_picture(tap_px) : tap_px);
 }
 
 float visibility(vec2 image_px, vec3 position) {
