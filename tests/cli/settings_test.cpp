@@ -48,6 +48,21 @@ TEST(FilterParameters, ThatNoFilterTakesAreRefused) {
     refused("--filter none --set filter.taps=1", "filter.taps");
 }
 
+TEST(TruthEffort, BeginsWithAsFewRaysAsTellAnErrorUnlessNamed) {
+    const auto folder = output_dir();
+    const auto least_samples = [&](const std::string& effort) {
+        const ProgramRun run = run_aoscore(
+            "reference pillar --view main --size 32x24 --no-cache --quiet " + effort + " --out truth.exr",
+            folder);
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        return read_image(folder / "truth.exr").attributes.at("aoscore:least_samples");
+    };
+    EXPECT_EQ(least_samples(""), "64");
+    EXPECT_EQ(least_samples("--mean-error 0.05"), "16");
+    EXPECT_EQ(least_samples("--error 0.2"), "16");
+    EXPECT_EQ(least_samples("--mean-error 0.05 --samples 64"), "64");
+}
+
 TEST(TruthCommand, TracesTheSameBitsAgain) {
     const auto folder = output_dir();
     const ProgramRun run = run_aoscore(kScore + "--out o --seed 3", folder);

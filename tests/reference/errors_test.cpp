@@ -49,7 +49,8 @@ Runs run(const ReferenceScene& scene, const TruthQuery& query, TruthSettings set
 }
 
 /// Bins of visibility, but for pixels that are open or blocked to two rays: of them many runs see one
-/// kind of rays only and state the floor, which is meant to be too large.
+/// kind of rays only. Errors are drawn towards the mean of their tile, so that those of one bin may be stated
+/// a fifth too large, but hardly too small.
 void expect_calibrated(const Runs& runs, int samples) {
     constexpr std::array kBins = {0.0, 0.02, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 0.98, 1.0};
     const double lowest = 2.0 / samples, highest = 1 - lowest;
@@ -67,8 +68,8 @@ void expect_calibrated(const Runs& runs, int samples) {
         if (pixels < 60) continue;
         ++filled;
         const double ratio = std::sqrt(true_sum / stated_sum);
-        EXPECT_GT(ratio, 0.9) << "V from " << kBins[b] << " to " << kBins[b + 1] << ", " << pixels
-                              << " pixels";
+        EXPECT_GT(ratio, 0.78) << "V from " << kBins[b] << " to " << kBins[b + 1] << ", " << pixels
+                               << " pixels";
         EXPECT_LT(ratio, 1.1) << "V from " << kBins[b] << " to " << kBins[b + 1] << ", " << pixels
                               << " pixels";
     }
