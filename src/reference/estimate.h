@@ -27,7 +27,7 @@ double error_of_agreement(int samples, int agreeing, int alike);
 /// error_of_agreement(), those of a single ray the spread of their tile.
 ///
 /// Meant to hold in the tail: over many seeds and scenes fewer than 1 pixel in 200 errs by more than three
-/// times what it states, and the root mean square of what is stated is that of the true errors within 5 %
+/// times what it states, and the root mean square of what is stated is that of the true errors within 6 %
 /// (scene by scene within 20 %, mostly too large).
 std::vector<Estimate> moderated_estimates(std::span<const PixelSpread> pixels, const TileLawRules& rules);
 

@@ -117,7 +117,7 @@ struct PrimaryHits {
 /// more. The standard error comes from how far the means of its blocks lie apart, and how that shrinks as
 /// blocks grow, moderated by what the surrounding tile shows (see moderated_estimates()). From 16 rays on it
 /// holds in the tail, fewer than 1 pixel in 200 errs by more than three times of it, and its root mean square
-/// is that of the true errors within 5 % over six scenes and 20 % on each. Where all rays of a pixel agree
+/// is that of the true errors within 6 % over six scenes and 20 % on each. Where all rays of a pixel agree
 /// the spread says nothing, and how many of its neighbours agree as well takes its place (see
 /// error_of_agreement()); a single sample has the spread of its tile.
 struct Truth {

@@ -32,8 +32,8 @@ TEST(MetricsOfTheTable, AreComparedAndLimitedByTheirIds) {
             test.at(x, y) = truth.at(x, y) + (x % 2 == 0 ? 0.1F : 0.0F);
         }
     }
-    write_exr(folder / "truth.exr", {{"Y", &truth}}, {});
-    write_exr(folder / "test.exr", {{"Y", &test}}, {});
+    write_exr(folder / "truth.exr", std::vector<ChannelView>{{"Y", &truth}}, {});
+    write_exr(folder / "test.exr", std::vector<ChannelView>{{"Y", &test}}, {});
     std::string limits;
     for (const Metric& row : metrics()) limits += fmt::format(" --warn '{}>1e9'", row.id);
     const auto run = run_aoscore("compare truth.exr test.exr" + limits, folder);

@@ -209,74 +209,117 @@ fs::path default_cache_dir() {
     return home_dir() / "references" / "cache";
 }
 
+namespace {
+
+/// One truth that is to be had from a cache, or to be traced into it.
+class CachedTracing {
+  public:
+    CachedTracing(const fs::path& cache, const ReferenceScene& reference, const TruthRequest& request,
+                  const TruthLabel& label, const std::string& what)
+        : reference_(reference),
+          request_(request),
+          label_(label),
+          what_(what),
+          frame_(request.camera, request.width, request.height),
+          folder_(cache / request.picture_key()),
+          stem_(folder_ / request.wanted_key()) {}
+
+    CachedTruth run() {
+        if (std::optional<CachedTruth> there = served(complete_truths(folder_, request_), frame_, request_)) {
+            log_info(what_ + ": from the cache");
+            return std::move(*there);
+        }
+        try {
+            if (std::optional<CachedTruth> there = open()) return std::move(*there);
+        } catch (const Error& e) {
+            if (e.exit_code() != ExitCode::file_error) throw;
+            return uncached(e.what());
+        } catch (const fs::filesystem_error& e) {
+            return uncached(fmt::format("{}: {}", folder_.string(), e.code().message()));
+        }
+        return traced();
+    }
+
+  private:
+    /// Takes the lock, and opens the file that tiles are put into; or gives the truth, where another process
+    /// has traced it while this one waited.
+    std::optional<CachedTruth> open() {
+        fs::create_directories(folder_);
+        lock_.emplace(EntryLock::acquire(with(stem_, kLock), [&] {
+            log_info(what_ + ": another process is tracing this; waiting for it");
+        }));
+        truths_ = complete_truths(folder_, request_);
+        if (std::optional<CachedTruth> there = served(truths_, frame_, request_)) return there;
+        const std::size_t groups = TileGroups(request_.width, request_.height).count();
+        file_ = open_partial(with(stem_, kPartial), header_of(request_, label_, groups));
+        return std::nullopt;
+    }
+
+    CachedTruth uncached(const std::string& why) const {
+        log_warning(fmt::format("the truth is not kept: {}", why));
+        return trace_truth({}, reference_, request_, label_, what_);
+    }
+
+    CachedTruth traced() {
+        const OpenTruth* base = base_of(truths_, request_);
+        CachedTruth result;
+        result.made_for = request_;
+        if (base != nullptr) {
+            result.origin = TruthOrigin::refined;
+            log_info(what_ + ": refining a truth of fewer rays");
+        }
+        if (file_->groups() > 0) {
+            result.origin = TruthOrigin::resumed;
+            log_info(what_ + ": going on from where an earlier run ended");
+        }
+        FileStore store(*file_, base != nullptr ? base->file.get() : nullptr, stem_.string());
+        try {
+            result.truth = reference_.trace(frame_, request_.queries, request_.settings, what_, &store);
+        } catch (const Error& e) {
+            if (e.exit_code() == ExitCode::interrupted)
+                log_info(what_ + ": what is traced is kept; the same command goes on from there");
+            throw;
+        }
+        keep(store);
+        return result;
+    }
+
+    /// Makes what was traced a complete truth of the cache, in place of those that it serves for.
+    void keep(const FileStore& store) {
+        std::error_code ec;
+        if (store.failed()) {
+            fs::remove(with(stem_, kPartial), ec);
+            return;
+        }
+        try {
+            file_->finish();
+            fs::rename(with(stem_, kPartial), with(stem_, kComplete));
+        } catch (const std::exception& e) {
+            log_warning(fmt::format("the truth is not kept: {}", e.what()));
+            return;
+        }
+        for (const OpenTruth& truth : truths_) {
+            if (serves(request_, truth.request)) fs::remove(truth.path, ec);
+        }
+    }
+
+    const ReferenceScene& reference_;
+    const TruthRequest& request_;
+    const TruthLabel& label_;
+    const std::string& what_;
+    const CameraFrame frame_;
+    const fs::path folder_, stem_;
+    std::optional<EntryLock> lock_;
+    std::unique_ptr<CacheFile> file_;
+    std::vector<OpenTruth> truths_;
+};
+
+}  // namespace
+
 CachedTruth TruthCache::trace(const ReferenceScene& reference, const TruthRequest& request,
                               const TruthLabel& label, const std::string& what) const {
     check_truth_request(request.queries, request.settings);
-    const CameraFrame frame(request.camera, request.width, request.height);
-    const auto uncached = [&] { return trace_truth({}, reference, request, label, what); };
-    const fs::path folder = folder_ / request.picture_key();
-    const fs::path stem = folder / request.wanted_key();
-    if (std::optional<CachedTruth> there = served(complete_truths(folder, request), frame, request)) {
-        log_info(what + ": from the cache");
-        return std::move(*there);
-    }
-    std::optional<EntryLock> lock;
-    std::unique_ptr<CacheFile> file;
-    std::vector<OpenTruth> truths;
-    try {
-        fs::create_directories(folder);
-        lock.emplace(EntryLock::acquire(with(stem, kLock), [&] {
-            log_info(what + ": another process is tracing this; waiting for it");
-        }));
-        truths = complete_truths(folder, request);
-        if (std::optional<CachedTruth> there = served(truths, frame, request)) return std::move(*there);
-        file = open_partial(with(stem, kPartial),
-                            header_of(request, label, TileGroups(request.width, request.height).count()));
-    } catch (const Error& e) {
-        if (e.exit_code() != ExitCode::file_error) throw;
-        log_warning(fmt::format("the truth is not kept: {}", e.what()));
-        return uncached();
-    } catch (const fs::filesystem_error& e) {
-        log_warning(fmt::format("the truth is not kept: {}: {}", folder.string(), e.code().message()));
-        return uncached();
-    }
-    const OpenTruth* base = base_of(truths, request);
-    const std::size_t taken_over = file->groups();
-    if (taken_over > 0) log_info(what + ": going on from where an earlier run ended");
-    if (base != nullptr) log_info(what + ": refining a truth of fewer rays");
-
-    FileStore store(*file, base != nullptr ? base->file.get() : nullptr, stem.string());
-    CachedTruth result;
-    result.made_for = request;
-    if (taken_over > 0) {
-        result.origin = TruthOrigin::resumed;
-    } else if (base != nullptr) {
-        result.origin = TruthOrigin::refined;
-    }
-    try {
-        result.truth = reference.trace(frame, request.queries, request.settings, what, &store);
-    } catch (const Error& e) {
-        if (e.exit_code() == ExitCode::interrupted)
-            log_info(what + ": what is traced is kept; the same command goes on from there");
-        throw;
-    }
-    std::error_code ec;
-    if (store.failed()) {
-        fs::remove(with(stem, kPartial), ec);
-        return result;
-    }
-    try {
-        file->finish();
-        fs::rename(with(stem, kPartial), with(stem, kComplete));
-    } catch (const std::exception& e) {
-        log_warning(fmt::format("the truth is not kept: {}", e.what()));
-        return result;
-    }
-    // What this truth is at least as good as is not needed any more.
-    for (const OpenTruth& truth : truths) {
-        if (serves(request, truth.request)) fs::remove(truth.path, ec);
-    }
-    return result;
+    return CachedTracing(folder_, reference, request, label, what).run();
 }
 
 CachedTruth trace_truth(const fs::path& folder, const ReferenceScene& reference, const TruthRequest& request,
