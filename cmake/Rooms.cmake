@@ -33,13 +33,19 @@ endfunction()
 # aoscore_link_code(target room…): gives a program that holds the store the digests of the code that fills it. They
 # are an object of the program's own, as they are computed from the rooms' archives.
 function(aoscore_link_code target)
-    foreach(room IN LISTS ARGN)
-        get_target_property(libraries ${room} LINK_LIBRARIES)
-        if(room STREQUAL aoscore_store OR aoscore_store IN_LIST libraries)
+    set(rooms ${ARGN})
+    while(NOT rooms STREQUAL "")
+        list(POP_FRONT rooms room)
+        if(room STREQUAL aoscore_store)
             target_link_libraries(${target} PRIVATE aoscore_code)
             return()
         endif()
-    endforeach()
+        get_target_property(used ${room} LINK_LIBRARIES)
+        list(FILTER used INCLUDE REGEX "^aoscore_[a-z]+$")
+        list(REMOVE_ITEM used aoscore_options aoscore_gltf)
+        list(APPEND rooms ${used})
+        list(REMOVE_DUPLICATES rooms)
+    endwhile()
 endfunction()
 
 #   aoscore_program(<name> ROOMS <rooms it may include>… LIBRARIES <external targets>…): all sources of this folder in one

@@ -1,5 +1,7 @@
 #include "jobs/timing.h"
 
+#include "jobs/stored_times.h"
+
 #include <gtest/gtest.h>
 
 namespace aoscore {
@@ -30,6 +32,17 @@ TEST(Timing, GroupsGrowWhileTheyAreQuickAndShrinkWhereTheyAreSlow) {
     EXPECT_EQ(next_group(8, 20), 8u);
     EXPECT_EQ(next_group(8, 60), 4u);
     EXPECT_EQ(next_group(kFirstGroup, 600), kFirstGroup) << "a group of few is no group";
+}
+
+TEST(StoredTimes, SurviveTheStore) {
+    const StoredTimes times{{1.5, 2.5}, {0.25}, 3.0, {4.5}, {5.5}, {6.5, 7.5}};
+    const StoredTimes back = stored_times_from_json(to_json(times), "test");
+    EXPECT_EQ(back.ao_ms, times.ao_ms);
+    EXPECT_EQ(back.filter_ms, times.filter_ms);
+    EXPECT_EQ(back.fixed_pass_ms, times.fixed_pass_ms);
+    EXPECT_EQ(back.lighting_ms, times.lighting_ms);
+    EXPECT_EQ(back.frame_at_once_ms, times.frame_at_once_ms);
+    EXPECT_EQ(back.frame_by_pass_ms, times.frame_by_pass_ms);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "store/artifact_store.h"
 
 #include "core/files.h"
-#include "jobs/stored_times.h"
 #include "support/support.h"
 
 #include <gmock/gmock.h>
@@ -97,17 +96,6 @@ TEST(ArtifactStore, ManyWritersOfOneKeyLeaveOneWholeEntry) {
     }
     for (std::thread& writer : writers) writer.join();
     EXPECT_THAT(store.damaged(), IsEmpty());
-}
-
-TEST(StoredTimes, SurviveTheStore) {
-    const StoredTimes times{{1.5, 2.5}, {0.25}, 3.0, {4.5}, {5.5}, {6.5, 7.5}};
-    const StoredTimes back = stored_times_from_json(to_json(times), "test");
-    EXPECT_EQ(back.ao_ms, times.ao_ms);
-    EXPECT_EQ(back.filter_ms, times.filter_ms);
-    EXPECT_EQ(back.fixed_pass_ms, times.fixed_pass_ms);
-    EXPECT_EQ(back.lighting_ms, times.lighting_ms);
-    EXPECT_EQ(back.frame_at_once_ms, times.frame_at_once_ms);
-    EXPECT_EQ(back.frame_by_pass_ms, times.frame_by_pass_ms);
 }
 
 }  // namespace
