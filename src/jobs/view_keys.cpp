@@ -4,6 +4,7 @@
 #include "core/threads.h"
 #include "jobs/contestant.h"
 #include "screen/request_digest.h"
+#include "store/code_digest.h"
 
 #include <vector>
 
@@ -75,24 +76,24 @@ Key ViewKeys::contract() const {
 }
 
 Key ViewKeys::view() const {
-    KeyBuilder key("view", "contract");
+    KeyBuilder key("view");
     key.input(truth(work_.queries)).input(contract()).value(work_.radius_m);
     return key.key();
 }
 
 Key ViewKeys::truth_file() const {
-    return KeyBuilder("truth_file", "contract").input(truth(work_.queries)).input(contract()).key();
+    return KeyBuilder("truth_file", "files").input(truth(work_.queries)).input(contract()).key();
 }
 
 Key ViewKeys::gbuffer_file() const {
-    return KeyBuilder("gbuffer_file", "image").input(gbuffer(work_.drawn_inputs())).key();
+    return KeyBuilder("gbuffer_file", "files").input(gbuffer(work_.drawn_inputs())).key();
 }
 
 Key ViewKeys::image(const CellWork& cell) const {
     const auto [found, is_new] = images_.try_emplace(&cell);
     if (is_new) {
         KeyBuilder key("image", contestant_of(cell.request)->code());
-        key.input(gbuffer(needed_gbuffer_inputs(cell.request)));
+        key.text(code_digest("files")).input(gbuffer(needed_gbuffer_inputs(cell.request)));
         found->second = key.text(request_digest(cell.request, orthographic())).key();
     }
     return found->second;

@@ -4,10 +4,9 @@
 #include "core/log.h"
 #include "jobs/contestant.h"
 #include "jobs/draw_image.h"
-#include "jobs/image_output.h"
 #include "jobs/time_requests.h"
-#include "jobs/truth_provenance.h"
-#include "jobs/truth_record.h"
+#include "jobs/view_files.h"
+#include "jobs/view_record.h"
 #include "results/image_file.h"
 
 #include <fmt/format.h>
@@ -154,11 +153,14 @@ void ViewMaker::make(const Job& job) {
             ground_ = find_ground(frame_, truth_->truth, *gbuffer_, work_.scene.bounds);
             return;
         case ArtifactKind::view:
-            return record_view(job);
+            view_ = recorded_view(work_, described_, *truth_, *ground_);
+            return keep(job, to_json(*view_));
         case ArtifactKind::truth_file:
-            return write_truth_file(job);
+            write_truth_file(work_, *truth_, *ground_);
+            return store_.put_file(job.key.hex, work_.folder / work_.truth_file());
         case ArtifactKind::gbuffer_file:
-            return write_gbuffer_file(job);
+            write_gbuffer_file(work_, *gbuffer_);
+            return store_.put_file(job.key.hex, work_.folder / work_.gbuffer_file());
         case ArtifactKind::image:
             return make_image(job);
         case ArtifactKind::score:
@@ -193,47 +195,12 @@ void ViewMaker::trace() {
     rays_ = truth_->origin == TruthOrigin::cached ? 0 : truth_->truth.rays;
 }
 
-void ViewMaker::record_view(const Job& job) {
-    ViewRecord& view = view_.emplace(described_);
-    const TruthRequest& made_for = truth_->made_for;
-    view.truth_origin = origin_id(truth_->origin);
-    view.least_samples = made_for.settings.samples;
-    view.integrator = integrator_id();
-    TruthRequest again = made_for;
-    again.queries = work_.queries;
-    std::erase_if(again.queries, [](const TruthQuery& query) { return query.falloff != Falloff::binary; });
-    view.truth_command =
-        reference_command(work_.scene, work_.view, again, file_name(work_.key) + "-truth.exr");
-    if (made_for.settings.max_error > 0) view.max_error = made_for.settings.max_error;
-    record_ground(*ground_, frame_, truth_->truth, work_.radius_m, view);
-    record_truth(truth_->truth, ground_->contract.valid, view);
-    keep(job, to_json(view));
-}
-
-void ViewMaker::write_truth_file(const Job& job) {
-    std::map<std::string, std::string> header = truth_provenance(work_.scene, *truth_, work_.command);
-    header["aoscore:view"] = work_.key;
-    const std::filesystem::path file = work_.folder / work_.truth_file();
-    write_truth(file, truth_->truth, ground_->contract.valid, std::move(header));
-    store_.put_file(job.key.hex, file);
-}
-
-void ViewMaker::write_gbuffer_file(const Job& job) {
-    const std::filesystem::path file = work_.folder / work_.gbuffer_file();
-    write_gbuffer(file, *gbuffer_, {}, {{"aoscore:view", work_.key}});
-    store_.put_file(job.key.hex, file);
-}
-
 void ViewMaker::make_image(const Job& job) {
     const CellWork& work = cell(job);
     image_.emplace(job.key, contestant_of(work.request)->image(work_.tools, frame_));
     if (!pictured_.contains(job.key)) return;
-    const MethodOutput& image = image_->second;
-    std::vector<ChannelView> channels{{"Y", &image.visibility}};
-    if (work.request.filter != nullptr) channels.push_back({"raw.Y", &image.raw});
-    const std::filesystem::path file = work_.folder / work_.image_file(work);
-    write_exr(file, channels, {{"aoscore:cell", work.id}});
-    store_.put_file(job.key.hex, file);
+    write_image_file(work_, work, image_->second);
+    store_.put_file(job.key.hex, work_.folder / work_.image_file(work));
 }
 
 void ViewMaker::make_score(const Job& job) {

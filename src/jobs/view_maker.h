@@ -50,9 +50,6 @@ class ViewMaker final : public Maker {
 
     void draw(const std::set<std::string>& inputs);
     void trace();
-    void record_view(const Job& job);
-    void write_truth_file(const Job& job);
-    void write_gbuffer_file(const Job& job);
     void make_image(const Job& job);
     void make_score(const Job& job);
 

@@ -12,7 +12,7 @@ ids=$(sed -n 's/.*{\.id = "\([a-z_]*\)".*/\1/p' "$src/metrics/metrics.cpp")
 
 # FILE:ID, where the word is not a metric: a parameter of methods, a setting of the truth, a field of a page's model.
 others='
-reference/cache/truth_request.cpp:max_error
+store/truth/truth_request.cpp:max_error
 report/claims.cpp:bias
 report/claims.cpp:ssim
 report/published.cpp:bias

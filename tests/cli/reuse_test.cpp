@@ -5,9 +5,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 namespace aoscore {
 namespace {
@@ -98,13 +100,27 @@ TEST(Reuse, AnotherRadiusOfTheRankingDrawsNothingAgainWhereLengthsStay) {
     EXPECT_EQ(wider.work.cells_measured, 1u);
 }
 
-TEST(Reuse, ASweepUsesTheImagesAndScoresOfAScore) {
+std::set<std::string> keys_of(const std::string& kind, const std::string& command, const fs::path& folder) {
+    const auto run = testing::run_aoscore(command + " --jobs", folder);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const nlohmann::json list = nlohmann::json::parse(run.out);
+    std::set<std::string> keys;
+    for (const nlohmann::json& job : list.at("jobs")) {
+        if (job.at("kind") == kind) keys.insert(job.at("key").get<std::string>());
+    }
+    return keys;
+}
+
+TEST(Reuse, ASweepUsesTheImagesAndFetchesOfAScore) {
     const auto folder = output_dir();
-    results_of("score wall --view facing --methods hbao --size 48x32 --samples 8", folder);
-    const Results sweep = results_of(
-        "sweep wall --view facing --methods hbao --vary directions=4,8 --size 48x32 --samples 8", folder);
-    EXPECT_EQ(sweep.cells.size(), 2u);
-    EXPECT_EQ(sweep.work.cells_reused, 1u) << "the setting that the score has drawn";
+    const std::string of_all = " wall --view facing --methods hbao --size 48x32 --samples 8";
+    for (const char* kind : {"image", "fetches"}) {
+        const std::set<std::string> score = keys_of(kind, "score" + of_all, folder);
+        ASSERT_EQ(score.size(), 1u);
+        EXPECT_THAT(keys_of(kind, "sweep" + of_all + " --vary directions=4,8", folder),
+                    ::testing::Contains(*score.begin()))
+            << kind << " of the preset's own four directions";
+    }
 }
 
 TEST(Reuse, WhatDecidesANumberIsInItsKey) {

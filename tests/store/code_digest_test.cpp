@@ -32,7 +32,9 @@ TEST(CodeDigest, CoversEveryFileThatDecidesANumber) {
     EXPECT_THAT(code_of("image"), Contains("screen/kernel.cpp"));
     EXPECT_THAT(code_of("contract"), Contains("jobs/camera_contract.cpp"));
     EXPECT_THAT(code_of("contract"), Contains("jobs/pixel_facts.cpp"));
-    EXPECT_THAT(code_of("contract"), Contains("jobs/truth_record.cpp"));
+    EXPECT_THAT(code_of("view"), Contains("jobs/truth_record.cpp"));
+    EXPECT_THAT(code_of("files"), Contains("jobs/image_output.cpp"));
+    EXPECT_THAT(code_of("image"), Contains("jobs/masked_mean.h"));
     EXPECT_THAT(code_of("score"), Contains("metrics/rmse.cpp"));
     EXPECT_THAT(code_of("score"), Contains("metrics/bootstrap.cpp"));
     EXPECT_THAT(code_of("times"), Contains("jobs/timing.cpp"));

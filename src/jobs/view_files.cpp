@@ -1,0 +1,30 @@
+#include "jobs/view_files.h"
+
+#include "jobs/image_output.h"
+#include "jobs/truth_provenance.h"
+#include "results/image_file.h"
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace aoscore {
+
+void write_truth_file(const ViewWork& work, const CachedTruth& traced, const Ground& ground) {
+    std::map<std::string, std::string> header = truth_provenance(work.scene, traced, work.command);
+    header["aoscore:view"] = work.key;
+    write_truth(work.folder / work.truth_file(), traced.truth, ground.contract.valid, std::move(header));
+}
+
+void write_gbuffer_file(const ViewWork& work, const GBufferImages& gbuffer) {
+    write_gbuffer(work.folder / work.gbuffer_file(), gbuffer, {}, {{"aoscore:view", work.key}});
+}
+
+void write_image_file(const ViewWork& work, const CellWork& cell, const MethodOutput& image) {
+    std::vector<ChannelView> channels{{"Y", &image.visibility}};
+    if (cell.request.filter != nullptr) channels.push_back({"raw.Y", &image.raw});
+    write_exr(work.folder / work.image_file(cell), channels, {{"aoscore:cell", cell.id}});
+}
+
+}  // namespace aoscore
