@@ -6,7 +6,7 @@
 #include "core/output.h"
 #include "jobs/timing.h"
 #include "plan/ranking_radius.h"
-#include "screen/lengths.h"
+#include "screen/method/lengths.h"
 #include "screen/screen.h"
 
 #include <fmt/format.h>

@@ -7,8 +7,8 @@
 #include "plan/scene_views.h"
 #include "plan/view_description.h"
 #include "scene/scene.h"
-#include "screen/lengths.h"
-#include "screen/method.h"
+#include "screen/method/lengths.h"
+#include "screen/method/method.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

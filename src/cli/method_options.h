@@ -1,7 +1,7 @@
 #pragma once
 
 #include "plan/plan.h"
-#include "screen/method.h"
+#include "screen/method/method.h"
 
 #include <CLI/CLI.hpp>
 

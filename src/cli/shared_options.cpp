@@ -4,7 +4,7 @@
 #include "core/known_names.h"
 #include "core/text.h"
 #include "plan/scene_views.h"
-#include "reference/sample_plan.h"
+#include "reference/sampling/sample_plan.h"
 #include "scene/scene_frame.h"
 #include "scene/view_choice.h"
 #include "scene/view_limits.h"

@@ -3,7 +3,7 @@
 #include "compare/picture_doubts.h"
 #include "core/error.h"
 #include "metrics/evaluate.h"
-#include "results/image_frame.h"
+#include "results/image/image_frame.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "metrics/noise.h"
+#include "results/image/visibility_file.h"
 #include "results/results.h"
-#include "results/visibility_file.h"
 
 #include <nlohmann/json.hpp>
 

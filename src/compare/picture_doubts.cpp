@@ -2,7 +2,7 @@
 
 #include "core/srgb.h"
 #include "metrics/likeness.h"
-#include "results/image_frame.h"
+#include "results/image/image_frame.h"
 
 #include <fmt/format.h>
 

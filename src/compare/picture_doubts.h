@@ -1,6 +1,6 @@
 #pragma once
 
-#include "results/visibility_file.h"
+#include "results/image/visibility_file.h"
 
 #include <string>
 #include <vector>

@@ -7,7 +7,7 @@
 #include "jobs/view_maker.h"
 #include "plan/run_modes.h"
 #include "plan/view_description.h"
-#include "screen/lengths.h"
+#include "screen/method/lengths.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "framing/main_part.h"
-#include "reference/scout.h"
+#include "reference/tracer/scout.h"
 #include "scene/scene.h"
 
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reference/scout.h"
+#include "reference/tracer/scout.h"
 #include "scene/scene.h"
 
 #include <glm/glm.hpp>

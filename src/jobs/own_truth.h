@@ -1,7 +1,7 @@
 #pragma once
 
 #include "reference/truth.h"
-#include "screen/method.h"
+#include "screen/method/method.h"
 
 #include <string>
 #include <vector>

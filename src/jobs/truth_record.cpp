@@ -4,7 +4,7 @@
 #include "jobs/masked_mean.h"
 #include "jobs/own_truth.h"
 #include "metrics/noise.h"
-#include "reference/tile.h"
+#include "reference/integrator/tile.h"
 
 #include <fmt/format.h>
 

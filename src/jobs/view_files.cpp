@@ -2,7 +2,7 @@
 
 #include "jobs/image_output.h"
 #include "jobs/truth_provenance.h"
-#include "results/image_file.h"
+#include "results/image/image_file.h"
 
 #include <map>
 #include <string>

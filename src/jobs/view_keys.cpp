@@ -3,7 +3,7 @@
 #include "core/machine.h"
 #include "core/threads.h"
 #include "jobs/contestant.h"
-#include "screen/request_digest.h"
+#include "screen/method/request_digest.h"
 #include "store/code_digest.h"
 
 #include <vector>

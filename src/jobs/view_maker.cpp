@@ -7,7 +7,7 @@
 #include "jobs/time_requests.h"
 #include "jobs/view_files.h"
 #include "jobs/view_record.h"
-#include "results/image_file.h"
+#include "results/image/image_file.h"
 
 #include <fmt/format.h>
 

@@ -4,8 +4,8 @@
 #include "core/files.h"
 #include "core/json_text.h"
 #include "results/live_file.h"
-#include "screen/method_data.h"
-#include "screen/view_uniforms.h"
+#include "screen/gbuffer/view_uniforms.h"
+#include "screen/method/method_data.h"
 
 namespace aoscore {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "jobs/few_rays.h"
 #include "jobs/own_truth.h"
-#include "screen/lengths.h"
+#include "screen/method/lengths.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

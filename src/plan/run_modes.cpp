@@ -1,6 +1,6 @@
 #include "plan/run_modes.h"
 
-#include "screen/precision.h"
+#include "screen/gbuffer/precision.h"
 
 #include <utility>
 

@@ -4,14 +4,14 @@
 #include "core/interrupt.h"
 #include "core/progress.h"
 #include "core/threads.h"
-#include "reference/flush_denormals.h"
-#include "reference/pilot.h"
-#include "reference/scene_builds.h"
-#include "reference/tile.h"
-#include "reference/tile_integrator.h"
-#include "reference/tile_state.h"
-#include "reference/tile_store.h"
-#include "reference/truth_development.h"
+#include "reference/integrator/flush_denormals.h"
+#include "reference/integrator/tile.h"
+#include "reference/integrator/tile_integrator.h"
+#include "reference/integrator/tile_state.h"
+#include "reference/integrator/tile_store.h"
+#include "reference/integrator/truth_development.h"
+#include "reference/sampling/pilot.h"
+#include "reference/tracer/scene_builds.h"
 
 #include <fmt/format.h>
 

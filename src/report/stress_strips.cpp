@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 #include "report/coloured_picture.h"
-#include "results/image_file.h"
+#include "results/image/image_file.h"
 
 #include <algorithm>
 #include <vector>

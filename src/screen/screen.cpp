@@ -1,10 +1,10 @@
 #include "screen/screen.h"
 
 #include "core/error.h"
-#include "screen/gbuffer.h"
-#include "screen/method_runner.h"
-#include "screen/osmesa_context.h"
-#include "screen/scene_geometry.h"
+#include "screen/gbuffer/gbuffer.h"
+#include "screen/gbuffer/scene_geometry.h"
+#include "screen/gl/osmesa_context.h"
+#include "screen/passes/method_runner.h"
 
 #include <chrono>
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "core/image.h"
 #include "scene/scene.h"
-#include "screen/method.h"
+#include "screen/method/method.h"
 
 #include <cstdint>
 #include <memory>

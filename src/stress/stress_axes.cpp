@@ -1,7 +1,7 @@
 #include "stress/stress_axes.h"
 
 #include "scene/builtin/scene_builder.h"
-#include "screen/precision.h"
+#include "screen/gbuffer/precision.h"
 #include "stress/stress_triangles.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "core/files.h"
 #include "core/process_limits.h"
 #include "core/threads.h"
-#include "screen/draw_trial.h"
+#include "screen/trial/draw_trial.h"
 
 #include <cstddef>
 

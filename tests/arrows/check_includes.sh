@@ -43,7 +43,7 @@ only() {
     done < <(grep -rlE "#include <$header" --include='*.h' --include='*.cpp' -- *)
 }
 only embree3/ reference/
-only GL/osmesa screen/osmesa_context
+only GL/osmesa screen/gl/osmesa_context
 only GL/ screen/
 only Imf results/
 only OpenEXR results/

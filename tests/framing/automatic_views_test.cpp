@@ -3,7 +3,7 @@
 
 #include "core/threads.h"
 #include "made_scene.h"
-#include "reference/scout.h"
+#include "reference/tracer/scout.h"
 
 #include <gtest/gtest.h>
 

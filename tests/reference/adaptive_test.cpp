@@ -1,5 +1,5 @@
 #include "reference/benchmark/random_tiles.h"
-#include "reference/sample_plan.h"
+#include "reference/sampling/sample_plan.h"
 #include "reference/test_scenes.h"
 #include "reference/truth.h"
 

@@ -1,5 +1,5 @@
 #include "core/sampling.h"
-#include "reference/estimate.h"
+#include "reference/estimate/estimate.h"
 #include "reference/test_scenes.h"
 #include "reference/truth.h"
 

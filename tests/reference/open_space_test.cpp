@@ -1,4 +1,4 @@
-#include "reference/open_space.h"
+#include "reference/tracer/open_space.h"
 
 #include "core/sampling.h"
 #include "reference/test_scenes.h"

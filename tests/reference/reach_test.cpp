@@ -1,4 +1,4 @@
-#include "reference/reach.h"
+#include "reference/tracer/reach.h"
 
 #include "core/sampling.h"
 #include "reference/test_scenes.h"

@@ -2,9 +2,9 @@
 
 #include "core/error.h"
 #include "core/threads.h"
-#include "reference/estimate.h"
+#include "reference/estimate/estimate.h"
+#include "reference/integrator/tile.h"
 #include "reference/test_scenes.h"
-#include "reference/tile.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

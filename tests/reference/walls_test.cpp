@@ -1,7 +1,7 @@
-#include "reference/walls.h"
+#include "reference/tracer/walls.h"
 
-#include "reference/embree_scene.h"
 #include "reference/test_scenes.h"
+#include "reference/tracer/embree_scene.h"
 #include "reference/truth.h"
 
 #include <gtest/gtest.h>

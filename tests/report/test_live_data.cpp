@@ -3,7 +3,7 @@
 #include "report/live_data.h"
 #include "report/live_packing.h"
 #include "report/synthetic_results.h"
-#include "results/image_file.h"
+#include "results/image/image_file.h"
 #include "results/live_file.h"
 #include "support/support.h"
 

@@ -3,7 +3,7 @@
 #include "report/number_text.h"
 #include "report/quantised_image.h"
 #include "report/thumbnail.h"
-#include "results/image_file.h"
+#include "results/image/image_file.h"
 #include "support/support.h"
 
 #include <gmock/gmock.h>

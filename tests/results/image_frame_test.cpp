@@ -1,4 +1,4 @@
-#include "results/image_frame.h"
+#include "results/image/image_frame.h"
 
 #include <gtest/gtest.h>
 

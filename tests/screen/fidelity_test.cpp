@@ -1,6 +1,6 @@
 #include "hand_made.h"
 #include "published_methods.h"
-#include "screen/lengths.h"
+#include "screen/method/lengths.h"
 #include "support/support.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "screen/lengths.h"
+#include "screen/method/lengths.h"
 
 #include "core/error.h"
 #include "hand_made.h"

@@ -1,6 +1,6 @@
 // The lighting pass: ambient light times visibility, Lambert times each light, and its highlight.
 #include "hand_made.h"
-#include "screen/request_digest.h"
+#include "screen/method/request_digest.h"
 #include "support/support.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-#include "screen/method_data.h"
+#include "screen/method/method_data.h"
 
-#include "screen/kernel.h"
-#include "screen/pass_program.h"
+#include "screen/method/kernel.h"
+#include "screen/passes/pass_program.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

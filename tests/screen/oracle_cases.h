@@ -1,7 +1,7 @@
 #pragma once
 
 #include "oracle.h"
-#include "screen/method.h"
+#include "screen/method/method.h"
 
 #include <functional>
 #include <ostream>

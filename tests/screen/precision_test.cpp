@@ -1,4 +1,4 @@
-#include "screen/precision.h"
+#include "screen/gbuffer/precision.h"
 
 #include "core/files.h"
 #include "hand_made.h"

@@ -2,7 +2,7 @@
 
 #include "core/image.h"
 #include "scene/camera.h"
-#include "screen/kernel.h"
+#include "screen/method/kernel.h"
 #include "screen/screen.h"
 
 #include <glm/glm.hpp>

@@ -27,9 +27,9 @@ std::set<std::string> code_of(const std::string& kind) {
 }
 
 TEST(CodeDigest, CoversEveryFileThatDecidesANumber) {
-    EXPECT_THAT(code_of("truth"), Contains("reference/estimate.cpp"));
+    EXPECT_THAT(code_of("truth"), Contains("reference/estimate/estimate.cpp"));
     EXPECT_THAT(code_of("truth"), Contains("core/sampling.h"));
-    EXPECT_THAT(code_of("image"), Contains("screen/kernel.cpp"));
+    EXPECT_THAT(code_of("image"), Contains("screen/method/kernel.cpp"));
     EXPECT_THAT(code_of("contract"), Contains("jobs/camera_contract.cpp"));
     EXPECT_THAT(code_of("contract"), Contains("jobs/pixel_facts.cpp"));
     EXPECT_THAT(code_of("view"), Contains("jobs/truth_record.cpp"));
@@ -38,7 +38,7 @@ TEST(CodeDigest, CoversEveryFileThatDecidesANumber) {
     EXPECT_THAT(code_of("score"), Contains("metrics/rmse.cpp"));
     EXPECT_THAT(code_of("score"), Contains("metrics/bootstrap.cpp"));
     EXPECT_THAT(code_of("times"), Contains("jobs/timing.cpp"));
-    EXPECT_THAT(code_of("stress"), Contains("reference/estimate.cpp"));
+    EXPECT_THAT(code_of("stress"), Contains("reference/estimate/estimate.cpp"));
     EXPECT_THAT(code_of("views"), Contains("framing/outline_fit.cpp"));
 }
 
@@ -51,8 +51,8 @@ TEST(CodeDigest, LeavesOutWhatDecidesNone) {
             EXPECT_THAT(file, Not(::testing::HasSubstr("builtin"))) << kind;
         }
     }
-    EXPECT_THAT(code_of("score"), Not(Contains("screen/kernel.cpp")));
-    EXPECT_THAT(code_of("score"), Not(Contains("reference/estimate.cpp")));
+    EXPECT_THAT(code_of("score"), Not(Contains("screen/method/kernel.cpp")));
+    EXPECT_THAT(code_of("score"), Not(Contains("reference/estimate/estimate.cpp")));
     EXPECT_THAT(code_of("image"), Not(Contains("metrics/rmse.cpp")));
 }
 

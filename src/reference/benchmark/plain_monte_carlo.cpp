@@ -3,8 +3,8 @@
 #include "core/sampling.h"
 #include "core/threads.h"
 #include "reference/benchmark/processor_time.h"
-#include "reference/flush_denormals.h"
-#include "reference/tile_integrator.h"
+#include "reference/integrator/flush_denormals.h"
+#include "reference/integrator/tile_integrator.h"
 
 #include <algorithm>
 #include <atomic>

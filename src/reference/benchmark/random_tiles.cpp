@@ -1,9 +1,9 @@
 #include "reference/benchmark/random_tiles.h"
 
 #include "core/sampling.h"
-#include "reference/tile.h"
-#include "reference/tile_store.h"
-#include "reference/truth_development.h"
+#include "reference/integrator/tile.h"
+#include "reference/integrator/tile_store.h"
+#include "reference/integrator/truth_development.h"
 
 #include <algorithm>
 

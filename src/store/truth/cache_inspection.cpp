@@ -1,5 +1,5 @@
 #include "core/error.h"
-#include "reference/tile.h"
+#include "reference/integrator/tile.h"
 #include "scene/scene.h"
 #include "store/truth/cache_file.h"
 #include "store/truth/entry_lock.h"

@@ -1,7 +1,7 @@
 #include "store/truth/tile_codec.h"
 
 #include "core/error.h"
-#include "reference/falloff.h"
+#include "reference/estimate/falloff.h"
 
 #include <zlib.h>
 

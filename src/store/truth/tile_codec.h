@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reference/tile_store.h"
+#include "reference/integrator/tile_store.h"
 
 #include <string>
 #include <string_view>

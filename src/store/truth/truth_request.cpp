@@ -2,7 +2,7 @@
 
 #include "core/hash.h"
 #include "core/json_text.h"
-#include "reference/sample_plan.h"
+#include "reference/sampling/sample_plan.h"
 #include "store/code_digest.h"
 
 #include <algorithm>

@@ -1,0 +1,200 @@
+#include "reference/integrator/tile_integrator.h"
+
+#include "core/sampling.h"
+
+#include <algorithm>
+
+namespace aoscore {
+namespace {
+
+/// Below this many rays a pixel, to prove it open costs more than to trace it.
+constexpr int kLeastSamplesToSkip = 32;
+
+glm::dvec3 ray_origin(const SurfaceHit& hit) {
+    return hit.position + hit.offset_m * hit.normal;
+}
+
+/// The geometric normal in view space.
+glm::vec3 view_normal(const CameraFrame& frame, const SurfaceHit& hit) {
+    return glm::vec3(glm::dmat3(frame.view_from_world()) * hit.normal);
+}
+
+}  // namespace
+
+bool see(const EmbreeScene& scene, const CameraFrame& frame, int x, int y, SurfaceHit& hit) {
+    const Camera& camera = frame.camera();
+    return scene.first_hit(frame.ray(x + 0.5, y + 0.5), camera.near, camera.far, hit);
+}
+
+bool find_surface(const EmbreeScene& scene, const CameraFrame& frame, int x, int y, PrimaryHits& hits,
+                  SurfaceHit& hit) {
+    if (!see(scene, frame, x, y, hit)) return false;
+    hits.surface.at(x, y) = 1;
+    hits.depth.at(x, y) = static_cast<float>(hit.depth);
+    hits.normal.at(x, y) = view_normal(frame, hit);
+    return true;
+}
+
+RaySource ray_source(const SurfaceHit& hit, const TruthSettings& settings, std::size_t pixel) {
+    return {glm::vec3(ray_origin(hit)),
+            glm::mat3(frame_about(settings.shading_normals ? hit.shading_normal : hit.normal)),
+            mix_bits(mix_bits(settings.seed) ^ pixel)};
+}
+
+TileIntegrator::TileIntegrator(const ReachableScene& scene, const CameraFrame& frame,
+                               const std::vector<TruthQuery>& queries, const TruthSettings& settings,
+                               const PointSets& points, const CauseJudge& judge, double price,
+                               bool rung_by_rung)
+    : scene_(scene.embree),
+      frame_(frame),
+      queries_(queries),
+      settings_(settings),
+      plan_(settings, price),
+      observer_(scene.embree, judge, queries[0], settings.extras),
+      tracer_(scene.embree, queries, points, settings.ask_walls,
+              settings.extras.any() ? &observer_ : nullptr),
+      open_space_(scene.embree, scene.within_reach),
+      rung_by_rung_(rung_by_rung) {
+    for (const TruthQuery& query : queries) reach_m_ = std::max(reach_m_, query.radius_m);
+}
+
+TileState TileIntegrator::trace(const Tile& tile, const TileState* begun) {
+    TileState state;
+    rungs_.clear();
+    find_surfaces(tile, state);
+    list_traced();
+    state.samples.assign(state.surfaces(), 0);
+    if (settings_.extras.any()) state.extras.assign(state.surfaces(), {});
+    if (!traced_.empty()) {
+        std::vector<RaySource> sources;
+        sources.reserve(traced_.size());
+        for (const std::size_t s : traced_) {
+            sources.push_back(ray_source(surfaces_[s], settings_, pixels_[s]));
+        }
+        tracer_.start(std::move(sources));
+        samples_.assign(traced_.size(), 0);
+        if (begun != nullptr) restore(*begun);
+        trace_all();
+    }
+    store(state);
+    return state;
+}
+
+void TileIntegrator::find_surfaces(const Tile& tile, TileState& state) {
+    surfaces_.clear();
+    pixels_.clear();
+    SurfaceHit hit;
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        for (int x = tile.x0; x < tile.x1; ++x) {
+            if (!see(scene_, frame_, x, y, hit)) continue;
+            surfaces_.push_back(hit);
+            pixels_.push_back(static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width()) +
+                              static_cast<std::size_t>(x));
+            state.places.push_back(
+                static_cast<std::uint16_t>((y - tile.y0) * (tile.x1 - tile.x0) + x - tile.x0));
+            state.depths_m.push_back(static_cast<float>(hit.depth));
+            state.normals.push_back(view_normal(frame_, hit));
+        }
+    }
+}
+
+void TileIntegrator::list_traced() {
+    // About a smooth normal, rays may also go below the tangent plane.
+    const bool skips =
+        settings_.skip_open && !settings_.shading_normals && plan_.first() >= kLeastSamplesToSkip;
+    std::vector<char> open(surfaces_.size(), 0);
+    if (skips) {
+        std::vector<UpwardPoint> points;
+        points.reserve(surfaces_.size());
+        for (const SurfaceHit& hit : surfaces_)
+            points.push_back({ray_origin(hit), hit.normal, hit.offset_m / 2});
+        open = open_space_.prove(points, reach_m_);
+    }
+    traced_.clear();
+    for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+        if (open[s] == 0) traced_.push_back(s);
+    }
+}
+
+void TileIntegrator::restore(const TileState& begun) {
+    // Where a pixel already has more rays than a trace from nothing would begin with, that trace might have
+    // stopped earlier.
+    const bool usable = begun.surfaces() == surfaces_.size() && !begun.sums.empty() &&
+                        std::ranges::all_of(traced_, [&](std::size_t s) {
+                            return begun.samples[s] <= static_cast<std::uint32_t>(plan_.first());
+                        });
+    if (!usable) return;
+    for (std::size_t i = 0; i < traced_.size(); ++i) {
+        samples_[i] = static_cast<int>(begun.samples[traced_[i]]);
+        for (std::size_t q = 0; q < queries_.size(); ++q) {
+            tracer_.restore(i, q, begun.sums_of(q, queries_.size(), traced_[i]));
+        }
+        if (settings_.extras.any()) observer_.restore(i, begun.extras[traced_[i]]);
+    }
+}
+
+void TileIntegrator::trace_all() {
+    if (plan_.by_tile()) return trace_by_tile();
+    std::vector<SampleRange> ranges;
+    ranges.reserve(traced_.size());
+    for (const int samples : samples_) ranges.push_back({samples, plan_.first()});
+    bool more = true;
+    while (more) {
+        tracer_.trace(ranges);
+        for (std::size_t i = 0; i < traced_.size(); ++i) {
+            samples_[i] = ranges[i].last;
+            ranges[i].first = ranges[i].last;
+        }
+        if (plan_.first() == plan_.most()) return;
+        more = false;
+        for (std::size_t q = 0; q < queries_.size(); ++q) {
+            const std::vector<Estimate> now = stated_estimates(
+                samples_, queries_[q], settings_, [&](std::size_t i) { return tracer_.sums(i, q); });
+            for (std::size_t i = 0; i < traced_.size(); ++i) {
+                ranges[i].last = std::max(ranges[i].last, plan_.next(samples_[i], now[i].standard_error));
+                more = more || ranges[i].last > ranges[i].first;
+            }
+        }
+    }
+}
+
+void TileIntegrator::trace_by_tile() {
+    const auto pixels = static_cast<double>(traced_.size());
+    int samples = 0;
+    for (int next = plan_.first(); next > samples;) {
+        std::vector<SampleRange> ranges;
+        ranges.reserve(traced_.size());
+        for (const int before : samples_) ranges.push_back({before, next});
+        tracer_.trace(ranges);
+        samples_.assign(traced_.size(), next);
+        samples = next;
+        double error_sum = 0;  // of the query that errs most
+        for (std::size_t q = 0; q < queries_.size(); ++q) {
+            double sum = 0;
+            for (const Estimate& e : stated_estimates(samples_, queries_[q], settings_,
+                                                      [&](std::size_t i) { return tracer_.sums(i, q); }))
+                sum += e.standard_error;
+            error_sum = std::max(error_sum, sum);
+        }
+        rungs_.push_back({samples, error_sum});
+        const double mean_error = error_sum / pixels;
+        next = rung_by_rung_ ? plan_.double_for_tile(samples, mean_error)
+                             : plan_.next_of_tile(samples, mean_error);
+    }
+}
+
+void TileIntegrator::store(TileState& state) const {
+    if (traced_.empty()) return;
+    const std::size_t width = tracer_.sums(0, 0).size();
+    state.sums.assign(queries_.size() * state.surfaces() * width, 0);
+    for (std::size_t i = 0; i < traced_.size(); ++i) {
+        const std::size_t s = traced_[i];
+        state.samples[s] = static_cast<std::uint32_t>(samples_[i]);
+        if (settings_.extras.any()) state.extras[s] = observer_.sums(i);
+        for (std::size_t q = 0; q < queries_.size(); ++q) {
+            std::ranges::copy(tracer_.sums(i, q), &state.sums[(q * state.surfaces() + s) * width]);
+        }
+    }
+}
+
+}  // namespace aoscore

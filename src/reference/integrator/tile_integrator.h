@@ -1,0 +1,76 @@
+#pragma once
+
+#include "reference/integrator/tile.h"
+#include "reference/integrator/tile_state.h"
+#include "reference/integrator/tile_tracer.h"
+#include "reference/sampling/pilot.h"
+#include "reference/sampling/sample_plan.h"
+#include "reference/tracer/embree_scene.h"
+#include "reference/tracer/hit_observer.h"
+#include "reference/tracer/open_space.h"
+#include "reference/tracer/scene_builds.h"
+#include "reference/truth.h"
+
+#include <vector>
+
+namespace aoscore {
+
+/// What is seen through the centre of pixel (x, y); false for background.
+bool see(const EmbreeScene& scene, const CameraFrame& frame, int x, int y, SurfaceHit& hit);
+
+/// Looks through the centre of pixel (x, y) and notes in `hits` what is there; false for background.
+bool find_surface(const EmbreeScene& scene, const CameraFrame& frame, int x, int y, PrimaryHits& hits,
+                  SurfaceHit& hit);
+
+/// The rays of pixel number `pixel` of the image, which sees `hit`.
+RaySource ray_source(const SurfaceHit& hit, const TruthSettings& settings, std::size_t pixel);
+
+/// Traces one tile after another. Tiles depend on nothing but their place, so that any thread may do any of
+/// them.
+class TileIntegrator {
+  public:
+    TileIntegrator(const ReachableScene& scene, const CameraFrame& frame,
+                   const std::vector<TruthQuery>& queries, const TruthSettings& settings,
+                   const PointSets& points, const CauseJudge& judge, double price = 0,
+                   bool rung_by_rung = false);
+
+    /// All that the settings ask for, going on from `begun`, what is there of this very tile, queries and
+    /// extras, where that gives the same state as tracing all of it; null: nothing is there.
+    TileState trace(const Tile& tile, const TileState* begun = nullptr);
+    /// How the errors of the last tile fell, without a gap if so asked for; empty unless SamplePlan goes by
+    /// tiles.
+    const std::vector<Rung>& rungs() const { return rungs_; }
+    /// Of all tiles so far.
+    std::uint64_t rays() const { return tracer_.rays(); }
+
+  private:
+    /// Where the tile's surfaces lie.
+    void find_surfaces(const Tile& tile, TileState& state);
+    /// Lists the surfaces that are not proven open.
+    void list_traced();
+    /// Takes over what was traced earlier.
+    void restore(const TileState& begun);
+    /// Traces what the plan asks for, until it asks for no more.
+    void trace_all();
+    /// The same where all pixels of a tile get the same.
+    void trace_by_tile();
+    void store(TileState& state) const;
+
+    const EmbreeScene& scene_;
+    const CameraFrame& frame_;
+    const std::vector<TruthQuery>& queries_;
+    const TruthSettings& settings_;
+    SamplePlan plan_;
+    HitObserver observer_;
+    TileTracer tracer_;
+    OpenSpace open_space_;
+    double reach_m_ = 0;
+    std::vector<SurfaceHit> surfaces_;
+    std::vector<std::size_t> pixels_;  // of surfaces, into images
+    std::vector<std::size_t> traced_;  // surfaces that get rays
+    std::vector<int> samples_;         // of those, traced so far
+    bool rung_by_rung_;
+    std::vector<Rung> rungs_;
+};
+
+}  // namespace aoscore

@@ -1,0 +1,242 @@
+#include "reference/integrator/tile_tracer.h"
+
+#include "reference/estimate/falloff.h"
+#include "reference/integrator/vectorise.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+namespace aoscore {
+namespace {
+
+/// Rays held at once: their directions and order stay in the second-level cache.
+constexpr std::size_t kBatchRays = 16384;
+
+/// Walls are not tried by rays that reach less far, in diagonals of the scene.
+constexpr double kLeastReachForWalls = 0.1;
+
+/// Where rays start, by owner.
+struct Origins {
+    const float* x;
+    const float* y;
+    const float* z;
+};
+
+/// A packet of `rays`, and whose they are.
+AOSCORE_VECTORISE
+void fill(RTCRay16& packet, const DirectedRay* __restrict rays, const Origins& origins, float tfar,
+          std::uint32_t* __restrict owner) {
+    const float* __restrict from_x = origins.x, * __restrict from_y = origins.y, * __restrict from_z = origins.z;
+    for (std::size_t lane = 0; lane < kPacket; ++lane) {
+        packet.dir_x[lane] = rays[lane].x;
+        packet.dir_y[lane] = rays[lane].y;
+        packet.dir_z[lane] = rays[lane].z;
+        owner[lane] = rays[lane].owner;
+        packet.tfar[lane] = tfar;
+    }
+    for (std::size_t lane = 0; lane < kPacket; ++lane) packet.org_x[lane] = from_x[owner[lane]];
+    for (std::size_t lane = 0; lane < kPacket; ++lane) packet.org_y[lane] = from_y[owner[lane]];
+    for (std::size_t lane = 0; lane < kPacket; ++lane) packet.org_z[lane] = from_z[owner[lane]];
+}
+
+/// A bit for every lane that Embree found blocked, for which it sets tfar to minus infinity.
+inline std::uint32_t blocked_lanes(const RTCRay16& packet) {
+    std::uint32_t bits = 0;
+    for (std::size_t lane = 0; lane < kPacket; ++lane)
+        bits |= (std::bit_cast<std::uint32_t>(packet.tfar[lane]) >> 31) << lane;
+    return bits;
+}
+
+/// A bit for every lane that met something.
+inline std::uint32_t hit_lanes(const RTCRayHit16& packet) {
+    std::uint32_t bits = 0;
+    for (std::size_t lane = 0; lane < kPacket; ++lane)
+        bits |= std::uint32_t{packet.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID} << lane;
+    return bits;
+}
+
+/// A bit for every lane below `count`.
+inline std::uint32_t lanes_below(std::size_t count) {
+    return (1u << count) - 1;
+}
+
+/// What stays the same from packet to packet.
+void fill_constants(RTCRay16& ray) {
+    std::fill_n(ray.tnear, kPacket, 0.0f);
+    std::fill_n(ray.time, kPacket, 0.0f);
+    std::fill_n(ray.mask, kPacket, ~0u);
+    std::fill_n(ray.id, kPacket, 0u);
+    std::fill_n(ray.flags, kPacket, 0u);
+}
+
+/// All lanes below `count`.
+struct ValidLanes {
+    alignas(64) int lanes[kPacket];
+    explicit ValidLanes(std::size_t count) {
+        for (std::size_t lane = 0; lane < kPacket; ++lane) lanes[lane] = lane < count ? -1 : 0;
+    }
+};
+
+}  // namespace
+
+TileTracer::TileTracer(const EmbreeScene& scene, const std::vector<TruthQuery>& queries,
+                       const PointSets& points, bool ask_walls, HitObserver* observer)
+    : scene_(scene),
+      queries_(queries),
+      observer_(observer),
+      only_occlusion_(observer == nullptr && queries.size() == 1 && queries[0].falloff == Falloff::binary),
+      batch_(points) {
+    double reach = 0;
+    for (const TruthQuery& q : queries) reach = std::max(reach, q.radius_m);
+    reach_m_ = static_cast<float>(reach);
+    // A hit between a radius and its float32 value is judged by the radius itself.
+    if (!only_occlusion_) reach_m_ = std::nextafter(reach_m_, std::numeric_limits<float>::infinity());
+    if (ask_walls && only_occlusion_ && reach > kLeastReachForWalls * scene.diagonal_m())
+        walls_ = scene.walls();
+}
+
+void TileTracer::start(std::vector<RaySource> sources) {
+    sources_ = std::move(sources);
+    const std::size_t owners = sources_.size() * kBlocks;
+    sums_.assign(owners * queries_.size(), 0);
+    blocked_.resize(owners);
+    if (observer_ != nullptr) observer_->start(sources_.size());
+    origin_x_.clear();
+    origin_y_.clear();
+    origin_z_.clear();
+    for (const RaySource& source : sources_) {
+        origin_x_.insert(origin_x_.end(), kBlocks, source.origin.x);
+        origin_y_.insert(origin_y_.end(), kBlocks, source.origin.y);
+        origin_z_.insert(origin_z_.end(), kBlocks, source.origin.z);
+    }
+}
+
+void TileTracer::trace(std::span<const SampleRange> ranges) {
+    int longest = 0;
+    std::size_t active = 0;
+    for (const SampleRange& range : ranges) {
+        longest = std::max(longest, range.last - range.first);
+        active += range.last > range.first ? 1 : 0;
+    }
+    if (active == 0) return;
+    for (std::size_t s = 0; s < ranges.size(); ++s) {
+        if (ranges[s].first > 0) merge_blocks(s, block_size(ranges[s].first), block_size(ranges[s].last));
+    }
+    const int step = static_cast<int>(std::max<std::size_t>(1, kBatchRays / active));
+    for (int done = 0; done < longest; done += step) {
+        batch_.clear();
+        for (std::size_t s = 0; s < ranges.size(); ++s) {
+            const int from = ranges[s].first + done;
+            const int to = std::min(ranges[s].last, from + step);
+            if (from < to) batch_.add(sources_[s], s, from, to, block_size(ranges[s].last));
+        }
+        batch_.sort();
+        rays_ += batch_.size();
+        if (only_occlusion_) {
+            trace_occlusion();
+        } else {
+            trace_distance();
+        }
+    }
+}
+
+void TileTracer::merge_blocks(std::size_t source, int before, int after) {
+    const auto merged = static_cast<std::size_t>(after / before);
+    if (merged <= 1) return;
+    for (std::size_t q = 0; q < queries_.size(); ++q) {
+        double* sums = &sums_[(q * sources_.size() + source) * kBlocks];
+        for (std::size_t block = 0; block < kBlocks; ++block) {
+            double sum = 0;
+            for (std::size_t part = block * merged;
+                 part < std::min<std::size_t>((block + 1) * merged, kBlocks); ++part)
+                sum += sums[part];
+            sums[block] = sum;
+        }
+    }
+}
+
+void TileTracer::trace_occlusion() {
+    std::fill(blocked_.begin(), blocked_.end(), 0u);
+    if (walls_ != nullptr && habit_.worth_it()) {
+        trace_after_walls();
+    } else {
+        ask(scene_.handle(), batch_.sorted(), batch_.size(), Lanes::blocked,
+            [&](const DirectedRay& ray) { ++blocked_[ray.owner]; });
+    }
+    for (std::size_t i = 0; i < blocked_.size(); ++i) sums_[i] += blocked_[i];
+}
+
+void TileTracer::trace_after_walls() {
+    passed_.clear();
+    ask(walls_->handle(), batch_.sorted(), batch_.size(), Lanes::open,
+        [&](const DirectedRay& ray) { passed_.push_back(ray); });
+    const std::size_t passed = passed_.size();
+    habit_.learn(batch_.size(), batch_.size() - passed);
+    for (std::size_t owner = 0; owner < blocked_.size(); ++owner) blocked_[owner] = batch_.rays_of(owner);
+    passed_.resize(passed + kPacket, passed > 0 ? passed_.back() : DirectedRay{});
+    ask(scene_.handle(), passed_.data(), passed, Lanes::open,
+        [&](const DirectedRay& ray) { --blocked_[ray.owner]; });
+}
+
+template <class Report>
+void TileTracer::ask(RTCScene scene, const DirectedRay* rays, std::size_t count, Lanes reported,
+                     const Report& report) const {
+    RTCIntersectContext context = scene_.packet_context();
+    RTCRay16 ray;
+    fill_constants(ray);
+    const Origins origins{origin_x_.data(), origin_y_.data(), origin_z_.data()};
+    alignas(64) std::uint32_t owner[kPacket];
+    ValidLanes valid(kPacket);
+    const std::uint32_t flip = reported == Lanes::open ? ~0u : 0u;
+    for (std::size_t first = 0; first < count; first += kPacket) {
+        const std::size_t lanes = std::min(kPacket, count - first);
+        if (lanes < kPacket) valid = ValidLanes(lanes);
+        fill(ray, rays + first, origins, reach_m_, owner);
+        rtcOccluded16(valid.lanes, scene, &context, &ray);
+        std::uint32_t left = (blocked_lanes(ray) ^ flip) & lanes_below(lanes);
+        for (; left != 0; left &= left - 1)
+            report(rays[first + static_cast<std::size_t>(std::countr_zero(left))]);
+    }
+}
+
+void TileTracer::trace_distance() {
+    RTCIntersectContext context = scene_.packet_context();
+    RTCRayHit16 query;
+    fill_constants(query.ray);
+    const Origins origins{origin_x_.data(), origin_y_.data(), origin_z_.data()};
+    alignas(64) std::uint32_t owner[kPacket];
+    for (std::size_t first = 0; first < batch_.size(); first += kPacket) {
+        const std::size_t count = std::min(kPacket, batch_.size() - first);
+        const ValidLanes valid(count);
+        fill(query.ray, batch_.sorted() + first, origins, reach_m_, owner);
+        std::fill_n(query.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
+        std::fill_n(query.hit.instID[0], kPacket, RTC_INVALID_GEOMETRY_ID);
+        rtcIntersect16(valid.lanes, scene_.handle(), &context, &query);
+        for (std::size_t lane = 0; observer_ != nullptr && lane < count; ++lane)
+            tell_observer(query, lane, owner[lane] / kBlocks);
+        for (std::uint32_t left = hit_lanes(query) & lanes_below(count); left != 0; left &= left - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+            const double t = query.ray.tfar[lane];
+            for (std::size_t q = 0; q < queries_.size(); ++q) {
+                sums_[q * blocked_.size() + owner[lane]] += darkening(queries_[q], t);
+            }
+        }
+    }
+}
+
+void TileTracer::tell_observer(const RTCRayHit16& packet, std::size_t lane, std::size_t source) {
+    ObservedRay ray;
+    ray.origin = sources_[source].origin;
+    ray.direction = {packet.ray.dir_x[lane], packet.ray.dir_y[lane], packet.ray.dir_z[lane]};
+    ray.cosine = glm::dot(ray.direction, sources_[source].frame[2]);
+    ray.hit = packet.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID;
+    if (ray.hit) {
+        ray.distance_m = packet.ray.tfar[lane];
+        ray.normal = scene_.hit_normal(packet.hit.geomID[lane], packet.hit.instID[0][lane],
+                                       {packet.hit.Ng_x[lane], packet.hit.Ng_y[lane], packet.hit.Ng_z[lane]});
+    }
+    observer_->observe(source, ray);
+}
+
+}  // namespace aoscore

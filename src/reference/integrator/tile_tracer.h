@@ -1,0 +1,72 @@
+#pragma once
+
+#include "reference/tracer/embree_scene.h"
+#include "reference/tracer/hit_observer.h"
+#include "reference/tracer/ray_batch.h"
+#include "reference/tracer/walls.h"
+#include "reference/truth.h"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace aoscore {
+
+/// Samples [first, last) of a pixel.
+struct SampleRange {
+    int first, last;
+};
+
+/// Sums of darkening over the rays of the pixels of one tile.
+class TileTracer {
+  public:
+    /// `observer` may be null; else it is told of every ray. `ask_walls` as TruthSettings has it.
+    TileTracer(const EmbreeScene& scene, const std::vector<TruthQuery>& queries, const PointSets& points,
+               bool ask_walls, HitObserver* observer = nullptr);
+
+    /// Begins with these pixels and sums of zero.
+    void start(std::vector<RaySource> sources);
+    /// Goes on from sums of an earlier trace, as sums() gave them; after start().
+    void restore(std::size_t source, std::size_t query, std::span<const double> sums) {
+        std::ranges::copy(sums, &sums_[(query * sources_.size() + source) * sums.size()]);
+    }
+    /// Traces these samples, one range a source, each where the last one ended, and adds to the sums.
+    void trace(std::span<const SampleRange> ranges);
+
+    /// Darkening summed by blocks of block_size() of the samples traced so far: kBlocks values.
+    std::span<const double> sums(std::size_t source, std::size_t query) const {
+        return {&sums_[(query * sources_.size() + source) * kBlocks], kBlocks};
+    }
+    std::uint64_t rays() const { return rays_; }
+
+  private:
+    /// Sums by blocks of `before` samples become sums by blocks of `after` samples, a multiple.
+    void merge_blocks(std::size_t source, int before, int after);
+    void trace_occlusion();
+    void trace_after_walls();
+    enum class Lanes { open, blocked };
+    /// Traces packets of `count` rays, kPacket more of which may be read, and reports those that are open, or
+    /// those that are blocked, in their order.
+    template <class Report>
+    void ask(RTCScene scene, const DirectedRay* rays, std::size_t count, Lanes reported,
+             const Report& report) const;
+    void trace_distance();
+    void tell_observer(const RTCRayHit16& packet, std::size_t lane, std::size_t source);
+
+    const EmbreeScene& scene_;
+    const std::vector<TruthQuery>& queries_;
+    HitObserver* observer_;
+    bool only_occlusion_;
+    float reach_m_;  // no query looks farther
+    std::vector<RaySource> sources_;
+    std::vector<float> origin_x_, origin_y_, origin_z_;  // by owner, as packets name them
+    RayBatch batch_;
+    std::vector<std::uint32_t> blocked_;  // by owner
+    const Walls* walls_ = nullptr;        // asked first, where it may pay
+    WallHabit habit_;
+    std::vector<DirectedRay> passed_;  // the walls
+    std::vector<double> sums_;         // by query, then owner
+    std::uint64_t rays_ = 0;
+};
+
+}  // namespace aoscore

@@ -1,0 +1,73 @@
+#include "reference/sampling/sample_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aoscore {
+namespace {
+
+/// The least count of the form 2^k or 3 * 2^k, at least 4, that is not below `samples`: scrambled nets are at
+/// their best with whole powers of two a set, and two steps an octave waste little.
+int round_up(double samples) {
+    int count = 4;
+    while (count < samples && count < kMostSamples) {
+        if (count + count / 2 >= samples) return count + count / 2;
+        count *= 2;
+    }
+    return count;
+}
+
+int round_up_to_power(double samples) {
+    int count = 4;
+    while (count < samples && count < kMostSamples) count *= 2;
+    return count;
+}
+
+/// Independent rays that the most uncertain pixel, V = 1/2, would need.
+double most_uncertain(double error) {
+    return 0.25 / (error * error);
+}
+
+/// Error falls about as N^-3/4.
+constexpr double kSamplesPerError = 4.0 / 3;
+/// One round may at most multiply a pixel's rays by this: its error is itself an estimate.
+constexpr double kMostGrowth = 4;
+
+}  // namespace
+
+SamplePlan::SamplePlan(const TruthSettings& settings, double price)
+    : max_error_(settings.max_error),
+      price_(price),
+      by_tile_(settings.mean_error > 0),
+      first_(settings.samples),
+      most_(settings.samples) {
+    if (by_tile_) {
+        first_ = round_up_to_power(settings.samples);
+        most_ = std::max(first_, round_up_to_power(most_uncertain(settings.mean_error)));
+        return;
+    }
+    if (max_error_ <= 0) return;
+    first_ = round_up(std::max(static_cast<double>(settings.samples), 2 / max_error_));
+    most_ = std::max(first_, round_up(most_uncertain(max_error_)));
+}
+
+int SamplePlan::double_for_tile(int samples, double mean_error) const {
+    return samples < most_ && mean_error / samples > price_ ? 2 * samples : samples;
+}
+
+int SamplePlan::next_of_tile(int samples, double mean_error) const {
+    int next = double_for_tile(samples, mean_error);
+    // What is paid falls as N^-7/4. All of them leave at an infinite price, none at 0.
+    if (next == samples || price_ <= 0) return next;
+    const double wanted = samples * std::pow(mean_error / samples / price_, 4.0 / 7);
+    while (2.0 * next <= wanted && next < most_) next *= 2;
+    return next;
+}
+
+int SamplePlan::next(int samples, double error) const {
+    if (max_error_ <= 0 || error <= max_error_ || samples >= most_) return samples;
+    const double wanted = samples * std::min(std::pow(error / max_error_, kSamplesPerError), kMostGrowth);
+    return std::min(round_up(std::max(wanted, samples + 1.0)), most_);
+}
+
+}  // namespace aoscore

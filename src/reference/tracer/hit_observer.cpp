@@ -1,0 +1,87 @@
+#include "reference/tracer/hit_observer.h"
+
+#include "reference/estimate/falloff.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aoscore {
+namespace {
+
+constexpr double kHiddenDepthPart = 0.01;
+constexpr double kGrazingCosine = 0.1;
+/// Surfaces that a ray may pass on its way to a visible one.
+constexpr int kMostLayers = 64;
+/// By how much of its distance a ray steps over a surface that it has met.
+constexpr float kStep = 1e-5f;
+
+}  // namespace
+
+Cause CauseJudge::judge(const glm::dvec3& position, const glm::dvec3& normal) const {
+    const Camera& camera = frame_.camera();
+    const glm::dvec3 view(frame_.view_from_world() * glm::dvec4(position + scene_.centre(), 1));
+    const double depth = -view.z;
+    if (!(depth >= camera.near && depth <= camera.far)) return Cause::outside;
+    const glm::dvec3 place = frame_.project(view);
+    if (!(place.x >= 0 && place.x < frame_.width() && place.y >= 0 && place.y < frame_.height())) {
+        return Cause::outside;
+    }
+    const int x = static_cast<int>(place.x), y = static_cast<int>(place.y);
+    const double shown = hits_.depth.at(x, y);
+    const double tolerance = std::max(kHiddenDepthPart * shown, frame_.pixel_footprint(shown));
+    if (hits_.surface.at(x, y) != 0 && depth > shown + tolerance) return Cause::hidden;
+    const glm::dvec3 sight = camera.projection == Camera::Projection::perspective
+                                 ? glm::normalize(position + scene_.centre() - camera.position)
+                                 : glm::normalize(camera.target - camera.position);
+    return std::abs(glm::dot(normal, sight)) < kGrazingCosine ? Cause::grazing : Cause::visible;
+}
+
+double HitObserver::first_visible(const ObservedRay& ray, Cause nearest) const {
+    if (nearest == Cause::visible) return darkening(query_, ray.distance_m);
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    float from = static_cast<float>(ray.distance_m);
+    for (int layer = 0; layer < kMostLayers; ++layer) {
+        RTCRayHit next{};
+        next.ray = {ray.origin.x,
+                    ray.origin.y,
+                    ray.origin.z,
+                    from * (1 + kStep),
+                    ray.direction.x,
+                    ray.direction.y,
+                    ray.direction.z,
+                    0,
+                    static_cast<float>(query_.radius_m),
+                    ~0u,
+                    0,
+                    0};
+        next.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        next.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+        rtcIntersect1(scene_.handle(), &context, &next);
+        if (next.hit.geomID == RTC_INVALID_GEOMETRY_ID) return 0;
+        from = next.ray.tfar;
+        const glm::dvec3 position =
+            glm::dvec3(ray.origin) + static_cast<double>(from) * glm::dvec3(ray.direction);
+        const glm::dvec3 normal = scene_.hit_normal(next.hit.geomID, next.hit.instID[0],
+                                                    {next.hit.Ng_x, next.hit.Ng_y, next.hit.Ng_z});
+        if (judge_.judge(position, normal) == Cause::visible) return darkening(query_, from);
+    }
+    return 0;
+}
+
+void HitObserver::observe(std::size_t source, const ObservedRay& ray) {
+    Sums& sums = sums_[source];
+    const double dark = ray.hit ? darkening(query_, ray.distance_m) : 0;
+    if (extras_.bent_normals) {
+        const glm::dvec3 open = (1 - dark) / (2.0 * ray.cosine) * glm::dvec3(ray.direction);
+        for (int axis = 0; axis < 3; ++axis)
+            sums.open_direction[axis] += in_steps(open[axis], kDirectionStep);
+    }
+    if (dark <= 0 || (!extras_.causes && !extras_.one_layer_bound)) return;
+    const Cause cause =
+        judge_.judge(glm::dvec3(ray.origin) + ray.distance_m * glm::dvec3(ray.direction), ray.normal);
+    sums.by_cause[static_cast<std::size_t>(cause)] += dark;
+    if (extras_.one_layer_bound) sums.one_layer += first_visible(ray, cause);
+}
+
+}  // namespace aoscore

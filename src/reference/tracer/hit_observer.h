@@ -1,0 +1,72 @@
+#pragma once
+
+#include "reference/tracer/embree_scene.h"
+#include "reference/tracer/ray_batch.h"
+#include "reference/truth.h"
+
+#include <array>
+#include <vector>
+
+namespace aoscore {
+
+/// Tells by where a hit lies for the camera why one depth layer would miss it.
+class CauseJudge {
+  public:
+    /// `hits` is the whole picture that the camera sees.
+    CauseJudge(const EmbreeScene& scene, const CameraFrame& frame, const PrimaryHits& hits)
+        : scene_(scene), frame_(frame), hits_(hits) {}
+
+    /// Of a hit at `position` on a surface of unit normal `normal`, trace space.
+    Cause judge(const glm::dvec3& position, const glm::dvec3& normal) const;
+
+  private:
+    const EmbreeScene& scene_;
+    const CameraFrame& frame_;
+    const PrimaryHits& hits_;
+};
+
+/// One traced ray and what it met.
+struct ObservedRay {
+    glm::vec3 origin;
+    glm::vec3 direction;
+    float cosine = 1;  ///< with the axis of its hemisphere
+    bool hit = false;
+    double distance_m = 0;  ///< of the nearest hit
+    glm::dvec3 normal{0};   ///< of the nearest hit, trace space
+};
+
+/// Gathers over the rays of a tile's pixels what TruthExtras asks for.
+class HitObserver {
+  public:
+    HitObserver(const EmbreeScene& scene, const CauseJudge& judge, const TruthQuery& query,
+                const TruthExtras& extras)
+        : scene_(scene), judge_(judge), query_(query), extras_(extras) {}
+
+    /// Sums over the rays of one pixel.
+    struct Sums {
+        std::array<double, kCauses> by_cause{};
+        double one_layer = 0;
+        /// Uniformly weighted: each ray's by 1 / (2 cos); multiples of kDirectionStep.
+        glm::dvec3 open_direction{0};
+        bool operator==(const Sums&) const = default;
+    };
+    static constexpr double kDirectionStep = 0x1p-20;
+
+    void start(std::size_t sources) { sums_.assign(sources, {}); }
+    void observe(std::size_t source, const ObservedRay& ray);
+    /// Goes on from sums of an earlier trace; after start().
+    void restore(std::size_t source, const Sums& sums) { sums_[source] = sums; }
+    const Sums& sums(std::size_t source) const { return sums_[source]; }
+
+  private:
+    /// g of the nearest visible hit at or beyond the nearest hit, 0 without one.
+    double first_visible(const ObservedRay& ray, Cause nearest) const;
+
+    const EmbreeScene& scene_;
+    const CauseJudge& judge_;
+    const TruthQuery& query_;
+    TruthExtras extras_;
+    std::vector<Sums> sums_;
+};
+
+}  // namespace aoscore

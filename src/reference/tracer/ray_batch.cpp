@@ -1,0 +1,115 @@
+#include "reference/tracer/ray_batch.h"
+
+#include "core/sampling.h"
+#include "reference/integrator/vectorise.h"
+#include "reference/truth.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+namespace aoscore {
+namespace {
+
+/// Directions are sorted into cells of an octahedron's unfolding, along a Z-order curve.
+constexpr unsigned kCellBits = 5;
+constexpr int kCellsPerSide = 1 << kCellBits;
+constexpr std::size_t kCells = std::size_t{kCellsPerSide} * kCellsPerSide;
+
+/// Moves bit i to bit 2 i.
+inline std::uint32_t spread_bits(std::uint32_t x) {
+    x = (x | (x << 4)) & 0x0f0fu;
+    x = (x | (x << 2)) & 0x3333u;
+    return (x | (x << 1)) & 0x5555u;
+}
+
+/// The cell of a direction on the octahedral map (Cigolle et al., A Survey of Efficient Representations for
+/// Independent Unit Vectors, 2014). Only an order: it need not be exact, and both halves may share a fold.
+inline std::uint16_t direction_cell(float x, float y, float z) {
+    const float scale = 1 / (std::abs(x) + std::abs(y) + std::abs(z));
+    const float a = x * scale, b = y * scale;
+    const float folded_a = std::copysign(1 - std::abs(b), x);
+    const float folded_b = std::copysign(1 - std::abs(a), y);
+    constexpr float kHalf = kCellsPerSide / 2;
+    const int i = std::min(static_cast<int>((z < 0 ? folded_a : a) * kHalf + kHalf), kCellsPerSide - 1);
+    const int j = std::min(static_cast<int>((z < 0 ? folded_b : b) * kHalf + kHalf), kCellsPerSide - 1);
+    return static_cast<std::uint16_t>(spread_bits(static_cast<std::uint32_t>(i)) |
+                                      (spread_bits(static_cast<std::uint32_t>(j)) << 1));
+}
+
+/// Consecutive points of a set, those of one pixel.
+struct PointRange {
+    const std::uint32_t* u;
+    const std::uint32_t* v;
+    std::uint32_t first;  ///< its index in the set
+    std::size_t count;
+    std::uint32_t shift_u, shift_v;  ///< of this pixel
+    std::uint32_t owner;             ///< of the pixel's first block
+    unsigned block_bits;             ///< log2 of the samples in a block
+};
+
+AOSCORE_VECTORISE
+void make_directions(const PointRange& points, const glm::mat3& frame, DirectedRay* __restrict rays,
+                     std::uint16_t* __restrict cell) {
+    const glm::vec3 s = frame[0], t = frame[1], n = frame[2];
+    const std::uint32_t* __restrict u = points.u, * __restrict v = points.v;
+    const std::uint32_t shift_u = points.shift_u, shift_v = points.shift_v;
+    const std::uint32_t owner = points.owner, first = points.first;
+    const unsigned block_bits = points.block_bits;
+    for (std::size_t i = 0; i < points.count; ++i) {
+        const glm::vec3 d = cosine_hemisphere(unit_interval(u[i] ^ shift_u), unit_interval(v[i] ^ shift_v));
+        const float x = s.x * d.x + t.x * d.y + n.x * d.z;
+        const float y = s.y * d.x + t.y * d.y + n.y * d.z;
+        const float z = s.z * d.x + t.z * d.y + n.z * d.z;
+        rays[i].x = x;
+        rays[i].y = y;
+        rays[i].z = z;
+        rays[i].owner = owner + ((first + static_cast<std::uint32_t>(i)) >> block_bits);
+        cell[i] = direction_cell(x, y, z);
+    }
+}
+
+}  // namespace
+
+void RayBatch::reserve(std::size_t size) {
+    if (size <= rays_.size()) return;
+    size = std::max(size, 2 * rays_.size());
+    rays_.resize(size);
+    cell_.resize(size);
+}
+
+void RayBatch::add(const RaySource& source, std::size_t number, int first, int last, int block) {
+    const std::uint64_t shifts = mix_bits(source.seed);
+    const PointSets::Coordinates set = points_.set(mix_bits(shifts));
+    reserve(size_ + static_cast<std::size_t>(last - first));
+    const auto owner = static_cast<std::uint32_t>(number * kBlocks);
+    const PointRange points{set.u + first,
+                            set.v + first,
+                            static_cast<std::uint32_t>(first),
+                            static_cast<std::size_t>(last - first),
+                            static_cast<std::uint32_t>(shifts),
+                            static_cast<std::uint32_t>(shifts >> 32),
+                            owner,
+                            static_cast<unsigned>(std::countr_zero(static_cast<unsigned>(block)))};
+    make_directions(points, source.frame, &rays_[size_], &cell_[size_]);
+    size_ += points.count;
+    if (rays_of_.size() < owner + kBlocks) rays_of_.resize(owner + kBlocks);
+    for (int from = first; from < last;) {
+        const int to = std::min(last, (from / block + 1) * block);
+        rays_of_[owner + static_cast<std::size_t>(from / block)] += static_cast<std::uint32_t>(to - from);
+        from = to;
+    }
+}
+
+void RayBatch::sort() {
+    std::array<std::uint32_t, kCells + 1> start{};
+    for (std::size_t i = 0; i < size_; ++i) ++start[cell_[i] + 1u];
+    for (std::size_t c = 0; c < kCells; ++c) start[c + 1] += start[c];
+    if (sorted_.size() < size_ + kPacket) sorted_.resize(size_ + kPacket);
+    for (std::size_t i = 0; i < size_; ++i) sorted_[start[cell_[i]]++] = rays_[i];
+    std::fill_n(sorted_.begin() + static_cast<std::ptrdiff_t>(size_), kPacket,
+                size_ > 0 ? sorted_[size_ - 1] : DirectedRay{});
+}
+
+}  // namespace aoscore

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "reference/sampling/point_sets.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace aoscore {
+
+/// Where the rays of one pixel start and how its hemisphere lies, in trace space.
+struct RaySource {
+    glm::vec3 origin;
+    glm::mat3 frame;     ///< third column: the axis of the hemisphere
+    std::uint64_t seed;  ///< of this pixel's points
+};
+
+/// Rays in one packet.
+inline constexpr std::size_t kPacket = 16;
+
+/// A direction, and the sum that it counts for: kBlocks times the source, plus the block.
+struct DirectedRay {
+    float x, y, z;
+    std::uint32_t owner;
+};
+
+/// The rays of the pixels of one tile for a range of sample indices, in an order that puts rays of similar
+/// direction, whichever pixel they leave from, side by side: packets of them are coherent, while each pixel
+/// keeps point sets of its own, so that the noise of neighbours stays independent.
+class RayBatch {
+  public:
+    explicit RayBatch(const PointSets& points) : points_(points) {}
+
+    void clear() {
+        size_ = 0;
+        rays_of_.clear();
+    }
+    /// Samples [first, last) of source number `number`, in blocks of `block` samples, a power of two.
+    void add(const RaySource& source, std::size_t number, int first, int last, int block);
+    void sort();
+
+    std::size_t size() const { return size_; }
+    /// How many count for the sum of that number, see DirectedRay.
+    std::uint32_t rays_of(std::size_t owner) const { return owner < rays_of_.size() ? rays_of_[owner] : 0; }
+    /// In the order of add(), and sorted: there kPacket copies of the last one follow.
+    const std::vector<DirectedRay>& rays() const { return rays_; }
+    const DirectedRay* sorted() const { return sorted_.data(); }
+
+  private:
+    void reserve(std::size_t size);
+
+    const PointSets& points_;
+    std::size_t size_ = 0;
+    std::vector<DirectedRay> rays_, sorted_;
+    std::vector<std::uint16_t> cell_;
+    std::vector<std::uint32_t> rays_of_;  // by owner
+};
+
+}  // namespace aoscore

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/image.h"
+#include "results/image/pixel_rect.h"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace aoscore {
+
+/// A named 32-bit float channel of an EXR file.
+struct ChannelView {
+    std::string name;
+    const ImageF* image;
+};
+
+/// Writes a scan-line EXR, 32-bit float, ZIP, atomically, with text attributes ("aoscore:seed" -> "1"). Of
+/// EXR's standard attributes, "comments", "capDate" and "owner" are texts; "worldToCamera" and "worldToNDC"
+/// become matrices: 16 numbers, row by row, for points that are row vectors (the transposes of ours). Viewers
+/// show the layer without a name, so that one of the channels should be Y, or three of them R, G, B. Throws
+/// file_error when it cannot be written, and internal_error for channels that are empty, of several sizes or
+/// of one name.
+void write_exr(const std::filesystem::path& path, std::span<const ChannelView> channels,
+               const std::map<std::string, std::string>& attributes);
+
+/// An image file with all of its channels by name. Each has the size of the frame, which is EXR's display
+/// window and in other formats the picture.
+struct ImageFile {
+    int width = 0, height = 0;
+    std::vector<std::string> channel_names;
+    std::vector<ImageF> channels;
+    std::vector<PixelRect> covered;     ///< of each channel: the part of the frame that the file has pixels
+                                        ///< for; around it there are NaN
+    std::vector<std::string> left_out;  ///< parts that are deep or of another frame, each with the reason
+    std::map<std::string, std::string> attributes;
+    bool integers = false;  ///< stored as such; the values are them as shares of their range
+
+    std::optional<std::size_t> index(const std::string& name) const;
+    /// Null when absent.
+    const ImageF* channel(const std::string& name) const;
+};
+
+/// Reads any format of OpenImageIO (EXR, PNG, PFM, …), and EXR with channels of lower resolution; integers
+/// become value/255 or value/65535, colours are not multiplied by alpha, and an Orientation is applied. The
+/// parts of an EXR that has several are layers: their channels come as <part>.<channel>; deep parts and those
+/// whose frame is not the first one's are left out. Of a data window, what lies within the display window
+/// counts. Throws file_error for what is absent, truncated, no image, larger than 16384 px a side, or has
+/// deep parts alone.
+ImageFile read_image(const std::filesystem::path& path);
+
+/// PNG in memory: indices into a palette of up to 256 colours (0xRRGGBB), with 1, 2, 4 or 8 bits as that many
+/// need. Throws internal_error for an index beyond the palette.
+std::string encode_png_indexed(const Image<std::uint8_t>& indices,
+                               std::span<const std::uint32_t> palette_rgb);
+/// PNG in memory, 8-bit gray.
+std::string encode_png_gray(const Image<std::uint8_t>& gray);
+
+}  // namespace aoscore

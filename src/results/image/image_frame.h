@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/image.h"
+#include "results/image/pixel_rect.h"
+
+namespace aoscore {
+
+/// What of `pixels`, whose left upper one is at `pixels.x`, `pixels.y` of a frame, lies within the frame.
+PixelRect within_frame(const PixelRect& pixels, int frame_width, int frame_height);
+
+/// The picture at `x`, `y` of a frame: what lies outside of the frame is dropped, and the frame's pixels that
+/// the picture does not reach are NaN.
+ImageF placed(const ImageF& picture, int x, int y, int frame_width, int frame_height);
+
+/// How a picture that is stored with an Orientation is to be shown: transposed first, then mirrored (left and
+/// right change places), then turned over (top and bottom do).
+struct Orientation {
+    bool transposed = false, mirrored = false, turned_over = false;
+
+    bool upright() const { return !transposed && !mirrored && !turned_over; }
+
+    /// Of the tag Orientation, 1 to 8 (Adobe, TIFF, revision 6.0, 1992; Exif has the same); upright for any
+    /// other number.
+    static Orientation of_tag(int tag);
+};
+
+template <class T>
+Image<T> shown(const Image<T>& stored, const Orientation& orientation) {
+    const int width = orientation.transposed ? stored.height : stored.width;
+    const int height = orientation.transposed ? stored.width : stored.height;
+    Image<T> result(width, height);
+    if (stored.empty()) return result;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const int column = orientation.mirrored ? width - 1 - x : x;
+            const int row = orientation.turned_over ? height - 1 - y : y;
+            result.at(x, y) = orientation.transposed ? stored.at(row, column) : stored.at(column, row);
+        }
+    }
+    return result;
+}
+/// Where a rectangle of a stored picture of this size is shown.
+PixelRect shown(PixelRect stored, int width, int height, const Orientation& orientation);
+
+}  // namespace aoscore

@@ -1,0 +1,35 @@
+#include "results/image/image_limits.h"
+
+#include "core/image.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace aoscore {
+namespace {
+
+constexpr int kMostChannels = 1024;
+constexpr std::size_t kMostValues = std::size_t{1} << 30;
+
+}  // namespace
+
+void require_allocatable(int width, int height, int channels, const std::string& where) {
+    if (width < 1 || height < 1 || channels < 1) throw file_error("is empty", where);
+    const std::size_t values = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                               static_cast<std::size_t>(channels);
+    if (width <= kLargestImageSide_px && height <= kLargestImageSide_px && channels <= kMostChannels &&
+        values <= kMostValues)
+        return;
+    throw file_error(fmt::format("claims {}x{} pixels of {} channels", width, height, channels), where,
+                     fmt::format("at most {0}x{0} pixels, {1} channels, {2} values", kLargestImageSide_px,
+                                 kMostChannels, kMostValues));
+}
+
+Error unreadable_image(const std::string& complaint, const std::string& where) {
+    std::string text = complaint;
+    std::ranges::replace(text, '\n', ' ');
+    return file_error("cannot be read: " + text, where, "a whole image file");
+}
+
+}  // namespace aoscore

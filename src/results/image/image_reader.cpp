@@ -1,0 +1,188 @@
+#include "core/error.h"
+#include "results/image/exr_header.h"
+#include "results/image/image_file.h"
+#include "results/image/image_frame.h"
+#include "results/image/image_limits.h"
+#include "results/image/image_strips.h"
+#include "results/image/subsampled_exr.h"
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <new>
+#include <utility>
+
+namespace aoscore {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Refuses an EXR whose header claims more values than the file's bytes can hold, in its picture or in one of
+/// its tiles: memory would be filled with what is not there. `bytes` is the file's size.
+void require_plausible_exr(const OIIO::ImageSpec& spec, std::uintmax_t bytes, const std::string& where) {
+    const bool dwa = std::string_view(spec.get_string_attribute("compression")).starts_with("dwa");
+    const double most = static_cast<double>(bytes) * (dwa ? kMostValuesAByteOfDwa : kMostValuesAByte);
+    const double picture = 1.0 * spec.width * spec.height * spec.nchannels;
+    const double tile = 1.0 * spec.tile_width * spec.tile_height * spec.tile_depth * spec.nchannels;
+    if (std::max(picture, tile) <= most) return;
+    const bool by_tile = tile > picture;
+    throw file_error(
+        fmt::format("claims {} of {}x{} pixels, more than {} bytes can hold", by_tile ? "tiles" : "a picture",
+                    by_tile ? spec.tile_width : spec.width, by_tile ? spec.tile_height : spec.height, bytes),
+        where, "a whole EXR file");
+}
+
+/// One part of a file: the frame it belongs to, and where in it its pixels are. Only EXR has frames of their
+/// own (display windows); elsewhere the pixels are the frame.
+struct Part {
+    int frame_width, frame_height;
+    PixelRect pixels;
+
+    Part(const OIIO::ImageSpec& spec, bool exr)
+        : frame_width(exr ? spec.full_width : spec.width),
+          frame_height(exr ? spec.full_height : spec.height),
+          pixels{exr ? offset(spec.x, spec.full_x) : 0, exr ? offset(spec.y, spec.full_y) : 0, spec.width,
+                 spec.height} {}
+
+    /// However far apart a header claims them to be: farther than any picture is wide is all the same.
+    static int offset(int begin, int frame_begin) {
+        constexpr std::int64_t kFar = 4 * kLargestImageSide_px;
+        return static_cast<int>(std::clamp<std::int64_t>(std::int64_t{begin} - frame_begin, -kFar, kFar));
+    }
+    bool fills_frame() const { return pixels == PixelRect{0, 0, frame_width, frame_height}; }
+};
+
+void require_readable(const OIIO::ImageSpec& spec, const Part& part, const std::string& where) {
+    if (spec.depth > 1) throw file_error("is a volume", where, "an image");
+    require_allocatable(spec.width, spec.height, spec.nchannels, where);
+    require_allocatable(part.frame_width, part.frame_height, spec.nchannels, where);
+    if (!within_frame(part.pixels, part.frame_width, part.frame_height).empty()) return;
+    throw file_error(fmt::format("holds {}x{} pixels at {}, {} of a frame of {}x{}", spec.width, spec.height,
+                                 part.pixels.x, part.pixels.y, part.frame_width, part.frame_height),
+                     where, "at least a pixel of the frame");
+}
+
+/// Channels of a file of several parts carry the name of theirs: "<part>.<channel>".
+void read_part(OIIO::ImageInput& input, int subimage, const Part& part, const std::string& name,
+               const std::string& where, ImageFile& file) {
+    const std::size_t before = file.channels.size();
+    read_strips(input, subimage, where, file.channels);
+    const PixelRect covered = within_frame(part.pixels, part.frame_width, part.frame_height);
+    for (std::size_t c = before; c < file.channels.size(); ++c) {
+        file.covered.push_back(covered);
+        if (part.fills_frame()) continue;
+        ImageF& image = file.channels[c];
+        image = placed(image, part.pixels.x, part.pixels.y, part.frame_width, part.frame_height);
+    }
+    for (const std::string& channel : input.spec(subimage).channelnames) {
+        const bool bare = name.empty() || channel.starts_with(name + ".");
+        file.channel_names.push_back(bare ? channel : name + "." + channel);
+    }
+}
+
+/// Of EXR's standard attributes, those that OpenImageIO renames.
+const std::map<std::string, std::string, std::less<>> kExrNames = {
+    {"Copyright", "owner"}, {"DateTime", "capDate"}, {"ImageDescription", "comments"}};
+
+std::map<std::string, std::string> attributes_of(const OIIO::ImageSpec& spec, bool exr) {
+    std::map<std::string, std::string> attributes;
+    for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
+        std::string name(attribute.name());
+        if (const auto renamed = kExrNames.find(name); exr && renamed != kExrNames.end())
+            name = renamed->second;
+        if (attribute.type() == OIIO::TypeMatrix44) {
+            const std::span numbers(static_cast<const float*>(attribute.data()), 16);
+            attributes[name] = fmt::format("{}", fmt::join(numbers, " "));
+        } else {
+            attributes[name] = attribute.get_string();
+        }
+    }
+    return attributes;
+}
+
+void turn_upright(ImageFile& file, const Orientation& orientation) {
+    for (ImageF& image : file.channels) image = shown(image, orientation);
+    for (PixelRect& covered : file.covered) covered = shown(covered, file.width, file.height, orientation);
+    if (orientation.transposed) std::swap(file.width, file.height);
+}
+
+/// Other programs put layers into parts of an EXR. The first flat one decides the frame.
+ImageFile read_all_parts(OIIO::ImageInput& input, const fs::path& path) {
+    const std::string where = path.string();
+    const std::uintmax_t bytes = fs::file_size(path);
+    const bool exr = std::string_view(input.format_name()) == "openexr";
+    const bool several = exr && input.seek_subimage(1, 0);
+    ImageFile file;
+    for (int subimage = 0; subimage == 0 || (several && input.seek_subimage(subimage, 0)); ++subimage) {
+        input.seek_subimage(subimage, 0);
+        const OIIO::ImageSpec spec = input.spec(subimage);
+        const Part part(spec, exr);
+        const std::string name(several ? spec.get_string_attribute("oiio:subimagename") : "");
+        const bool first = file.channels.empty();
+        const bool of_frame = part.frame_width == file.width && part.frame_height == file.height;
+        if (spec.deep || (!first && !of_frame)) {
+            file.left_out.push_back(fmt::format(
+                "{} ({})", name.empty() ? fmt::format("part {}", subimage) : name,
+                spec.deep ? "deep" : fmt::format("{}x{} pixels", part.frame_width, part.frame_height)));
+            continue;
+        }
+        require_readable(spec, part, where);
+        if (exr) require_plausible_exr(spec, bytes, where);
+        if (first) {
+            file.width = part.frame_width;
+            file.height = part.frame_height;
+            file.integers = !spec.format.is_floating_point();
+            file.attributes = attributes_of(spec, exr);
+        }
+        read_part(input, subimage, part, name, where, file);
+    }
+    if (file.channels.empty()) throw file_error("is a deep image", where, "a flat one");
+    const Orientation orientation = Orientation::of_tag(input.spec(0).get_int_attribute("Orientation", 1));
+    if (!orientation.upright()) turn_upright(file, orientation);
+    return file;
+}
+
+}  // namespace
+
+std::optional<std::size_t> ImageFile::index(const std::string& name) const {
+    const auto found = std::ranges::find(channel_names, name);
+    if (found == channel_names.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - channel_names.begin());
+}
+
+const ImageF* ImageFile::channel(const std::string& name) const {
+    const auto found = index(name);
+    return found ? &channels[*found] : nullptr;
+}
+
+ImageFile read_image(const fs::path& path) {
+    const std::string where = path.string();
+    std::error_code ec;
+    const fs::file_status status = fs::status(path, ec);
+    if (!fs::exists(status)) throw file_error("no such file", where);
+    if (!fs::is_regular_file(status)) throw file_error("not a regular file", where);
+    OIIO::ImageSpec as_stored;
+    as_stored["oiio:UnassociatedAlpha"] = 1;  // Colour is not to be multiplied by alpha.
+    try {
+        require_plausible_exr_header(path);
+        const auto input = OIIO::ImageInput::open(where, &as_stored);
+        if (!input) {
+            const std::string reason = OIIO::geterror();
+            if (is_subsampled_exr(path)) return read_subsampled_exr(path);
+            throw unreadable_image(reason, where);
+        }
+        return read_all_parts(*input, path);
+    } catch (const Error&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw file_error("needs more memory than there is", where);
+    } catch (const std::exception& e) {
+        throw unreadable_image(e.what(), where);
+    }
+}
+
+}  // namespace aoscore

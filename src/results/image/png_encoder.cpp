@@ -1,0 +1,102 @@
+#include "core/error.h"
+#include "results/image/image_file.h"
+
+#include <fmt/format.h>
+#include <png.h>
+
+#include <algorithm>
+#include <csetjmp>
+#include <memory>
+#include <new>
+
+namespace aoscore {
+namespace {
+
+struct PngJob {
+    const Image<std::uint8_t>& pixels;
+    std::span<const png_color> palette;  ///< empty: gray
+    int bits;
+    std::string bytes;
+    std::string error;
+};
+
+PngJob& job_of(png_structp png) {
+    return *static_cast<PngJob*>(png_get_io_ptr(png));
+}
+
+void append(png_structp png, png_bytep data, std::size_t size) {
+    try {
+        job_of(png).bytes.append(reinterpret_cast<const char*>(data), size);
+    } catch (const std::bad_alloc&) {
+        png_error(png, "out of memory");  // Exceptions must not pass through a C library.
+    }
+}
+
+void flush(png_structp) {}
+
+[[noreturn]] void fail(png_structp png, png_const_charp message) {
+    static_cast<PngJob*>(png_get_error_ptr(png))->error = message;
+    png_longjmp(png, 1);
+}
+
+void ignore(png_structp, png_const_charp) {}
+
+/// Nothing here may have a destructor: libpng leaves by longjmp when it fails. False then.
+bool write_png(png_structp png, png_infop info, PngJob& job) {
+    if (setjmp(png_jmpbuf(png)) != 0) return false;
+    png_set_write_fn(png, &job, append, flush);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(job.pixels.width),
+                 static_cast<png_uint_32>(job.pixels.height), job.bits,
+                 job.palette.empty() ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_PALETTE, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (!job.palette.empty())
+        png_set_PLTE(png, info, job.palette.data(), static_cast<int>(job.palette.size()));
+    // Indices have no slope to predict; grays have.
+    png_set_filter(png, PNG_FILTER_TYPE_BASE,
+                   job.palette.empty() ? PNG_FILTER_SUB | PNG_FILTER_UP : PNG_FILTER_NONE);
+    png_set_compression_level(png, 6);
+    png_write_info(png, info);
+    png_set_packing(png);  // Rows come with one byte a pixel, whatever the bits.
+    for (int y = 0; y < job.pixels.height; ++y) png_write_row(png, &job.pixels.at(0, y));
+    png_write_end(png, info);
+    return true;
+}
+
+std::string encode(const Image<std::uint8_t>& pixels, std::span<const png_color> palette, int bits) {
+    if (pixels.empty()) throw internal_error("a PNG without pixels");
+    PngJob job{pixels, palette, bits, {}, {}};
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &job, fail, ignore);
+    png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+    const bool written = info != nullptr && write_png(png, info, job);
+    png_destroy_write_struct(&png, &info);
+    if (!written) throw internal_error("PNG: " + job.error);
+    return std::move(job.bytes);
+}
+
+}  // namespace
+
+std::string encode_png_indexed(const Image<std::uint8_t>& indices,
+                               std::span<const std::uint32_t> palette_rgb) {
+    if (palette_rgb.empty() || palette_rgb.size() > 256) {
+        throw internal_error(fmt::format("a PNG palette of {} colours", palette_rgb.size()));
+    }
+    const auto largest = std::ranges::max_element(indices.pixels);
+    if (largest != indices.pixels.end() && *largest >= palette_rgb.size()) {
+        throw internal_error(
+            fmt::format("index {} in a PNG palette of {} colours", *largest, palette_rgb.size()));
+    }
+    std::vector<png_color> palette;
+    for (const std::uint32_t rgb : palette_rgb) {
+        palette.push_back(
+            {static_cast<png_byte>(rgb >> 16), static_cast<png_byte>(rgb >> 8), static_cast<png_byte>(rgb)});
+    }
+    int bits = 1;
+    while ((std::size_t{1} << bits) < palette.size()) bits *= 2;
+    return encode(indices, palette, bits);
+}
+
+std::string encode_png_gray(const Image<std::uint8_t>& gray) {
+    return encode(gray, {}, 8);
+}
+
+}  // namespace aoscore

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "screen/gbuffer/derived_inputs.h"
+#include "screen/gbuffer/gbuffer.h"
+#include "screen/passes/pass_program.h"
+#include "screen/screen.h"
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace aoscore {
+
+/// Which of a request's settings decide what an input is.
+struct InputSettings {
+    Normals normals = Normals::as_described;
+    Precision precision = Precision::full;
+};
+
+/// The input that a request reads in place of a listed one, where it asks for other normals.
+std::string replaced_normal(const std::string& input, Normals normals);
+
+/// Finds, or makes, the texture behind each input that a pass lists.
+class InputTextures {
+  public:
+    explicit InputTextures(const GBuffer& gbuffer) : gbuffer_(&gbuffer) {}
+
+    /// "coarser" and "visibility" are the pass before this one's: `previous`. Throws internal_error for an
+    /// input that the G-buffer was drawn without.
+    GLuint texture(const std::string& listed, const PassBuild& build, const InputSettings& settings,
+                   GLuint previous);
+
+    /// Drops what was computed from the G-buffer.
+    void forget_derived() { derived_.forget(); }
+
+  private:
+    GLuint noise(std::uint64_t seed);
+    GLuint depth_mips(const PassBuild& build, GLuint linear_depth);
+    GLuint linear_depth(Precision precision);
+    GLuint normal(const std::string& input, Precision precision);
+    GLuint drawn(const std::string& input) const;
+
+    const GBuffer* gbuffer_;
+    DerivedInputs derived_;
+    std::map<std::uint64_t, gl::Texture> noise_4x4_;
+};
+
+}  // namespace aoscore

@@ -1,0 +1,29 @@
+#include "screen/gbuffer/precision.h"
+
+#include "core/error.h"
+
+namespace aoscore {
+
+const std::vector<PrecisionFormat>& precision_formats() {
+    static const std::vector<PrecisionFormat> table{
+        {Precision::full, "full", "", false, "linear depth, 32-bit float"},
+        {Precision::depth_32f, "depth-32f", "WINDOW_FLOAT", false, "window depth, 32-bit float"},
+        {Precision::depth_32f_reversed, "depth-32f-reversed", "REVERSED_FLOAT", false,
+         "window depth with 1 at the near plane, 32-bit float"},
+        {Precision::depth_24, "depth-24", "WINDOW_24", false, "window depth, 24 bits"},
+        {Precision::depth_16, "depth-16", "WINDOW_16", false, "window depth, 16 bits"},
+        {Precision::linear_16, "linear-16", "LINEAR_16", false, "linear depth, 16 bits"},
+        {Precision::packed_rgba8, "packed-rgba8", "LINEAR_TWO_BYTES", true,
+         "linear depth in two bytes, normals in two"},
+    };
+    return table;
+}
+
+const PrecisionFormat& format_of(Precision precision) {
+    for (const PrecisionFormat& format : precision_formats()) {
+        if (format.precision == precision) return format;
+    }
+    throw internal_error("precision without a format", "screen/precision.cpp");
+}
+
+}  // namespace aoscore

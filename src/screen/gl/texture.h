@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/image.h"
+#include "screen/gl/gl_objects.h"
+
+namespace aoscore {
+
+/// An internal format with the transfer format that fits it.
+struct TextureFormat {
+    GLint internal;
+    GLenum transfer;
+};
+inline constexpr TextureFormat kR32F{GL_R32F, GL_RED};
+inline constexpr TextureFormat kRgba32F{GL_RGBA32F, GL_RGBA};
+inline constexpr TextureFormat kDepth32F{GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT};
+
+/// A 2-D texture without mips, unfiltered, clamped; filled from `pixels` (floats, row 0 first) where given.
+gl::Texture make_texture(TextureFormat format, int width, int height, const void* pixels = nullptr);
+
+/// A texture with `levels` levels, each half of the one before (rounded down, at least 1), unfilled.
+gl::Texture make_mipmapped_texture(TextureFormat format, int width, int height, int levels);
+
+/// Level 0 as floats, row 0 first; `pixels` must hold all of it.
+void read_texture(GLuint texture, GLenum transfer, void* pixels);
+
+/// A framebuffer that draws into this level of these textures, in order, and nothing else. It stays bound.
+gl::Framebuffer make_framebuffer(std::initializer_list<GLuint> textures, int level = 0);
+
+}  // namespace aoscore

@@ -1,0 +1,461 @@
+#include "core/error.h"
+#include "core/files.h"
+#include "core/printable.h"
+#include "core/strict_json.h"
+#include "screen/method/kernel.h"
+#include "screen/method/method.h"
+#include "screen/method/method_files.h"
+#include "screen/passes/line_sweep.h"
+#include "screen/passes/shader_source.h"
+#include "screen/screen.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <limits>
+#include <set>
+
+namespace aoscore {
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+void check_id(const std::string& id, const std::string& where, char separator) {
+    const bool good = !id.empty() && std::islower(static_cast<unsigned char>(id[0])) != 0 &&
+                      std::all_of(id.begin(), id.end(), [&](unsigned char c) {
+                          return std::islower(c) != 0 || std::isdigit(c) != 0 || c == separator;
+                      });
+    if (!good) {
+        throw file_error(fmt::format("\"{}\" is no id", id), where,
+                         fmt::format("lower-case letters, digits and '{}', a letter first", separator));
+    }
+}
+
+Parameter::Type parse_type(const std::string& name, const std::string& where) {
+    if (name == "integer") return Parameter::Type::integer;
+    if (name == "real") return Parameter::Type::real;
+    if (name == "boolean") return Parameter::Type::boolean;
+    if (name == "choice") return Parameter::Type::choice;
+    throw file_error(fmt::format("is \"{}\"", name), where, "integer, real, boolean, choice");
+}
+
+Parameter parse_parameter(const std::string& id, StrictObject object) {
+    Parameter p;
+    p.id = id;
+    check_id(id, object.where(), '_');
+    p.type = parse_type(object.text("type"), object.where("type"));
+    p.meaning = object.text("meaning");
+    p.unit = object.text_or("unit", "");
+    p.length_power = object.integer_or("length_power", 0, -6, 6);
+    if (p.type == Parameter::Type::integer || p.type == Parameter::Type::real) {
+        const auto range = object.numbers("range", 2);
+        p.lowest = range[0];
+        p.highest = range[1];
+        // What GLSL can hold.
+        constexpr double kLargestInteger = std::numeric_limits<int>::max();
+        constexpr double kLargestReal = std::numeric_limits<float>::max();
+        const double largest = p.type == Parameter::Type::integer ? kLargestInteger : kLargestReal;
+        if (p.lowest < -largest || p.highest > largest || p.lowest > p.highest) {
+            throw file_error(fmt::format("is {} to {}", p.lowest, p.highest), object.where("range"),
+                             fmt::format("lowest and highest, from {} to {}", -largest, largest));
+        }
+    } else if (p.type == Parameter::Type::choice) {
+        p.choices = object.texts_or_empty("choices");
+        for (const std::string& choice : p.choices) check_id(choice, object.where("choices"), '_');
+    }
+    if (p.length_power != 0 && p.type != Parameter::Type::real)
+        throw file_error("is no real number", object.where("length_power"), "real parameters alone");
+    p.default_value = object.raw("default");
+    if (!p.accepts(p.default_value)) {
+        throw file_error(fmt::format("is {}", p.default_value.dump()), object.where("default"), p.valid());
+    }
+    object.finish();
+    return p;
+}
+
+std::map<std::string, ParameterValues> parse_presets(const MethodDescriptor& method, StrictObject presets) {
+    std::map<std::string, ParameterValues> result;
+    for (const auto& [name, value] : presets.members()) {
+        check_id(name, presets.where(name), '-');
+        for (const auto& [id, setting] : StrictObject(value, presets.where(name)).members()) {
+            const std::string where = presets.where(name) + "." + id;
+            const Parameter* parameter = method.find_parameter(id);
+            if (parameter == nullptr) throw file_error("is no parameter", where, "a declared parameter");
+            if (!parameter->accepts(setting)) {
+                throw file_error(fmt::format("is {}", setting.dump()), where, parameter->valid());
+            }
+            result[name][id] = setting;
+        }
+        result.try_emplace(name);
+    }
+    return result;
+}
+
+// A member of a kernel: one of the known words, or '@' and a choice parameter all of whose choices are known
+// words.
+std::string kernel_member(StrictObject& object, const char* key, const std::string& fallback,
+                          const std::set<std::string>& known, const MethodDescriptor& method) {
+    std::string value = object.text_or(key, fallback);
+    if (value.starts_with('@')) {
+        const Parameter* p = method.find_parameter(value.substr(1));
+        const bool good = p != nullptr && p->type == Parameter::Type::choice &&
+                          std::all_of(p->choices.begin(), p->choices.end(),
+                                      [&](const auto& c) { return known.contains(c); });
+        if (good) return value;
+    } else if (known.contains(value)) {
+        return value;
+    }
+    throw file_error(fmt::format("is \"{}\"", value), object.where(key),
+                     fmt::format("{}; or @ and a choice parameter of these", fmt::join(known, ", ")));
+}
+
+/// The points of a kernel may be uniforms, of which OpenGL 3.3 promises 1024 numbers and llvmpipe has 16384.
+constexpr int kMostKernelPoints = 2048;
+
+Kernel parse_kernel(const std::string& id, StrictObject object, const MethodDescriptor& method) {
+    Kernel kernel;
+    kernel.id = id;
+    check_id(id, object.where(), '_');
+    const json& size = object.raw("size");
+    if (size.is_number()) {
+        kernel.size = std::to_string(object.integer("size", 1, kMostKernelPoints));
+    } else if (size.is_string() && size.get<std::string>().starts_with('@')) {
+        kernel.size = size.get<std::string>();
+        const Parameter* p = method.find_parameter(kernel.size.substr(1));
+        if (p == nullptr || p->type != Parameter::Type::integer || p->lowest < 1 ||
+            p->highest > kMostKernelPoints) {
+            throw file_error(
+                fmt::format("is \"{}\"", kernel.size), object.where("size"),
+                fmt::format("@ and an integer parameter in the range of 1 to {}", kMostKernelPoints));
+        }
+    } else {
+        throw file_error(fmt::format("is {}", size.dump()), object.where("size"),
+                         "a count, or @ and an integer parameter");
+    }
+    kernel.directions =
+        kernel_member(object, "directions", kernel.directions, KernelChoices::directions(), method);
+    kernel.radii = kernel_member(object, "radii", kernel.radii, KernelChoices::radii(), method);
+    kernel.scale = kernel_member(object, "scale", kernel.scale, KernelChoices::scales(), method);
+    kernel.sequence = kernel_member(object, "sequence", kernel.sequence, KernelChoices::sequences(), method);
+    object.finish();
+    return kernel;
+}
+
+DepthMips parse_depth_mips(const MethodDescriptor& method, StrictObject object) {
+    DepthMips mips;
+    mips.filter = object.text("filter");
+    if (mips.filter != "rotated_grid" && mips.filter != "weighted") {
+        throw file_error(fmt::format("is \"{}\"", mips.filter), object.where("filter"),
+                         "rotated_grid, weighted");
+    }
+    if (mips.filter == "weighted") {
+        mips.radius_parameter = object.text("radius");
+        const Parameter* p = method.find_parameter(mips.radius_parameter);
+        if (p == nullptr || p->type != Parameter::Type::real) {
+            throw file_error(fmt::format("is \"{}\"", mips.radius_parameter), object.where("radius"),
+                             "a real parameter");
+        }
+    }
+    object.finish();
+    return mips;
+}
+
+OwnTruth parse_truth(const MethodDescriptor& method, StrictObject object) {
+    OwnTruth truth;
+    truth.falloff = object.text_or("falloff", truth.falloff);
+    truth.radius_parameter = object.text_or("radius", "");
+    truth.radius_factor_parameter = object.text_or("radius_factor", "");
+    truth.u_parameter = object.text_or("u", "");
+    for (const auto& [key, id] :
+         {std::pair("radius", truth.radius_parameter),
+          std::pair("radius_factor", truth.radius_factor_parameter), std::pair("u", truth.u_parameter)}) {
+        if (!id.empty() && method.find_parameter(id) == nullptr) {
+            throw file_error(fmt::format("is \"{}\"", id), object.where(key), "a declared parameter");
+        }
+    }
+    if (truth.radius_parameter.empty() && !truth.radius_factor_parameter.empty()) {
+        throw file_error("multiplies no radius", object.where("radius_factor"), "radius beside it");
+    }
+    object.finish();
+    return truth;
+}
+
+Pass parse_pass(StrictObject object, const fs::path& folder, const std::set<std::string>& inputs) {
+    Pass pass;
+    pass.processor = object.text_or("processor", "");
+    if (!pass.processor.empty() && pass.processor != "line_sweep") {
+        throw file_error(fmt::format("is \"{}\"", pass.processor), object.where("processor"), "line_sweep");
+    }
+    if (pass.processor.empty()) pass.fragment = object.text("fragment");
+    if (pass.processor.empty() && !fs::is_regular_file(folder / pass.fragment)) {
+        throw file_error(fmt::format("\"{}\" is not there", pass.fragment), object.where("fragment"),
+                         "a file of the folder");
+    }
+    if (pass.processor.empty()) require_own_file(folder / pass.fragment, folder, object.where("fragment"));
+    pass.inputs = object.texts_or_empty("inputs");
+    for (const std::string& input : pass.inputs) {
+        if (!inputs.contains(input)) {
+            throw file_error(fmt::format("asks for \"{}\"", input), object.where("inputs"),
+                             fmt::format("{}", fmt::join(inputs, ", ")));
+        }
+    }
+    pass.scale = object.integer_or("scale", 1, 1, 64);
+    object.finish();
+    return pass;
+}
+
+ReferenceRadius parse_reference_radius(const MethodDescriptor& method, StrictObject& top) {
+    constexpr const char* kKey = "reference_radius";
+    std::vector<std::string> lengths;
+    for (const Parameter& p : method.parameters) {
+        if (p.length_power != 0) lengths.push_back(p.id);
+    }
+    if (lengths.empty() && !top.has(kKey)) return {};
+    constexpr const char* kValid =
+        "the parameter that is the radius (real, length_power 1), or metres above 0";
+    if (lengths.empty()) throw file_error("no parameter has a length_power", top.where(kKey));
+    if (!top.has(kKey)) {
+        throw file_error(fmt::format("is missing: no AO radius is named that the default of {} is meant for",
+                                     fmt::join(lengths, ", ")),
+                         top.where(kKey), kValid);
+    }
+    const json& value = top.raw(kKey);
+    if (value.is_number() && value.get<double>() > 0) return {"", value.get<double>()};
+    const Parameter* p = value.is_string() ? method.find_parameter(value.get<std::string>()) : nullptr;
+    if (p == nullptr || p->length_power != 1 || p->lowest <= 0)
+        throw file_error(fmt::format("is {}", value.dump()), top.where(kKey), kValid);
+    return {p->id, 0};
+}
+
+PresetFilter parse_preset_filter(const json& value, const std::string& where) {
+    if (value.is_string()) return {value.get<std::string>(), "default"};
+    if (!value.is_object())
+        throw file_error("has another form", where, "a filter's id, or an object of filter and preset");
+    StrictObject object(value, where + ".");
+    const PresetFilter parsed{object.text("filter"), object.text("preset")};
+    object.finish();
+    return parsed;
+}
+
+std::map<std::string, std::string> parse_absolute_presets(const MethodDescriptor& method,
+                                                          StrictObject presets) {
+    std::map<std::string, std::string> absolute;
+    for (const auto& [preset, reason] : presets.members()) {
+        if (!method.presets.contains(preset)) throw file_error("is no preset", presets.where(preset));
+        if (!reason.is_string() || reason.get<std::string>().empty())
+            throw file_error("has another form", presets.where(preset), "where its lengths are printed");
+        absolute[preset] = reason.get<std::string>();
+    }
+    return absolute;
+}
+
+std::map<std::string, std::string> parse_limits(StrictObject object) {
+    std::map<std::string, std::string> limits;
+    for (const auto& [axis, reason] : object.members()) {
+        if (!reason.is_string() || reason.get<std::string>().empty())
+            throw file_error("has another form", object.where(axis), "a sentence");
+        limits[axis] = reason.get<std::string>();
+    }
+    return limits;
+}
+
+// Every parameter must have an effect: some pass or kernel names it.
+void check_parameters_used(const MethodDescriptor& method, const std::string& where) {
+    std::string text;
+    std::set<std::string> processed;
+    for (const Pass& pass : method.passes) {
+        if (pass.processor.empty()) {
+            text += expanded_text(method.folder / pass.fragment, method.folder);
+        } else {
+            processed = line_sweep_parameters();
+        }
+    }
+    for (const std::string& id : processed) {
+        if (method.find_parameter(id) == nullptr) {
+            throw file_error("the processor needs the parameter " + id, where + ": parameters");
+        }
+    }
+    for (const Parameter& p : method.parameters) {
+        const std::string reference = "@" + p.id;
+        const bool in_kernel =
+            std::any_of(method.kernels.begin(), method.kernels.end(), [&](const Kernel& k) {
+                return k.size == reference || k.directions == reference || k.radii == reference ||
+                       k.scale == reference || k.sequence == reference;
+            });
+        if (!in_kernel && !processed.contains(p.id) && !mentions(text, "p_" + p.id)) {
+            throw file_error(fmt::format("no pass uses the parameter (as p_{})", p.id),
+                             where + ": parameters." + p.id);
+        }
+    }
+    for (const Kernel& k : method.kernels) {
+        if (!mentions(text, "k_" + k.id)) {
+            throw file_error(fmt::format("no pass uses the kernel (as k_{})", k.id),
+                             where + ": kernels." + k.id);
+        }
+    }
+}
+
+ScoredAs parse_scored(const MethodDescriptor& method, StrictObject object) {
+    ScoredAs scored;
+    if (object.has("presets")) {
+        scored.presets = object.texts_or_empty("presets");
+        if (scored.presets.empty())
+            throw file_error("is empty", object.where("presets"), "at least one preset");
+        for (const std::string& preset : scored.presets) {
+            if (!method.presets.contains(preset)) {
+                throw file_error(fmt::format("\"{}\" is no preset", preset), object.where("presets"));
+            }
+        }
+    }
+    if (object.has("modes")) {
+        StrictObject modes = object.object("modes");
+        for (const auto& [mode, choice] : modes.members()) scored.modes[mode] = modes.text(mode);
+    }
+    object.finish();
+    return scored;
+}
+
+MethodRole parse_role(const std::string& name, const std::string& where) {
+    if (name == "method") return MethodRole::method;
+    if (name == "bound") return MethodRole::bound;
+    throw file_error(fmt::format("is \"{}\"", name), where, "method, bound");
+}
+
+MethodDescriptor load_descriptor(const fs::path& folder, const std::set<std::string>& inputs,
+                                 bool is_filter) {
+    const fs::path file = folder / "method.json";
+    const std::string where = file.string();
+    require_own_file(file, folder, where);
+    const json parsed = parse_json_file(file);
+    StrictObject top = StrictObject::of_file(parsed, where);
+    MethodDescriptor method;
+    method.folder = folder;
+    method.id = folder.filename().string();
+    check_id(method.id, where, '-');
+    method.label = top.text("label");
+    if (!is_filter) method.role = parse_role(top.text_or("role", "method"), top.where("role"));
+    method.paper = top.text("paper");
+    method.summary = top.text("summary");
+    method.deviations = top.texts_or_empty("deviations");
+    if (top.has("limits")) method.limits = parse_limits(top.object("limits"));
+    if (top.has("parameters")) {
+        StrictObject parameters = top.object("parameters");
+        for (const auto& [id, value] : parameters.members()) {
+            method.parameters.push_back(parse_parameter(id, StrictObject(value, parameters.where(id))));
+        }
+    }
+    if (top.has("presets")) method.presets = parse_presets(method, top.object("presets"));
+    method.presets.try_emplace("default");
+    if (!is_filter && top.has("preset_filters")) {
+        StrictObject filters = top.object("preset_filters");
+        for (const auto& [preset, filter] : filters.members()) {
+            if (!method.presets.contains(preset)) throw file_error("is no preset", filters.where(preset));
+            method.preset_filters[preset] = parse_preset_filter(filter, filters.where(preset));
+        }
+    }
+    method.reference_radius = parse_reference_radius(method, top);
+    if (!is_filter && top.has("absolute_presets"))
+        method.absolute_presets = parse_absolute_presets(method, top.object("absolute_presets"));
+    if (top.has("kernels")) {
+        StrictObject kernels = top.object("kernels");
+        for (const auto& [id, value] : kernels.members()) {
+            method.kernels.push_back(parse_kernel(id, StrictObject(value, kernels.where(id)), method));
+        }
+    }
+    if (top.has("depth_mips")) method.depth_mips = parse_depth_mips(method, top.object("depth_mips"));
+    for (const StrictObject& pass : top.objects("passes"))
+        method.passes.push_back(parse_pass(pass, folder, inputs));
+    if (method.passes.empty()) throw file_error("is empty", top.where("passes"), "at least one pass");
+    if (method.passes.back().scale != 1)
+        throw file_error("the last pass has a scale", top.where("passes"), "scale 1");
+    if (!is_filter && top.has("truth")) method.truth = parse_truth(method, top.object("truth"));
+    if (!is_filter && top.has("scored")) method.scored = parse_scored(method, top.object("scored"));
+    top.finish();
+    check_parameters_used(method, where);
+    return method;
+}
+
+/// The folders of a folder that are not hidden, by name.
+std::vector<fs::path> folders_in(const fs::path& folder) {
+    if (!fs::is_directory(folder)) throw file_error("is no folder", folder.string());
+    std::vector<fs::path> folders;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        if (entry.is_directory() && !entry.path().filename().string().starts_with('.'))
+            folders.push_back(entry.path());
+    }
+    std::ranges::sort(folders);
+    return folders;
+}
+
+void load_folder(const fs::path& folder, bool is_filter, std::vector<MethodDescriptor>& result) {
+    const std::set<std::string>& inputs = is_filter ? filter_inputs() : method_inputs();
+    for (const fs::path& one : folders_in(folder)) result.push_back(load_descriptor(one, inputs, is_filter));
+}
+
+bool has_id(const std::vector<MethodDescriptor>& methods, const std::string& id) {
+    return std::ranges::any_of(methods, [&](const MethodDescriptor& m) { return m.id == id; });
+}
+
+std::vector<MethodDescriptor> sorted_unique(std::vector<MethodDescriptor> all) {
+    std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+    const auto twice =
+        std::adjacent_find(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.id == b.id; });
+    if (twice != all.end()) {
+        throw file_error(fmt::format("\"{}\" exists twice", twice->id), (twice + 1)->folder.string(),
+                         "a name that differs from " + twice->folder.string());
+    }
+    return all;
+}
+
+}  // namespace
+
+std::vector<MethodDescriptor> load_methods(const fs::path& extra_dir) {
+    std::vector<MethodDescriptor> all;
+    load_folder(home_dir() / "shaders" / "methods", false, all);
+    if (!extra_dir.empty()) load_folder(extra_dir, false, all);
+    return sorted_unique(std::move(all));
+}
+
+std::vector<MethodDescriptor> load_asked_methods(const fs::path& extra_dir,
+                                                 const std::vector<std::string>& asked,
+                                                 std::vector<std::string>& warnings) {
+    std::vector<MethodDescriptor> all = load_methods();
+    if (extra_dir.empty()) return all;
+    std::vector<MethodDescriptor> added;
+    for (const fs::path& folder : folders_in(extra_dir)) {
+        const std::string id = folder.filename().string();
+        try {
+            added.push_back(load_descriptor(folder, method_inputs(), false));
+            if (has_id(all, id)) {
+                added.pop_back();
+                throw file_error(fmt::format("\"{}\" exists twice", id), folder.string(),
+                                 "a name that no other method has");
+            }
+        } catch (const Error& e) {
+            if (std::ranges::find(asked, id) != asked.end()) throw;
+            warnings.push_back(fmt::format("method {} is left out: {}", printable(id), e.what()));
+        }
+    }
+    std::ranges::move(added, std::back_inserter(all));
+    return sorted_unique(std::move(all));
+}
+
+std::vector<MethodDescriptor> load_filters() {
+    std::vector<MethodDescriptor> all;
+    load_folder(home_dir() / "shaders" / "filters", true, all);
+    return sorted_unique(std::move(all));
+}
+
+MethodDescriptor load_fixed_pass() {
+    return load_descriptor(home_dir() / "shaders" / "fixed_pass" / "sixteen-taps", method_inputs(), false);
+}
+
+MethodDescriptor load_lighting() {
+    return load_descriptor(home_dir() / "shaders" / "lighting" / "phong", filter_inputs(), true);
+}
+
+}  // namespace aoscore

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "core/image.h"
+#include "screen/gbuffer/gbuffer.h"
+#include "screen/gbuffer/input_textures.h"
+#include "screen/passes/pass_program.h"
+#include "screen/screen.h"
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace aoscore {
+
+/// Draws the passes of methods, filters and lighting over one G-buffer; keeps their programs and target
+/// textures.
+class MethodRunner {
+  public:
+    explicit MethodRunner(const GBuffer& gbuffer);
+
+    struct Step {
+        const Pass* pass = nullptr;
+        PassBuild build;
+        const PassProgram* program = nullptr;  ///< null where the processor computes the pass
+    };
+    /// A request made ready: everything is compiled. The request must outlive it.
+    struct Frame {
+        std::vector<Step> method, filter, lighting;
+        InputSettings settings;
+    };
+    /// Compiles what is new. Throws usage_error where the method has no such resolution.
+    Frame prepare(const MethodRequest& request);
+
+    /// The AO passes in the request's resolution mode; the result is raw().
+    void draw_method(const Frame& frame);
+    /// What was made elsewhere, of the picture's size, as raw().
+    void take_raw(const ImageF& visibility);
+    /// The filter's passes over raw(); the result is filtered(), which is raw() without a filter.
+    void draw_filter(const Frame& frame);
+    /// The lighting's pass over filtered(); the result is lit(). Nothing without one.
+    void draw_lighting(const Frame& frame);
+    /// Taps a pixel of the AO passes, at the picture's resolution. Throws file_error for a method whose loops
+    /// the rasteriser has ended.
+    ImageF count_fetches(const MethodRequest& request);
+
+    ImageF raw() const { return read(raw_.name()); }
+    ImageF filtered() const { return read(filtered_->name()); }
+    /// Linear RGB. draw_lighting() must have drawn it since the G-buffer was.
+    Image<glm::vec3> lit() const;
+
+    std::uint64_t passes_drawn() const { return passes_; }
+    std::uint64_t programs_compiled() const { return compilations_; }
+
+    /// What was computed from the G-buffer is computed again.
+    void forget_derived() { inputs_.forget_derived(); }
+
+  private:
+    /// Throws usage_error where the method has no such resolution.
+    void check_resolution(const MethodRequest& request) const;
+    PassBuild base_build(const MethodRequest& request, const MethodDescriptor& descriptor,
+                         const ParameterValues& parameters) const;
+    std::vector<Step> method_steps(const MethodRequest& request) const;
+    /// Of a filter or the lighting; none where `descriptor` is null.
+    std::vector<Step> following_steps(const MethodRequest& request, const MethodDescriptor* descriptor,
+                                      const ParameterValues& parameters) const;
+
+    const PassProgram* program(const Step& step);
+    static void try_users_shader(const PassBuild& build, const Pass& pass, const ShaderSource& source);
+    /// Throws file_error where the rasteriser has ended a pixel's loops.
+    void settle_counts(const Step& step, const InputSettings& settings, ImageF& counted);
+    void check_listed_inputs(const PassBuild& build, const Pass& pass, const PassProgram& made);
+
+    void allocate();
+    gl::Texture& scaled_target(std::size_t step, int scale);
+    void draw(const Step& step, std::initializer_list<GLuint> targets, const InputSettings& settings,
+              GLuint previous);
+    void process(const Step& step, GLuint target, const InputSettings& settings);
+    void upsample(GLuint coarse, int scale);
+    /// A one-channel texture of the picture's size.
+    ImageF read(GLuint texture) const;
+    void write(GLuint texture, const ImageF& image) const;
+
+    const GBuffer* gbuffer_;
+    InputTextures inputs_;
+    gl::VertexArray empty_vertices_;  // a core context draws nothing without one
+    std::map<std::string, PassProgram> programs_;
+    std::map<std::string, ShaderProgram> upsampling_;
+    std::set<std::string> checked_inputs_;
+    int width_ = 0, height_ = 0;
+    std::uint64_t passes_ = 0, compilations_ = 0;
+    gl::Texture raw_, first_, second_, fetches_;
+    gl::Texture lit_;  // made when a frame is first lit
+    const gl::Texture* filtered_ = &raw_;
+    std::map<std::pair<std::size_t, int>, gl::Texture> scaled_;
+};
+
+}  // namespace aoscore
