@@ -41,7 +41,7 @@ struct TruthRecord {
     double noise_floor_rmse = 0;     ///< sqrt of the mean variance: the RMSE a perfect method would show
 };
 
-/// The part of the ranking's occlusion that has one cause (see comparison by cause in README.md).
+/// The part of the ranking's occlusion that has one cause (see comparison by cause in references/README.md).
 struct CauseRecord {
     std::string id;             ///< "outside", "hidden", "grazing", "visible"
     std::string channel;        ///< of the view's truth file: "cause.outside.Y"
