@@ -1,5 +1,6 @@
 #include "experiment/work_plan.h"
 
+#include "core/counted.h"
 #include "core/hash.h"
 #include "core/machine.h"
 #include "core/threads.h"
@@ -48,8 +49,8 @@ std::string duration_text(double seconds) {
 
 std::string WorkPlan::text() const {
     const std::size_t to_do = cells - cells_known;
-    std::string text = fmt::format("plan: {} {} on {} {}; ", cells, cells == 1 ? "cell" : "cells", views,
-                                   views == 1 ? "view" : "views");
+    std::string text =
+        fmt::format("plan: {} on {}; ", counted(cells, "cell", "cells"), counted(views, "view", "views"));
     if (to_do == 0 && views_known == views) return text + "all measured before";
     text += fmt::format("{} measured before, {} to do", cells_known, to_do);
     if (views_known < views) text += fmt::format(", {} to trace", views - views_known);
@@ -57,7 +58,7 @@ std::string WorkPlan::text() const {
 }
 
 std::string WorkPlan::rest_text() const {
-    return fmt::format("{} more {}, about {}", views, views == 1 ? "view" : "views",
+    return fmt::format("{}, about {}", counted(views, "more view", "more views"),
                        duration_text(seconds.value_or(0)));
 }
 

@@ -3,6 +3,8 @@
 #include "core/image.h"
 #include "screen/screen.h"
 
+// A file of its own: the code of images is what the linker takes for it (aoscore_code_digests() in
+// CMakeLists.txt).
 namespace aoscore {
 
 /// What a method shows on the renderer's current G-buffer.

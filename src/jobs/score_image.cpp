@@ -65,27 +65,19 @@ MetricMap score_against(const Truth& truth, const TruthQuery& query, const Groun
 }
 
 nlohmann::json to_json(const Score& score) {
-    nlohmann::json object = record_json::written(score);
-    record_json::require_finite(object, "score");
-    return object;
+    return record_json::checked_json(score, "score");
 }
 
 Score score_from_json(const nlohmann::json& json, const std::string& where) {
-    Score score;
-    record_json::read(json, where, score);
-    return score;
+    return record_json::record_from_json<Score>(json, where);
 }
 
 nlohmann::json to_json(const MetricMap& metrics) {
-    nlohmann::json object = record_json::written(metrics);
-    record_json::require_finite(object, "metrics");
-    return object;
+    return record_json::checked_json(metrics, "metrics");
 }
 
 MetricMap metrics_from_json(const nlohmann::json& json, const std::string& where) {
-    MetricMap metrics;
-    record_json::read(json, where, metrics);
-    return metrics;
+    return record_json::record_from_json<MetricMap>(json, where);
 }
 
 }  // namespace aoscore

@@ -154,5 +154,21 @@ void read(const json& value, const std::string& where, T& member) {
     }
 }
 
+/// The record as JSON. Throws internal_error where a number is NaN or infinite; `where` names the record.
+template <class T>
+json checked_json(const T& record, const std::string& where) {
+    json object = written(record);
+    require_finite(object, where);
+    return object;
+}
+
+/// The record back. Throws file_error for another form.
+template <class T>
+T record_from_json(const json& object, const std::string& where) {
+    T record;
+    read(object, where, record);
+    return record;
+}
+
 }  // namespace record_json
 }  // namespace aoscore

@@ -8,24 +8,6 @@ namespace aoscore {
 using nlohmann::json;
 using namespace record_json;
 
-namespace {
-
-template <class Record>
-json checked_json(const Record& record, const std::string& where) {
-    json object = written(record);
-    require_finite(object, where);
-    return object;
-}
-
-template <class Record>
-Record record_from_json(const json& object, const std::string& where) {
-    Record record;
-    read(object, where, record);
-    return record;
-}
-
-}  // namespace
-
 json to_json(const ViewRecord& view) {
     return checked_json(view, view.key);
 }
@@ -43,16 +25,13 @@ CellRecord cell_record_from_json(const json& object, const std::string& where) {
 }
 
 json to_json(const Results& results) {
-    json object = written(results);
-    require_finite(object, "results");
+    json object = checked_json(results, "results");
     object["schema_version"] = Results::kSchemaVersion;
     return object;
 }
 
 json to_json(const ErrorAnalysis& analysis) {
-    json object = written(analysis);
-    require_finite(object, "analysis");
-    return object;
+    return checked_json(analysis, "analysis");
 }
 
 Results results_from_json(const json& object, const std::string& where) {
