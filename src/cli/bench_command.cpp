@@ -20,7 +20,7 @@
 namespace aoscore {
 namespace {
 
-struct Options {
+struct BenchOptions {
     std::string name;
     std::string scene = "atrium";
     ViewChoice view;
@@ -29,12 +29,12 @@ struct Options {
     std::filesystem::path results;
 };
 
-void bench_reference(const Options& options) {
+void bench_reference(const BenchOptions& options) {
     const Scene scene = load_with_warnings(options.scene, options.view.load);
     reference_benchmark(scene, one_view(scene, options.view, {}), {});
 }
 
-void bench_methods(const Options& options, const GlobalOptions& global) {
+void bench_methods(const BenchOptions& options, const GlobalOptions& global) {
     const Scene scene = load_with_warnings(options.scene, options.view.load);
     MethodsBenchmark benchmark;
     benchmark.seed = global.seed;
@@ -43,7 +43,7 @@ void bench_methods(const Options& options, const GlobalOptions& global) {
     bench_methods(scene, one_view(scene, options.view, {}), benchmark);
 }
 
-void bench_metrics_and_page(const Options& options, const GlobalOptions& global) {
+void bench_metrics_and_page(const BenchOptions& options, const GlobalOptions& global) {
     bench_compare(global.seed);
     const std::filesystem::path folder =
         options.results.empty() ? home_dir() / "reports" / "out" / "main" : options.results;
@@ -58,16 +58,16 @@ void bench_metrics_and_page(const Options& options, const GlobalOptions& global)
                  static_cast<double>(std::filesystem::file_size(page)) / (1 << 20), page.string());
 }
 
-using Bench = void (*)(const Options&, const GlobalOptions&);
+using Bench = void (*)(const BenchOptions&, const GlobalOptions&);
 
 const std::map<std::string, Bench>& benches() {
     static const std::map<std::string, Bench> table{
-        {"compare", [](const Options& options,
+        {"compare", [](const BenchOptions& options,
                        const GlobalOptions& global) { bench_metrics_and_page(options, global); }},
-        {"main", [](const Options&, const GlobalOptions& global) { bench_main(global.seed); }},
+        {"main", [](const BenchOptions&, const GlobalOptions& global) { bench_main(global.seed); }},
         {"methods",
-         [](const Options& options, const GlobalOptions& global) { bench_methods(options, global); }},
-        {"reference", [](const Options& options, const GlobalOptions&) { bench_reference(options); }},
+         [](const BenchOptions& options, const GlobalOptions& global) { bench_methods(options, global); }},
+        {"reference", [](const BenchOptions& options, const GlobalOptions&) { bench_reference(options); }},
     };
     return table;
 }
@@ -77,7 +77,7 @@ const std::map<std::string, Bench>& benches() {
 CommandEntry add_bench_command(CLI::App& program, const GlobalOptions& global) {
     CLI::App* app =
         program.add_subcommand("bench", "Measure speed and memory; prints ratios against named baselines");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<BenchOptions>();
     std::vector<std::string> names;
     for (const auto& [id, bench] : benches()) names.push_back(id);
     app->add_option("name", options->name,

@@ -15,7 +15,7 @@
 namespace aoscore {
 namespace {
 
-struct Options {
+struct CacheOptions {
     std::string action;
     std::size_t groups = 4;
 };
@@ -75,7 +75,7 @@ ArtifactStore measurements() {
     return ArtifactStore(ArtifactStore::folder_in(default_cache_dir()));
 }
 
-ExitCode list(const TruthCache& cache, const Options&) {
+ExitCode list(const TruthCache& cache, const CacheOptions&) {
     std::uint64_t bytes = 0;
     const std::vector<CacheEntry> entries = cache.list();
     for (const CacheEntry& entry : entries) {
@@ -88,7 +88,7 @@ ExitCode list(const TruthCache& cache, const Options&) {
     return ExitCode::ok;
 }
 
-ExitCode clear(const TruthCache& cache, const Options&) {
+ExitCode clear(const TruthCache& cache, const CacheOptions&) {
     const ClearedCache cleared = cache.clear();
     print_result("{} truths removed, {} freed", cleared.files, bytes_text(cleared.bytes));
     if (cleared.kept_in_use > 0) print_result("; {} kept, in use by another process", cleared.kept_in_use);
@@ -97,7 +97,7 @@ ExitCode clear(const TruthCache& cache, const Options&) {
     return ExitCode::ok;
 }
 
-ExitCode verify(const TruthCache& cache, const Options& options) {
+ExitCode verify(const TruthCache& cache, const CacheOptions& options) {
     std::size_t bad = 0;
     const std::vector<CacheEntry> entries = cache.list();
     for (const CacheEntry& entry : entries) {
@@ -120,7 +120,7 @@ ExitCode verify(const TruthCache& cache, const Options& options) {
     return bad > 0 ? ExitCode::file_error : ExitCode::ok;
 }
 
-using Action = ExitCode (*)(const TruthCache&, const Options&);
+using Action = ExitCode (*)(const TruthCache&, const CacheOptions&);
 const std::map<std::string, Action>& actions() {
     static const std::map<std::string, Action> table{{"list", list}, {"clear", clear}, {"verify", verify}};
     return table;
@@ -132,7 +132,7 @@ CommandEntry add_cache_command(CLI::App& program, const GlobalOptions&) {
     CLI::App* app = program.add_subcommand("cache",
                                            "The truths and measurements that are kept, in references/cache "
                                            "or the folder that AOSCORE_CACHE names");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CacheOptions>();
     std::vector<std::string> names;
     for (const auto& [id, action] : actions()) names.push_back(id);
     app->add_option("action", options->action,

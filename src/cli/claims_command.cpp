@@ -9,7 +9,7 @@
 namespace aoscore {
 namespace {
 
-struct Options {
+struct ClaimsOptions {
     std::vector<std::string> ids;
     double scale = 1;
     std::filesystem::path truth_cache;
@@ -17,7 +17,7 @@ struct Options {
     OutcomeOptions outcome;
 };
 
-ExitCode run(const Options& options, const GlobalOptions& global) {
+ExitCode run(const ClaimsOptions& options, const GlobalOptions& global) {
     std::vector<ClaimList> lists = chosen_claims(load_claims(), options.ids);
     scale_views(lists, options.scale);
     ExperimentPlan plan;
@@ -41,7 +41,7 @@ CommandEntry add_claims_command(CLI::App& program, const GlobalOptions& global) 
     CLI::App* app = program.add_subcommand("claims",
                                            "Measure what the published claims of reports/claims/ state, and "
                                            "say which hold; prints the page's path");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ClaimsOptions>();
     app->add_option("id", options->ids,
                     "Claims to judge, such as H01, or a file of them, such as field [all]");
     app->add_option("--scale", options->scale, "Makes every picture this many times as wide and high")

@@ -15,7 +15,7 @@
 namespace aoscore {
 namespace {
 
-struct Options {
+struct CompareOptions {
     ComparisonRequest request;
     bool srgb = false, linear = false;
     std::string json;
@@ -116,7 +116,7 @@ ComparisonPage page_of(const Comparison& comparison, const Gates::Tripped& tripp
     return page;
 }
 
-ExitCode run(Options options, const GlobalOptions& global) {
+ExitCode run(CompareOptions options, const GlobalOptions& global) {
     Outcome outcome(options.outcome);
     if (options.srgb || options.linear) {
         options.request.truth_reading.coding = options.request.test_reading.coding =
@@ -158,7 +158,7 @@ CommandEntry add_compare_command(CLI::App& program, const GlobalOptions& global)
                                            "AmbientOcclusion, SSAO or the like, else the only picture "
                                            "in grey, and says so; never depth, nor one of several. mask.Y is "
                                            "honoured");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CompareOptions>();
     ComparisonRequest& request = options->request;
     app->add_option("truth", request.truth, "The truth")->required();
     app->add_option("test", request.test, "The image under test")->required();

@@ -12,13 +12,13 @@
 namespace aoscore {
 namespace {
 
-struct Options {
+struct GbufferOptions {
     SceneChoice choice;
     ImageSize size;
     std::filesystem::path out;
 };
 
-ExitCode run(const Options& options, const GlobalOptions& global) {
+ExitCode run(const GbufferOptions& options, const GlobalOptions& global) {
     LoadOptions load = options.choice.view.load;
     load.albedo_textures = true;
     const Scene scene = load_with_warnings(options.choice.scene, load);
@@ -51,7 +51,7 @@ CommandEntry add_gbuffer_command(CLI::App& program, const GlobalOptions& global)
         "geometric and Ns.* smooth view-space normals, P.* view-space positions, albedo.*, mask.Y; the "
         "camera's "
         "matrices are in the header");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<GbufferOptions>();
     add_scene_options(*app, options->choice);
     add_size_option(*app, options->size);
     add_exr_option(*app, options->out);

@@ -20,7 +20,7 @@
 namespace aoscore {
 namespace {
 
-struct Options {
+struct ListOptions {
     std::string what;
     std::string scene;
     ViewChoice view;
@@ -109,7 +109,7 @@ void list_report_definitions() {
     }
 }
 
-ExitCode run(const Options& options, const CLI::App& app) {
+ExitCode run(const ListOptions& options, const CLI::App& app) {
     if (options.what.empty()) {
         write_output(app.help());
         return ExitCode::ok;
@@ -129,7 +129,7 @@ ExitCode run(const Options& options, const CLI::App& app) {
 
 CommandEntry add_list_command(CLI::App& program, const GlobalOptions&) {
     CLI::App* app = program.add_subcommand("list", "List what there is");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ListOptions>();
     app->add_option("what", options->what, "scenes, views, methods, metrics or reports")
         ->check(one_of({"scenes", "views", "methods", "metrics", "reports"}));
     app->add_option("scene", options->scene,

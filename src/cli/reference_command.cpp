@@ -16,7 +16,7 @@
 namespace aoscore {
 namespace {
 
-struct Options {
+struct ReferenceOptions {
     SceneChoice choice;
     ImageSize size;
     std::vector<double> radii;
@@ -27,7 +27,7 @@ struct Options {
     std::filesystem::path truth_cache;
 };
 
-ExitCode run(const Options& options, const GlobalOptions& global) {
+ExitCode run(const ReferenceOptions& options, const GlobalOptions& global) {
     const Scene scene = load_with_warnings(options.choice.scene, options.choice.view.load);
     const View view = one_view(scene, options.choice.view, options.size, options.truth_cache);
     std::vector<TruthQuery> queries;
@@ -65,7 +65,7 @@ CommandEntry add_reference_command(CLI::App& program, const GlobalOptions& globa
         "reference",
         "Ray-trace the truth of one view into an EXR: Y is the visibility at the first radius, V0.Y, "
         "V1.Y, ... at each of them, SE.Y the standard error, mask.Y 0 where there is no surface");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ReferenceOptions>();
     add_scene_options(*app, options->choice);
     add_size_option(*app, options->size);
     add_radii_option(*app, options->radii);

@@ -11,13 +11,13 @@
 namespace aoscore {
 namespace {
 
-struct Options {
+struct ReportOptions {
     std::filesystem::path results;
     OutcomeOptions outcome;
     bool everything = false;
 };
 
-ExitCode run(const Options& options) {
+ExitCode run(const ReportOptions& options) {
     if (has_stress_results(options.results)) {
         print_path(write_stress_page(options.results));
         return ExitCode::ok;
@@ -39,7 +39,7 @@ ExitCode run(const Options& options) {
 CommandEntry add_report_command(CLI::App& program, const GlobalOptions&) {
     CLI::App* app = program.add_subcommand(
         "report", "Make the page of earlier results again, without rendering; prints its path");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ReportOptions>();
     app->add_option("results", options->results,
                     "What run, score or stress wrote: results with their images beside them, or the folder")
         ->required();

@@ -13,7 +13,7 @@
 namespace aoscore {
 namespace {
 
-struct Options {
+struct RunOptions {
     std::vector<std::string> reports;
     bool all = false;
     double scale = 1;
@@ -22,7 +22,7 @@ struct Options {
     std::filesystem::path truth_cache;
 };
 
-ExitCode run(const Options& options, const GlobalOptions& global) {
+ExitCode run(const RunOptions& options, const GlobalOptions& global) {
     std::vector<std::string> ids = options.reports;
     if (ids.empty()) {
         for (const ReportDefinition& report : list_reports()) {
@@ -43,7 +43,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
 CommandEntry add_run_command(CLI::App& program, const GlobalOptions& global) {
     CLI::App* app = program.add_subcommand(
         "run", "Rebuild published tables and sweeps: truth, methods, page (the main job)");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<RunOptions>();
     app->add_option("report", options->reports, "Reports to rebuild (see list reports) [all tables]");
     app->add_flag("--all", options->all, "All reports, the sweeps too");
     app->add_option("--scale", options->scale, "Makes every picture this many times as wide and high")

@@ -13,7 +13,7 @@
 namespace aoscore {
 namespace {
 
-struct Options {
+struct ScoreOptions {
     SceneChoice choice;
     std::vector<std::string> methods;
     MethodOptions method_options;
@@ -26,7 +26,8 @@ struct Options {
     std::filesystem::path truth_cache;
 };
 
-std::vector<MethodDescriptor> chosen_methods(const Options& options, std::vector<std::string>& warnings) {
+std::vector<MethodDescriptor> chosen_methods(const ScoreOptions& options,
+                                             std::vector<std::string>& warnings) {
     std::vector<MethodDescriptor> known = load_asked_methods(options.methods_dir, options.methods, warnings);
     if (options.methods.empty() || options.methods == std::vector<std::string>{"all"}) return known;
     std::vector<MethodDescriptor> chosen;
@@ -34,7 +35,7 @@ std::vector<MethodDescriptor> chosen_methods(const Options& options, std::vector
     return chosen;
 }
 
-ExitCode run(const Options& options, const GlobalOptions& global) {
+ExitCode run(const ScoreOptions& options, const GlobalOptions& global) {
     if (options.radii.size() > 1 || (!options.radii.empty() && !std::isfinite(options.radii[0]))) {
         throw usage_error("a score is ranked at one finite radius", "--radius", "one length in metres");
     }
@@ -69,7 +70,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
 CommandEntry add_score_command(CLI::App& program, const GlobalOptions& global) {
     CLI::App* app =
         program.add_subcommand("score", "Score methods on the views of a scene; prints the page's path");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ScoreOptions>();
     add_scene_options(*app, options->choice);
     app->add_option("--methods", options->methods, "Methods to score (see list methods) [all]")
         ->delimiter(',')

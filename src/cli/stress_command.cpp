@@ -9,13 +9,13 @@
 namespace aoscore {
 namespace {
 
-struct Options {
+struct StressOptions {
     StressPlan plan;
     bool quick = false;
     std::filesystem::path out;
 };
 
-ExitCode run(const Options& options, const GlobalOptions& global) {
+ExitCode run(const StressOptions& options, const GlobalOptions& global) {
     StressPlan plan = options.plan;
     plan.seed = global.seed;
     plan.command = global.command_line;
@@ -36,7 +36,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
 CommandEntry add_stress_command(CLI::App& program, const GlobalOptions& global) {
     CLI::App* app = program.add_subcommand(
         "stress", "Try methods, filters and reference at extreme numbers; prints the page's path");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<StressOptions>();
     app->add_option("--methods", options->plan.methods, "Methods to try (see list methods) [all]")
         ->delimiter(',')
         ->allow_extra_args(false);

@@ -14,7 +14,7 @@
 namespace aoscore {
 namespace {
 
-struct Options {
+struct SweepOptions {
     std::vector<std::string> scenes;
     ViewChoice view;
     std::vector<std::string> methods;
@@ -31,7 +31,7 @@ struct Options {
     OutcomeOptions outcome;
 };
 
-SweepRequest request_of(const Options& options, const Registry& registry) {
+SweepRequest request_of(const SweepOptions& options, const Registry& registry) {
     SweepRequest request;
     request.methods = options.methods;
     if (options.methods.empty() || options.methods == std::vector<std::string>{"all"}) {
@@ -55,7 +55,7 @@ SweepRequest request_of(const Options& options, const Registry& registry) {
     return request;
 }
 
-ExitCode run(const Options& options, const GlobalOptions& global) {
+ExitCode run(const SweepOptions& options, const GlobalOptions& global) {
     if (options.radii.size() > 1 || (!options.radii.empty() && !std::isfinite(options.radii[0]))) {
         throw usage_error("a sweep is ranked at one finite radius", "--radius", "one length in metres");
     }
@@ -106,7 +106,7 @@ ExitCode run(const Options& options, const GlobalOptions& global) {
 CommandEntry add_sweep_command(CLI::App& program, const GlobalOptions& global) {
     CLI::App* app = program.add_subcommand(
         "sweep", "Run time against error over parameters of methods; prints the page's path");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<SweepOptions>();
     app->add_option("scene", options->scenes,
                     "Built-in scenes (see list scenes), or files of scenes; several have one front together")
         ->required();

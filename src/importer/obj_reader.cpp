@@ -22,7 +22,7 @@ namespace {
 /// Objects smaller than this share meshes: a file may have a group for each of its triangles.
 constexpr std::size_t kTrianglesOfAnObject = 4096;
 
-constexpr std::size_t kMaxFileBytes = std::size_t{4} << 30;
+constexpr std::size_t kMaxObjBytes = std::size_t{4} << 30;
 
 /// A text in memory as a stream, without a copy.
 class TextBuffer : public std::streambuf {
@@ -157,7 +157,7 @@ tinyobj::callback_t callbacks() {
 }  // namespace
 
 void read_obj(ImportJob& job) {
-    ObjText text = prepare_obj(read_file(job.file, kMaxFileBytes));
+    ObjText text = prepare_obj(read_file(job.file, kMaxObjBytes));
     if (text.curves > 0)
         job.warn(fmt::format("{} curves and surfaces of free form are left out: only polygons are read",
                              text.curves));

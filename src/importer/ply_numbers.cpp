@@ -13,7 +13,7 @@
 namespace aoscore::importer {
 namespace {
 
-constexpr std::string_view kBlank = " \t\r\n\f\v";
+constexpr std::string_view kPlyBlank = " \t\r\n\f\v";
 
 /// The number that these bytes, the least first, stand for.
 template <class T>
@@ -30,9 +30,9 @@ void PlyNumbers::fail(const char* what, const char* valid) const {
 }
 
 std::string_view PlyNumbers::next_word() {
-    const std::size_t first = content_.find_first_not_of(kBlank, at_);
+    const std::size_t first = content_.find_first_not_of(kPlyBlank, at_);
     if (first == content_.npos) fail("is missing: the file ends before it", "as many as its header states");
-    at_ = std::min(content_.size(), content_.find_first_of(kBlank, first));
+    at_ = std::min(content_.size(), content_.find_first_of(kPlyBlank, first));
     return content_.substr(first, at_ - first);
 }
 
@@ -87,7 +87,7 @@ void PlyNumbers::skip(PlyNumber type, std::uint64_t count) {
 }
 
 bool PlyNumbers::at_end() const {
-    return content_.find_first_not_of(kBlank, at_) == content_.npos;
+    return content_.find_first_not_of(kPlyBlank, at_) == content_.npos;
 }
 
 }  // namespace aoscore::importer

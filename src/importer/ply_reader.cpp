@@ -18,7 +18,7 @@
 namespace aoscore::importer {
 namespace {
 
-constexpr std::size_t kMaxFileBytes = std::size_t{4} << 30;
+constexpr std::size_t kMaxPlyBytes = std::size_t{4} << 30;
 
 /// What of a vertex is read, and under which names.
 enum Slot : std::size_t { x, y, z, nx, ny, nz, u, v, alpha, slots };
@@ -210,7 +210,7 @@ class PlyAssembly {
 }  // namespace
 
 void read_ply(ImportJob& job) {
-    const std::string content = read_file(job.file, kMaxFileBytes);
+    const std::string content = read_file(job.file, kMaxPlyBytes);
     const PlyHeader header = read_ply_header(content);
     PlyAssembly ply(content, header);
     for (const PlyElement& element : header.elements) ply.read(element);

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
+constexpr std::size_t kMaxCopyBytes = std::size_t{1} << 30;
 constexpr std::size_t kMaxSubfolders = 256;
 
 std::string lower(std::string text) {
@@ -106,7 +106,7 @@ std::optional<std::string> SceneFolder::read(const std::string& name) const {
     const std::optional<fs::path> path = find(name);
     if (!path) return std::nullopt;
     try {
-        std::string content = read_file(*path, kMaxFileBytes);
+        std::string content = read_file(*path, kMaxCopyBytes);
         allow_time_for(content.size());
         return content;
     } catch (const Error&) {

@@ -202,8 +202,8 @@ std::vector<ReportDefinition> list_reports() {
     std::error_code ec;
     for (const auto& entry : std::filesystem::directory_iterator(folder, ec)) {
         if (entry.path().extension() != ".json") continue;
-        const nlohmann::json json = parse_json_file(entry.path());
-        StrictObject object = StrictObject::of_file(json, entry.path().filename().string());
+        const nlohmann::json definition = parse_json_file(entry.path());
+        StrictObject object = StrictObject::of_file(definition, entry.path().filename().string());
         ReportDefinition report;
         report.id = entry.path().stem().string();
         if (object.text("id") != report.id) {

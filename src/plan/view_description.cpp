@@ -12,7 +12,7 @@
 namespace aoscore {
 namespace {
 
-std::vector<double> numbers(const glm::dvec3& v) {
+std::vector<double> coordinates(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
@@ -31,9 +31,9 @@ ViewRecord describe_view(const Scene& scene, const View& view, const CameraFrame
     record.triangles = scene.triangle_count;
     record.width = frame.width();
     record.height = frame.height();
-    record.position_m = numbers(camera.position + scene.origin);
-    record.target_m = numbers(camera.target + scene.origin);
-    record.up = numbers(camera.up);
+    record.position_m = coordinates(camera.position + scene.origin);
+    record.target_m = coordinates(camera.target + scene.origin);
+    record.up = coordinates(camera.up);
     if (camera.projection == Camera::Projection::perspective) {
         record.projection = "perspective";
         record.fovy_deg = glm::degrees(camera.fovy_rad);
@@ -54,8 +54,8 @@ std::string view_file_text(const Scene& scene, const std::vector<View>& views) {
     file["title"] = scene.id;
     file["verified"] =
         std::ranges::none_of(views, [](const View& view) { return view.note.starts_with(kUnverified); });
-    file["bounds"] = {{"low", numbers(scene.bounds.low + scene.origin)},
-                      {"high", numbers(scene.bounds.high + scene.origin)},
+    file["bounds"] = {{"low", coordinates(scene.bounds.low + scene.origin)},
+                      {"high", coordinates(scene.bounds.high + scene.origin)},
                       {"tolerance_m", kTolerance * scene.bounds.diagonal()}};
     std::vector<std::string> pieces;
     for (const View& view : views) {

@@ -84,7 +84,7 @@ void visit_members(Visit& visit, Record& results) {
 
 namespace {
 
-constexpr const char* kFileName = "stress.json";
+constexpr const char* kStressFile = "stress.json";
 
 template <class Record>
 void write_record(const Record& record, const std::filesystem::path& file) {
@@ -113,16 +113,16 @@ Record read_record(const std::filesystem::path& file) {
 }  // namespace
 
 void write_stress_results(const StressResults& results, const std::filesystem::path& folder) {
-    write_record(results, folder / kFileName);
+    write_record(results, folder / kStressFile);
 }
 
 StressResults read_stress_results(const std::filesystem::path& folder) {
-    return read_record<StressResults>(folder / kFileName);
+    return read_record<StressResults>(folder / kStressFile);
 }
 
 bool has_stress_results(const std::filesystem::path& folder) {
     std::error_code ec;
-    return std::filesystem::is_regular_file(folder / kFileName, ec);
+    return std::filesystem::is_regular_file(folder / kStressFile, ec);
 }
 
 void write_stress_setting(const StressSettingRecord& setting, const std::filesystem::path& file) {

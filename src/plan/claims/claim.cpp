@@ -155,8 +155,8 @@ class Reader {
         cell.erase("vary");
         if (!vary.is_object() || vary.size() != 1)
             throw file_error("varies no single thing", where + ".vary");
-        const auto& [axis, values] = *vary.items().begin();
-        for (const json& value : values) {
+        const std::string axis = vary.begin().key();
+        for (const json& value : vary.front()) {
             json varied = cell;
             if (axis == "view" || axis == "preset" || axis == "filter" || axis == "method")
                 varied[axis] = value;

@@ -8,7 +8,7 @@
 namespace aoscore {
 namespace {
 
-std::string escaped(const std::string& text) {
+std::string latex_escaped(const std::string& text) {
     static const std::map<char, std::string> kSpecial = {{'&', "\\&"},
                                                          {'%', "\\%"},
                                                          {'$', "\\$"},
@@ -38,14 +38,15 @@ std::string number(const std::optional<double>& value, int decimals) {
 
 std::string export_as::latex(const ExportTable& table) {
     std::string alignment(table.name_columns.size(), 'l'), head;
-    for (const std::string& name : table.name_columns) head += (head.empty() ? "" : " & ") + escaped(name);
+    for (const std::string& name : table.name_columns)
+        head += (head.empty() ? "" : " & ") + latex_escaped(name);
     for (const ExportColumn& column : table.columns) {
         if (!column.brief) continue;
         alignment += 'r';
-        head += " & " + escaped(column.label);
+        head += " & " + latex_escaped(column.label);
     }
-    std::string text = fmt::format("% {}\n", escaped(table.title));
-    for (const std::string& note : table.notes) text += fmt::format("% {}\n", escaped(note));
+    std::string text = fmt::format("% {}\n", latex_escaped(table.title));
+    for (const std::string& note : table.notes) text += fmt::format("% {}\n", latex_escaped(note));
     text += fmt::format("% needs \\usepackage{{booktabs}}\n\\begin{{tabular}}{{{}}}\n\\toprule\n{} \\\\\n",
                         alignment, head);
     const std::string* group = nullptr;
@@ -53,7 +54,7 @@ std::string export_as::latex(const ExportTable& table) {
         if (group == nullptr || *group != row.names.front()) text += "\\midrule\n";
         group = &row.names.front();
         for (std::size_t i = 0; i < row.names.size(); ++i)
-            text += (i > 0 ? " & " : "") + escaped(row.names[i]);
+            text += (i > 0 ? " & " : "") + latex_escaped(row.names[i]);
         for (std::size_t i = 0; i < row.numbers.size(); ++i) {
             if (table.columns[i].brief) text += " & " + number(row.numbers[i], table.columns[i].decimals);
         }

@@ -7,7 +7,7 @@ namespace {
 
 /// Distance from the back wall to the pillars' axes, and between pillars, metres.
 constexpr double kPillarZ_m = 3.5;
-constexpr double kSpacing_m = 3;
+constexpr double kPillarSpacing_m = 3;
 
 MeshBuilder pillar() {
     MeshBuilder mesh;
@@ -36,14 +36,14 @@ Scene generate_pillar() {
     scene.place(scene.mesh(room, plaster));
 
     const int pillars = scene.mesh(pillar(), stone);
-    for (const int i : {-1, 0, 1}) scene.place(pillars, translation(kSpacing_m * i, 0, kPillarZ_m));
+    for (const int i : {-1, 0, 1}) scene.place(pillars, translation(kPillarSpacing_m * i, 0, kPillarZ_m));
 
     MeshBuilder crate;
     add_bevelled_box(crate, {-0.5, -0.05, -0.05}, {0.5, 0.84, 0.75}, 0.02);
     add_bevelled_box(crate, {-0.44, 0.8, -0.04}, {0.44, 1.5, 0.62}, 0.02);
     add_bevelled_box(crate, {-0.38, 1.45, -0.03}, {0.38, 2.0, 0.5}, 0.02);
     const int crates = scene.mesh(crate, wood);
-    for (const int i : {-1, 0, 1}) scene.place(crates, translation(kSpacing_m * i, 0, 0));
+    for (const int i : {-1, 0, 1}) scene.place(crates, translation(kPillarSpacing_m * i, 0, 0));
     return scene.take();
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 /// Half a bar's thickness, the distance between bars, and theirs from the wall, metres.
 constexpr double kHalfBar_m = 0.01;
-constexpr double kSpacing_m = 0.14;
+constexpr double kBarSpacing_m = 0.14;
 constexpr double kFromWall_m = 0.25;
 
 }  // namespace
@@ -28,7 +28,7 @@ Scene generate_railing() {
     MeshBuilder bar;
     add_box(bar, {-kHalfBar_m, -0.02, -kHalfBar_m}, {kHalfBar_m, 1.02, kHalfBar_m});
     const int bars = scene.mesh(bar, iron);
-    for (int i = -14; i <= 14; ++i) scene.place(bars, translation(kSpacing_m * i, 0, kFromWall_m));
+    for (int i = -14; i <= 14; ++i) scene.place(bars, translation(kBarSpacing_m * i, 0, kFromWall_m));
 
     MeshBuilder rail;
     add_bevelled_box(rail, {-2.05, 1, kFromWall_m - 0.03}, {2.05, 1.04, kFromWall_m + 0.03}, 0.005);

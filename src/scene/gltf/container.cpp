@@ -10,7 +10,7 @@
 namespace aoscore::gltf {
 namespace {
 
-constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
+constexpr std::size_t kMaxContainerBytes = std::size_t{1} << 30;
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
 constexpr std::uint32_t kBinaryChunk = 0x004E4942;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -71,7 +71,7 @@ void split_glb(const std::string& where, Container& container, std::vector<std::
 std::unique_ptr<const Container> read_container(const std::filesystem::path& file, const std::string& where,
                                                 std::vector<std::string>& warnings) {
     auto container = std::make_unique<Container>();
-    container->bytes = read_file(file, kMaxFileBytes);
+    container->bytes = read_file(file, kMaxContainerBytes);
     const std::string_view bytes = container->bytes;
     if (bytes.empty()) throw file_error("is empty", where, "a glTF 2.0 file (.gltf, .glb)");
     const bool is_glb = bytes.starts_with("glTF");

@@ -56,12 +56,12 @@ void check_sparse(CheckedObject& sparse, const std::vector<ViewExtent>& views, c
 }
 
 /// What is worth a word and harms nothing.
-struct Oddities {
+struct DataOddities {
     bool misaligned = false;
     bool bad_bounds = false;
 };
 
-void check_accessor(CheckedObject& accessor, const std::vector<ViewExtent>& views, Oddities& oddities) {
+void check_accessor(CheckedObject& accessor, const std::vector<ViewExtent>& views, DataOddities& oddities) {
     const std::int64_t type = accessor.required_integer("componentType", 0, 0xFFFF);
     if (component_bytes(type) == 0) {
         accessor.fail("componentType", fmt::format("is {}", type), "5120, 5121, 5122, 5123, 5125, 5126");
@@ -137,7 +137,7 @@ void check_buffers_and_accessors(CheckedObject& root, const Counts& counts,
         check_compressed_view(view, bytes, buffer_bytes);
     });
 
-    Oddities oddities;
+    DataOddities oddities;
     root.objects("accessors",
                  [&](CheckedObject& accessor, std::size_t) { check_accessor(accessor, views, oddities); });
     if (oddities.misaligned)

@@ -30,12 +30,12 @@ void check_draco(CheckedObject& draco, const Counts& counts) {
 }
 
 /// What of a mesh's primitives is worth a word.
-struct Oddities {
+struct MeshOddities {
     bool texcoord_gap = false, no_primitives = false;
 };
 
 void check_primitive(CheckedObject& primitive, const Counts& counts, const std::vector<bool>& has_view,
-                     Oddities& oddities) {
+                     MeshOddities& oddities) {
     primitive.integer("mode", 0, 6);
     bool has_draco = false;
     primitive.object("extensions", [&](CheckedObject& extensions) {
@@ -85,7 +85,7 @@ void check_meshes(CheckedObject& root, const Counts& counts, std::vector<std::st
     root.objects("accessors", [&](CheckedObject& accessor, std::size_t) {
         has_view.push_back(accessor.has("bufferView"));
     });
-    Oddities oddities;
+    MeshOddities oddities;
     root.objects("meshes", [&](CheckedObject& mesh, std::size_t) {
         oddities.no_primitives |= mesh.count("primitives") == 0;
         mesh.objects("primitives", [&](CheckedObject& primitive, std::size_t) {
