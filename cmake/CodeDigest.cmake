@@ -15,7 +15,7 @@ function(aoscore_code_digests)
     list(TRANSFORM rooms REPLACE "(.+)" "$<TARGET_FILE:aoscore_\\1>" OUTPUT_VARIABLE archives)
     list(TRANSFORM rooms PREPEND aoscore_ OUTPUT_VARIABLE targets)
     set(inputs ${CMAKE_BINARY_DIR}/code/inputs.cmake)
-    file(GENERATE OUTPUT ${inputs} CONTENT "set(entries \"${entries}\")\nset(archives \"${archives}\")\nset(source_dir ${CMAKE_SOURCE_DIR}/src)\nset(linker ${AOSCORE_LD})\nset(folder ${CMAKE_BINARY_DIR}/code)\n")
+    file(GENERATE OUTPUT ${inputs} CONTENT "set(entries \"${entries}\")\nset(archives \"${archives}\")\nset(source_dir ${CMAKE_SOURCE_DIR}/src)\nset(object_dir ${CMAKE_BINARY_DIR}/src)\nset(linker ${AOSCORE_LD})\nset(folder ${CMAKE_BINARY_DIR}/code)\n")
     set(output ${CMAKE_BINARY_DIR}/code/code_digest.cpp)
     add_custom_command(OUTPUT ${output}
         COMMAND ${CMAKE_COMMAND} -D INPUTS=${inputs} -P ${CMAKE_SOURCE_DIR}/cmake/code_digest.cmake

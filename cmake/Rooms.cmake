@@ -30,6 +30,39 @@ function(aoscore_room name)
     target_link_libraries(aoscore_${name} PUBLIC aoscore_options ${ROOM_ROOMS} ${ROOM_LIBRARIES})
 endfunction()
 
+# aoscore_compile_together(target folder… [APART file…]): gives the compiler the sources of each folder (. for the
+# target's own) twelve at a time, so that it reads headers and fills in templates once for the twelve. That is most of what
+# a cold build does. A digest of code then counts all twelve (code_digest.cmake): name folders that artifacts use as a whole
+# or not at all, and keep the files of which that is not true APART.
+function(aoscore_compile_together target)
+    cmake_parse_arguments(TOGETHER "" "" "APART" ${ARGN})
+    if(NOT AOSCORE_TOGETHER)
+        return()
+    endif()
+    list(TRANSFORM TOGETHER_APART PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+    get_target_property(rest ${target} SOURCES)
+    foreach(folder IN LISTS TOGETHER_UNPARSED_ARGUMENTS)
+        file(GLOB sources ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+        list(TRANSFORM sources REPLACE "/\\./" "/")
+        list(REMOVE_ITEM sources ${TOGETHER_APART})
+        list(REMOVE_ITEM rest ${sources})
+        string(MAKE_C_IDENTIFIER "${folder}" name)
+        set(count 0)
+        foreach(source IN LISTS sources)
+            math(EXPR unit "${count} / 12")
+            set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${name}_${unit})
+            math(EXPR count "${count} + 1")
+        endforeach()
+    endforeach()
+    set_source_files_properties(${rest} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
+# aoscore_compile_quickly(target): for what nobody waits for while it runs, but everybody while it is compiled.
+function(aoscore_compile_quickly target)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # aoscore_link_code(target room…): gives a program that holds the store the digests of the code that fills it. They
 # are an object of the program's own, as they are computed from the rooms' archives.
 function(aoscore_link_code target)
@@ -69,6 +102,7 @@ function(aoscore_test name)
     target_link_libraries(test_${name} PRIVATE aoscore_test_support ${TEST_ROOMS} ${TEST_LIBRARIES}
                           GTest::gtest_main GTest::gmock)
     aoscore_link_code(test_${name} ${TEST_ROOMS})
+    aoscore_compile_quickly(test_${name})
     gtest_discover_tests(test_${name} TEST_PREFIX "${name}: " DISCOVERY_MODE PRE_TEST
                          DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600 LABELS ${name})
 endfunction()

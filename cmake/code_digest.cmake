@@ -1,10 +1,25 @@
 # Writes code_digest.cpp, and for every kind of artifact a list of its sources. INPUTS sets `entries`
-# (kind=source=object), `archives`, `source_dir`, `linker` and `folder`.
+# (kind=source=object), `archives`, `source_dir`, `object_dir`, `linker` and `folder`.
 cmake_minimum_required(VERSION 3.25)
 include(${INPUTS})
 
-# taken_sources(object out): the sources whose objects the linker takes for this one, relative to source_dir. An archive
-# knows base names alone: where two sources of a room share one, both count.
+# sources_of(room source out): the sources of this room that its archive may mean, relative to source_dir. An archive
+# knows base names alone: where two sources share one, both count. Of sources that were compiled together, all count.
+function(sources_of room source out)
+    if(source MATCHES "^unity_.*\\.cxx$")
+        file(STRINGS ${object_dir}/${room}/CMakeFiles/aoscore_${room}.dir/Unity/${source} found REGEX "^#include \"")
+        list(TRANSFORM found REPLACE "^#include \"${source_dir}/([^\"]+)\"" "\\1")
+    else()
+        file(GLOB_RECURSE found RELATIVE ${source_dir} ${source_dir}/${room}/*.cpp)
+        list(FILTER found INCLUDE REGEX "/${source}$")
+    endif()
+    if(found STREQUAL "")
+        message(FATAL_ERROR "no source of ${room}/${source}")
+    endif()
+    set(${out} ${found} PARENT_SCOPE)
+endfunction()
+
+# taken_sources(object out): the sources whose objects the linker takes for this one, relative to source_dir.
 function(taken_sources object out)
     execute_process(COMMAND ${linker} -r -o ${folder}/closure.o -Map=${folder}/closure.map ${object}
                             --start-group ${archives} --end-group RESULT_VARIABLE status ERROR_VARIABLE message)
@@ -18,11 +33,7 @@ function(taken_sources object out)
     set(sources "")
     foreach(line IN LISTS lines)
         string(REGEX MATCH "^([a-z]+)/(.*)$" matched ${line})
-        file(GLOB_RECURSE found RELATIVE ${source_dir} ${source_dir}/${CMAKE_MATCH_1}/*.cpp)
-        list(FILTER found INCLUDE REGEX "/${CMAKE_MATCH_2}$")
-        if(found STREQUAL "")
-            message(FATAL_ERROR "no source of ${line}")
-        endif()
+        sources_of(${CMAKE_MATCH_1} ${CMAKE_MATCH_2} found)
         list(APPEND sources ${found})
     endforeach()
     set(${out} ${sources} PARENT_SCOPE)
