@@ -6,9 +6,9 @@ include(${INPUTS})
 # sources_of(room source out): the sources of this room that its archive may mean, relative to source_dir. An archive
 # knows base names alone: where two sources share one, both count. Of sources that were compiled together, all count.
 function(sources_of room source out)
-    if(source MATCHES "^unity_.*\\.cxx$")
-        file(STRINGS ${object_dir}/${room}/CMakeFiles/aoscore_${room}.dir/Unity/${source} found REGEX "^#include \"")
-        list(TRANSFORM found REPLACE "^#include \"${source_dir}/([^\"]+)\"" "\\1")
+    if(source MATCHES "^together_")
+        file(STRINGS ${object_dir}/${room}/${source} found)
+        list(TRANSFORM found REPLACE "^#include \"([^\"]+)\"$" "\\1")
     else()
         file(GLOB_RECURSE found RELATIVE ${source_dir} ${source_dir}/${room}/*.cpp)
         list(FILTER found INCLUDE REGEX "/${source}$")
