@@ -2,8 +2,8 @@
 
 #include "compare/picture_doubts.h"
 #include "core/error.h"
+#include "image/image_frame.h"
 #include "metrics/evaluate.h"
-#include "results/image/image_frame.h"
 
 #include <fmt/format.h>
 

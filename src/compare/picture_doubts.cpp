@@ -1,8 +1,8 @@
 #include "compare/picture_doubts.h"
 
 #include "core/srgb.h"
+#include "image/image_frame.h"
 #include "metrics/likeness.h"
-#include "results/image/image_frame.h"
 
 #include <fmt/format.h>
 

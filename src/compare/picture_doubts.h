@@ -1,6 +1,6 @@
 #pragma once
 
-#include "results/image/visibility_file.h"
+#include "image/visibility_file.h"
 
 #include <string>
 #include <vector>

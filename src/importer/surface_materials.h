@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/memory_budget.h"
 #include "importer/import_job.h"
-#include "scene/gltf/memory_budget.h"
 #include "scene/scene.h"
 
 #include <glm/glm.hpp>
@@ -58,7 +58,7 @@ class SurfaceMaterials {
     int add_texture(const TextureUse& use, Texels texels);
 
     ImportJob& job_;
-    gltf::MemoryBudget budget_;
+    MemoryBudget budget_;
     std::map<std::string, std::optional<Texels>> images_;
     std::map<std::string, bool> may_cut_;
     std::set<std::string> missing_;

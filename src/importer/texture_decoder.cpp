@@ -1,6 +1,6 @@
 #include "importer/texture_decoder.h"
 
-#include "scene/gltf/image_decoder.h"
+#include "image/image_decoder.h"
 
 #include <algorithm>
 #include <array>
@@ -34,10 +34,10 @@ const char* reader_for(const std::string& name, std::string_view bytes) {
 }  // namespace
 
 std::optional<Image<glm::u8vec4>> decode_texture(const std::string& name, std::string_view bytes,
-                                                 gltf::MemoryBudget& budget, std::string& reason) {
+                                                 MemoryBudget& budget, std::string& reason) {
     const char* reader = reader_for(name, bytes);
-    if (reader != nullptr) return gltf::decode_image_as(reader, bytes, budget, reason);
-    std::optional<Image<glm::u8vec4>> image = gltf::decode_image(bytes, budget, reason);
+    if (reader != nullptr) return decode_image_as(reader, bytes, budget, reason);
+    std::optional<Image<glm::u8vec4>> image = decode_image(bytes, budget, reason);
     if (!image && reason == "is no PNG, JPEG or WebP") reason = "is of no kind that is read";
     return image;
 }

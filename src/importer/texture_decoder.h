@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/image.h"
-#include "scene/gltf/memory_budget.h"
+#include "core/memory_budget.h"
 
 #include <glm/glm.hpp>
 
@@ -12,9 +12,9 @@
 namespace aoscore::importer {
 
 /// Decodes what scenes of these formats use as images: PNG, JPEG, WebP, TGA, BMP, DDS, TIFF, GIF, PSD, as
-/// gltf::decode_image() does. `name` tells a TGA, which has no mark of its own.
+/// decode_image() does. `name` tells a TGA, which has no mark of its own.
 std::optional<Image<glm::u8vec4>> decode_texture(const std::string& name, std::string_view bytes,
-                                                 gltf::MemoryBudget& budget, std::string& reason);
+                                                 MemoryBudget& budget, std::string& reason);
 
 /// False where the first bytes say already that the image has no alpha.
 bool may_have_alpha(std::string_view bytes);

@@ -1,7 +1,7 @@
 #include "jobs/image_output.h"
 
+#include "image/image_file.h"
 #include "jobs/own_truth.h"
-#include "results/image/image_file.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,8 +1,8 @@
 #include "jobs/view_files.h"
 
+#include "image/image_file.h"
 #include "jobs/image_output.h"
 #include "jobs/truth_provenance.h"
-#include "results/image/image_file.h"
 
 #include <map>
 #include <string>

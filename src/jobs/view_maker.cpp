@@ -2,12 +2,12 @@
 
 #include "core/error.h"
 #include "core/log.h"
+#include "image/image_file.h"
 #include "jobs/contestant.h"
 #include "jobs/draw_image.h"
 #include "jobs/time_requests.h"
 #include "jobs/view_files.h"
 #include "jobs/view_record.h"
-#include "results/image/image_file.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "report/coloured_picture.h"
 
+#include "image/image_file.h"
 #include "report/base64.h"
-#include "results/image/image_file.h"
 
 #include <algorithm>
 #include <cmath>

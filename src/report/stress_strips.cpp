@@ -1,8 +1,8 @@
 #include "report/stress_strips.h"
 
 #include "core/error.h"
+#include "image/image_file.h"
 #include "report/coloured_picture.h"
-#include "results/image/image_file.h"
 
 #include <algorithm>
 #include <vector>

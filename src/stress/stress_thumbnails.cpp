@@ -1,6 +1,6 @@
 #include "stress/stress_thumbnails.h"
 
-#include "results/image/image_file.h"
+#include "image/image_file.h"
 
 #include <algorithm>
 #include <cmath>

@@ -45,9 +45,10 @@ only() {
 only embree3/ reference/
 only GL/osmesa screen/gl/osmesa_context
 only GL/ screen/
-only Imf results/
-only OpenEXR results/
-only OpenImageIO results/ scene/
+only Imf image/
+only OpenEXR image/
+only OpenImageIO image/
+only png.h image/
 only tiny_gltf scene/
 only assimp/ importer/
 only tiny_obj_loader importer/

@@ -1,7 +1,7 @@
 #include "browser/browser_support.h"
 
 #include "core/files.h"
-#include "results/image/image_file.h"
+#include "image/image_file.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "browser/browser_support.h"
 #include "core/files.h"
-#include "results/image/image_file.h"
+#include "image/image_file.h"
 #include "support/support.h"
 
 #include <gtest/gtest.h>

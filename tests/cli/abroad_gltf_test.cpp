@@ -1,5 +1,5 @@
 // Small glTF scenes as other programs write them, with the command and the right answer of each.
-#include "results/image/image_file.h"
+#include "image/image_file.h"
 #include "support/support.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // One small scene as other programs write it; every form of it must give the truth of the glTF.
-#include "results/image/image_file.h"
+#include "image/image_file.h"
 #include "support/support.h"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // The cache of truths as a user meets it.
-#include "results/image/image_file.h"
+#include "image/image_file.h"
 #include "results/results.h"
 #include "support/support.h"
 

@@ -1,7 +1,7 @@
 // `aoscore compare` with images as other programs write them: which channel is taken, what is refused, and
 // what is said of a picture that may have been meant otherwise.
 #include "core/files.h"
-#include "results/image/image_file.h"
+#include "image/image_file.h"
 #include "support/foreign_exr.h"
 #include "support/support.h"
 

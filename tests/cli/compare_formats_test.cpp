@@ -1,7 +1,7 @@
 // `aoscore compare` with TIFF and HDR, written here byte by byte after their specifications (Adobe, TIFF,
 // revision 6.0, 1992; Greg Ward, Real Pixels, in Graphics Gems II, 1991).
 #include "core/files.h"
-#include "results/image/image_file.h"
+#include "image/image_file.h"
 #include "support/support.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 // `aoscore compare`: the JSON object, gates, and the traps that comparing tools fall into.
 #include "core/files.h"
-#include "results/image/image_file.h"
+#include "image/image_file.h"
 #include "support/support.h"
 
 #include <gmock/gmock.h>

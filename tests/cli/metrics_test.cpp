@@ -1,7 +1,7 @@
 // Every metric is listed, measured between two images and may be limited, those that are added later
 // included.
+#include "image/image_file.h"
 #include "metrics/metric.h"
-#include "results/image/image_file.h"
 #include "support/support.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // What becomes of numbers: limits, exit codes, exports in every format, baselines.
 #include "core/files.h"
+#include "image/image_file.h"
 #include "results/export/export_format.h"
-#include "results/image/image_file.h"
 #include "results/results.h"
 #include "support/support.h"
 

@@ -1,6 +1,6 @@
 // Cameras of the user's own: view files, one on the command line, what the program offers as such.
 #include "core/files.h"
-#include "results/image/image_file.h"
+#include "image/image_file.h"
 #include "results/results.h"
 #include "results/view_piece.h"
 #include "support/support.h"

@@ -1,6 +1,6 @@
 // The way of an outside method as README shows it: export, render elsewhere, compare.
+#include "image/image_file.h"
 #include "readme.h"
-#include "results/image/image_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

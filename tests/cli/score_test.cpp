@@ -1,7 +1,7 @@
 // Whole runs through the program: truth files, pages, methods of one's own, real scenes.
 #include "core/files.h"
+#include "image/image_file.h"
 #include "readme.h"
-#include "results/image/image_file.h"
 #include "results/results.h"
 #include "support/support.h"
 

@@ -1,5 +1,5 @@
 // What results say of how they were made makes them again: filters' parameters, and the command of the truth.
-#include "results/image/image_file.h"
+#include "image/image_file.h"
 #include "results/results.h"
 #include "support/support.h"
 

@@ -1,5 +1,5 @@
 // What truth files and results say beside the visibility.
-#include "results/image/image_file.h"
+#include "image/image_file.h"
 #include "results/results.h"
 #include "support/support.h"
 

@@ -2,7 +2,7 @@
 
 #include "core/files.h"
 #include "core/strict_json.h"
-#include "results/image/image_file.h"
+#include "image/image_file.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "core/error.h"
 #include "core/files.h"
+#include "image/image_file.h"
 #include "report/live_data.h"
 #include "report/live_packing.h"
 #include "report/synthetic_results.h"
-#include "results/image/image_file.h"
 #include "results/live_file.h"
 #include "support/support.h"
 

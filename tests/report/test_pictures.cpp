@@ -1,9 +1,9 @@
 #include "core/files.h"
+#include "image/image_file.h"
 #include "report/base64.h"
 #include "report/number_text.h"
 #include "report/quantised_image.h"
 #include "report/thumbnail.h"
-#include "results/image/image_file.h"
 #include "support/support.h"
 
 #include <gmock/gmock.h>

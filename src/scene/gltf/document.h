@@ -1,9 +1,9 @@
 #pragma once
 
+#include "core/memory_budget.h"
 #include "scene/gltf/asset_folder.h"
 #include "scene/gltf/compressed_view.h"
 #include "scene/gltf/container.h"
-#include "scene/gltf/memory_budget.h"
 
 #include <filesystem>
 #include <map>

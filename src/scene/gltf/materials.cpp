@@ -1,7 +1,7 @@
 #include "scene/gltf/materials.h"
 
 #include "core/error.h"
-#include "scene/gltf/image_decoder.h"
+#include "image/image_decoder.h"
 #include "scene/gltf/texture_extensions.h"
 
 #include <fmt/format.h>

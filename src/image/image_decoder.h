@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/image.h"
-#include "scene/gltf/memory_budget.h"
+#include "core/memory_budget.h"
 
 #include <glm/glm.hpp>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace aoscore::gltf {
+namespace aoscore {
 
 /// Decodes a PNG, JPEG or WebP image to 8-bit RGBA as stored: no colour conversion, alpha not multiplied in,
 /// 255 where the file has none. Nothing when the bytes are no such image (KTX2, DDS and AVIF are named), are
@@ -22,4 +22,4 @@ std::optional<Image<glm::u8vec4>> decode_image(std::string_view bytes, MemoryBud
 std::optional<Image<glm::u8vec4>> decode_image_as(const char* format, std::string_view bytes,
                                                   MemoryBudget& budget, std::string& reason);
 
-}  // namespace aoscore::gltf
+}  // namespace aoscore

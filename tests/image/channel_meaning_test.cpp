@@ -1,5 +1,5 @@
 // What channels hold by the names that other programs give them.
-#include "results/image/channel_meaning.h"
+#include "image/channel_meaning.h"
 
 #include <gtest/gtest.h>
 

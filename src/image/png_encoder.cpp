@@ -1,5 +1,5 @@
 #include "core/error.h"
-#include "results/image/image_file.h"
+#include "image/image_file.h"
 
 #include <fmt/format.h>
 #include <png.h>

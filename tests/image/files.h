@@ -2,8 +2,8 @@
 
 #include "core/error.h"
 #include "core/files.h"
-#include "results/image/image_file.h"
-#include "results/image/visibility_file.h"
+#include "image/image_file.h"
+#include "image/visibility_file.h"
 #include "support/support.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/image.h"
-#include "results/image/pixel_rect.h"
+#include "image/pixel_rect.h"
 
 #include <filesystem>
 #include <map>

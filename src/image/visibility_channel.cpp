@@ -1,9 +1,9 @@
-#include "results/image/visibility_channel.h"
+#include "image/visibility_channel.h"
 
 #include "core/error.h"
 #include "core/known_names.h"
 #include "core/text.h"
-#include "results/image/layers.h"
+#include "image/layers.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "results/image/image_frame.h"
+#include "image/image_frame.h"
 
 #include <algorithm>
 #include <array>

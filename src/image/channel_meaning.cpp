@@ -1,4 +1,4 @@
-#include "results/image/channel_meaning.h"
+#include "image/channel_meaning.h"
 
 #include "core/text.h"
 

@@ -1,7 +1,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/threads.h"
-#include "results/image/image_file.h"
+#include "image/image_file.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>

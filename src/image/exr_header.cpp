@@ -1,4 +1,4 @@
-#include "results/image/exr_header.h"
+#include "image/exr_header.h"
 
 #include "core/error.h"
 #include "core/printable.h"

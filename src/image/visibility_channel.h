@@ -1,6 +1,6 @@
 #pragma once
 
-#include "results/image/image_file.h"
+#include "image/image_file.h"
 
 #include <cstddef>
 #include <string>

@@ -1,4 +1,4 @@
-#include "scene/gltf/image_decoder.h"
+#include "image/image_decoder.h"
 
 #include "core/error.h"
 
@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-namespace aoscore::gltf {
+namespace aoscore {
 namespace {
 
 constexpr std::int64_t kMaxSide = 8192;
@@ -117,4 +117,4 @@ std::optional<Image<glm::u8vec4>> decode_image(std::string_view bytes, MemoryBud
                            : decode_image_as(format.data(), bytes, budget, reason);
 }
 
-}  // namespace aoscore::gltf
+}  // namespace aoscore

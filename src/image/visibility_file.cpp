@@ -1,10 +1,10 @@
-#include "results/image/visibility_file.h"
+#include "image/visibility_file.h"
 
 #include "core/error.h"
 #include "core/srgb.h"
-#include "results/image/image_file.h"
-#include "results/image/image_frame.h"
-#include "results/image/visibility_channel.h"
+#include "image/image_file.h"
+#include "image/image_frame.h"
+#include "image/visibility_channel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "results/image/image_strips.h"
+#include "image/image_strips.h"
 
-#include "results/image/image_limits.h"
+#include "image/image_limits.h"
 
 #include <algorithm>
 #include <concepts>

@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <string>
 
-namespace aoscore::gltf {
+namespace aoscore {
 
-/// What loading one file may allocate. A small file can describe far more than it holds (accessors without
+/// What loading one scene may allocate. A small file can describe far more than it holds (accessors without
 /// data, compressed images, thousands of primitives over one buffer), so everything of a size that the file
 /// chooses is taken from here before it is allocated. That bounds the time as well.
 class MemoryBudget {
@@ -17,4 +17,4 @@ class MemoryBudget {
     std::size_t left_ = std::size_t{1} << 30;
 };
 
-}  // namespace aoscore::gltf
+}  // namespace aoscore

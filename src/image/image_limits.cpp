@@ -1,4 +1,4 @@
-#include "results/image/image_limits.h"
+#include "image/image_limits.h"
 
 #include "core/image.h"
 

@@ -1,8 +1,8 @@
-#include "results/image/subsampled_exr.h"
+#include "image/subsampled_exr.h"
 
 #include "core/error.h"
-#include "results/image/image_frame.h"
-#include "results/image/image_limits.h"
+#include "image/image_frame.h"
+#include "image/image_limits.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>

@@ -1,4 +1,4 @@
-#include "results/image/layers.h"
+#include "image/layers.h"
 
 #include "core/text.h"
 

@@ -1,10 +1,10 @@
 #include "core/error.h"
-#include "results/image/exr_header.h"
-#include "results/image/image_file.h"
-#include "results/image/image_frame.h"
-#include "results/image/image_limits.h"
-#include "results/image/image_strips.h"
-#include "results/image/subsampled_exr.h"
+#include "image/exr_header.h"
+#include "image/image_file.h"
+#include "image/image_frame.h"
+#include "image/image_limits.h"
+#include "image/image_strips.h"
+#include "image/subsampled_exr.h"
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>

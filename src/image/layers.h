@@ -1,7 +1,7 @@
 #pragma once
 
-#include "results/image/channel_meaning.h"
-#include "results/image/image_file.h"
+#include "image/channel_meaning.h"
+#include "image/image_file.h"
 
 #include <cstddef>
 #include <string>
