@@ -5,7 +5,7 @@
 #include "core/output.h"
 #include "core/stopwatch.h"
 #include "core/threads.h"
-#include "metrics/analysis.h"
+#include "metrics/analysis/analysis.h"
 #include "metrics/evaluate.h"
 #include "metrics/roles.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "image/visibility_file.h"
-#include "metrics/noise.h"
+#include "metrics/measures/noise.h"
 #include "results/results.h"
 
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 
 #include "core/srgb.h"
 #include "image/image_frame.h"
-#include "metrics/likeness.h"
+#include "metrics/analysis/likeness.h"
 
 #include <fmt/format.h>
 

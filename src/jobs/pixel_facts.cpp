@@ -1,6 +1,6 @@
 #include "jobs/pixel_facts.h"
 
-#include "metrics/distance.h"
+#include "metrics/analysis/distance.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "metrics/pixel_facts.h"
+#include "metrics/analysis/pixel_facts.h"
 #include "reference/truth.h"
 #include "scene/camera.h"
 

@@ -1,7 +1,7 @@
 #include "jobs/score_image.h"
 
 #include "core/error.h"
-#include "metrics/analysis.h"
+#include "metrics/analysis/analysis.h"
 #include "metrics/evaluate.h"
 #include "results/record_json.h"
 #include "results/results_members.h"

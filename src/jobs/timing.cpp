@@ -1,6 +1,6 @@
 #include "jobs/timing.h"
 
-#include "metrics/median_interval.h"
+#include "metrics/intervals/median_interval.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "jobs/image_output.h"
 #include "jobs/masked_mean.h"
 #include "jobs/own_truth.h"
-#include "metrics/noise.h"
+#include "metrics/measures/noise.h"
 #include "reference/integrator/tile.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "metrics/mean_error.h"
+#include "metrics/measures/mean_error.h"
 #include "metrics/metric.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "metrics/drawn_sums.h"
+#include "metrics/intervals/drawn_sums.h"
+#include "metrics/intervals/over_views.h"
 #include "metrics/measures.h"
-#include "metrics/over_views.h"
 
 #include <cmath>
 

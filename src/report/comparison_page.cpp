@@ -1,15 +1,15 @@
 #include "report/comparison_page.h"
 
 #include "core/files.h"
-#include "metrics/bootstrap.h"
 #include "metrics/evaluate.h"
+#include "metrics/intervals/bootstrap.h"
 #include "metrics/roles.h"
-#include "report/coloured_picture.h"
-#include "report/html_document.h"
-#include "report/number_text.h"
-#include "report/page_parts.h"
-#include "report/page_template.h"
-#include "report/thumbnail.h"
+#include "report/page/html_document.h"
+#include "report/page/number_text.h"
+#include "report/page/page_parts.h"
+#include "report/page/page_template.h"
+#include "report/pictures/coloured_picture.h"
+#include "report/pictures/thumbnail.h"
 
 #include <fmt/format.h>
 

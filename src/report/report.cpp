@@ -2,12 +2,12 @@
 
 #include "core/files.h"
 #include "core/log.h"
-#include "report/html_document.h"
-#include "report/page_parts.h"
-#include "report/page_template.h"
-#include "report/pictures.h"
+#include "report/page/html_document.h"
+#include "report/page/page_parts.h"
+#include "report/page/page_template.h"
+#include "report/pictures/pictures.h"
 #include "report/section.h"
-#include "report/stage_data.h"
+#include "report/sections/stage_data.h"
 
 #include <fmt/format.h>
 

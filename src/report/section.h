@@ -1,7 +1,7 @@
 #pragma once
 
-#include "report/live_data.h"
-#include "report/pictures.h"
+#include "report/live/live_data.h"
+#include "report/pictures/pictures.h"
 #include "results/results.h"
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #include "core/error.h"
 #include "core/known_names.h"
-#include "report/number_text.h"
+#include "report/page/number_text.h"
 #include "report/section.h"
 
 #include <fmt/format.h>

@@ -2,10 +2,10 @@
 
 #include "core/files.h"
 #include "core/known_names.h"
-#include "report/html_document.h"
-#include "report/number_text.h"
-#include "report/page_parts.h"
-#include "report/page_template.h"
+#include "report/page/html_document.h"
+#include "report/page/number_text.h"
+#include "report/page/page_parts.h"
+#include "report/page/page_template.h"
 #include "report/stress_strips.h"
 #include "results/stress_results.h"
 

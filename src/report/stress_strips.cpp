@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 #include "image/image_file.h"
-#include "report/coloured_picture.h"
+#include "report/pictures/coloured_picture.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "metrics/analysis.h"
+#include "metrics/analysis/analysis.h"
 #include "results/record_of.h"
 
 /// The members of the records of an analysis, by key; see results_members.h.

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "metrics/analysis.h"
+#include "metrics/analysis/analysis.h"
+#include "metrics/intervals/simultaneous.h"
 #include "metrics/metric.h"
-#include "metrics/simultaneous.h"
 
 #include <nlohmann/json.hpp>
 

@@ -2,8 +2,8 @@
 
 #include "core/error.h"
 #include "core/known_names.h"
-#include "metrics/median_interval.h"
-#include "metrics/over_views.h"
+#include "metrics/intervals/median_interval.h"
+#include "metrics/intervals/over_views.h"
 #include "metrics/pareto.h"
 #include "metrics/roles.h"
 #include "results/comparable_views.h"

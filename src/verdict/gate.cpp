@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "core/known_names.h"
 #include "core/text.h"
-#include "metrics/bootstrap.h"
+#include "metrics/intervals/bootstrap.h"
 #include "metrics/metric.h"
 
 #include <fmt/format.h>

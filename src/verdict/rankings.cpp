@@ -1,8 +1,8 @@
 #include "verdict/rankings.h"
 
 #include "core/error.h"
-#include "metrics/mask_areas.h"
-#include "metrics/over_views.h"
+#include "metrics/intervals/mask_areas.h"
+#include "metrics/intervals/over_views.h"
 #include "metrics/roles.h"
 #include "results/comparable_views.h"
 #include "results/ranked_value.h"

@@ -1,6 +1,6 @@
-#include "metrics/analysis.h"
+#include "metrics/analysis/analysis.h"
 
-#include "metrics/distance.h"
+#include "metrics/analysis/distance.h"
 #include "metrics/evaluate.h"
 #include "pictures.h"
 

@@ -1,4 +1,4 @@
-#include "metrics/bootstrap.h"
+#include "metrics/intervals/bootstrap.h"
 
 #include "core/error.h"
 #include "metrics/evaluate.h"

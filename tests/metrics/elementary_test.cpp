@@ -1,6 +1,6 @@
+#include "metrics/analysis/occlusion_masks.h"
 #include "metrics/evaluate.h"
-#include "metrics/noise.h"
-#include "metrics/occlusion_masks.h"
+#include "metrics/measures/noise.h"
 #include "pictures.h"
 
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
-#include "metrics/over_views.h"
+#include "metrics/intervals/over_views.h"
 
 #include "core/error.h"
-#include "metrics/bootstrap.h"
 #include "metrics/evaluate.h"
+#include "metrics/intervals/bootstrap.h"
 #include "pictures.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Made-up scores whose ranks are known.
-#include "metrics/simultaneous.h"
+#include "metrics/intervals/simultaneous.h"
 
 #include "core/error.h"
 

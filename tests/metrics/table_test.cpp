@@ -1,8 +1,8 @@
 // Claims about every row of the table of metrics, those that are added later included.
 #include "core/error.h"
 #include "core/threads.h"
-#include "metrics/bootstrap.h"
 #include "metrics/evaluate.h"
+#include "metrics/intervals/bootstrap.h"
 #include "metrics/roles.h"
 #include "pictures.h"
 

@@ -1,4 +1,4 @@
-#include "metrics/tile_pattern.h"
+#include "metrics/analysis/tile_pattern.h"
 
 #include "pictures.h"
 

@@ -1,7 +1,7 @@
 #include "plan/sweep.h"
 
 #include "core/error.h"
-#include "metrics/median_interval.h"
+#include "metrics/intervals/median_interval.h"
 #include "metrics/pareto.h"
 
 #include <gmock/gmock.h>

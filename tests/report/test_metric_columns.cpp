@@ -1,8 +1,8 @@
 // Every metric reaches the page with the words of its row, those that are added later included.
 #include "metrics/metric.h"
-#include "report/interval_tables.h"
-#include "report/ranking_columns.h"
 #include "report/section.h"
+#include "report/sections/interval_tables.h"
+#include "report/sections/ranking_columns.h"
 #include "report/synthetic_results.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 #include "core/files.h"
 #include "image/image_file.h"
-#include "report/base64.h"
-#include "report/number_text.h"
-#include "report/quantised_image.h"
-#include "report/thumbnail.h"
+#include "report/page/base64.h"
+#include "report/page/number_text.h"
+#include "report/pictures/quantised_image.h"
+#include "report/pictures/thumbnail.h"
 #include "support/support.h"
 
 #include <gmock/gmock.h>

@@ -35,8 +35,8 @@ TEST(CodeDigest, CoversEveryFileThatDecidesANumber) {
     EXPECT_THAT(code_of("view"), Contains("jobs/truth_record.cpp"));
     EXPECT_THAT(code_of("files"), Contains("jobs/image_output.cpp"));
     EXPECT_THAT(code_of("image"), Contains("jobs/masked_mean.h"));
-    EXPECT_THAT(code_of("score"), Contains("metrics/rmse.cpp"));
-    EXPECT_THAT(code_of("score"), Contains("metrics/bootstrap.cpp"));
+    EXPECT_THAT(code_of("score"), Contains("metrics/measures/rmse.cpp"));
+    EXPECT_THAT(code_of("score"), Contains("metrics/intervals/bootstrap.cpp"));
     EXPECT_THAT(code_of("times"), Contains("jobs/timing.cpp"));
     EXPECT_THAT(code_of("stress"), Contains("reference/estimate/estimate.cpp"));
     EXPECT_THAT(code_of("views"), Contains("framing/outline_fit.cpp"));
@@ -54,7 +54,7 @@ TEST(CodeDigest, LeavesOutWhatDecidesNone) {
     }
     EXPECT_THAT(code_of("score"), Not(Contains("screen/method/kernel.cpp")));
     EXPECT_THAT(code_of("score"), Not(Contains("reference/estimate/estimate.cpp")));
-    EXPECT_THAT(code_of("image"), Not(Contains("metrics/rmse.cpp")));
+    EXPECT_THAT(code_of("image"), Not(Contains("metrics/measures/rmse.cpp")));
 }
 
 TEST(CodeDigest, DiffersByKindAndKnowsNoOther) {

@@ -1,7 +1,7 @@
 #include "verdict/gate.h"
 
 #include "core/error.h"
-#include "metrics/mask_areas.h"
+#include "metrics/intervals/mask_areas.h"
 #include "metrics/metric.h"
 #include "verdict/gates.h"
 

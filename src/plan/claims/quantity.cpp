@@ -3,8 +3,8 @@
 #include "core/error.h"
 #include "core/known_names.h"
 #include "core/sampling.h"
-#include "metrics/bootstrap.h"
-#include "metrics/median_interval.h"
+#include "metrics/intervals/bootstrap.h"
+#include "metrics/intervals/median_interval.h"
 #include "metrics/roles.h"
 
 #include <fmt/format.h>

@@ -1,0 +1,30 @@
+#include "metrics/analysis/analysis.h"
+
+#include "metrics/analysis/tile_pattern.h"
+#include "metrics/measures/mean_error.h"
+
+#include <array>
+#include <cmath>
+
+namespace aoscore {
+
+std::optional<ErrorAnalysis> analyse(const MetricInput& input, const PixelFacts& facts, double mask_threshold,
+                                     std::uint64_t seed) {
+    const std::optional<BestFit> fit = best_fit(input);
+    if (!fit) return std::nullopt;
+    ErrorAnalysis analysis;
+    analysis.fit = *fit;
+    const OcclusionMasks masks = occlusion_masks(input, mask_threshold);
+    analysis.missing = summarize_mask(masks.missing, input, facts.causes);
+    analysis.false_occlusion = summarize_mask(masks.false_occlusion, input, {});
+    analysis.regions = worst_regions(masks, input, facts.causes);
+    analysis.splits = error_splits(input, facts);
+    analysis.distribution = error_distribution(input);
+    analysis.tile_pattern = tile_pattern(input);
+    analysis.blocks = block_errors(input, masks);
+    const std::array<const BlockErrors*, 1> images{&analysis.blocks};
+    analysis.intervals = confidence_intervals(images, seed);
+    return analysis;
+}
+
+}  // namespace aoscore

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "metrics/analysis/pixel_facts.h"
+#include "metrics/metric.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace aoscore {
+
+/// The error of some of the pixels.
+struct SplitBin {
+    std::string label;                 ///< "0.1 to 0.25", "hidden"
+    double share = 0;                  ///< of the valid pixels
+    double error_share = 0;            ///< of the sum of squared errors over all valid pixels
+    std::optional<double> rmse;        ///< over the bin; empty where it has no pixel
+    std::optional<double> bias;        ///< mean of test - truth over the bin
+    std::optional<double> noise_rmse;  ///< what the truth's noise alone makes of it; empty where not known
+};
+
+/// The valid pixels divided by one property; the bins' shares add up to 1.
+struct Split {
+    std::string id;       ///< "tilt"
+    std::string label;    ///< "Tilt of the surface"
+    std::string unit;     ///< of the bins' bounds; "" for names and pure numbers
+    std::string meaning;  ///< one sentence
+    std::vector<SplitBin> bins;
+};
+
+/// All rows of the table in splits.cpp for which the facts are known: by sign of the error, cause of the
+/// occlusion, distance from a depth edge, tilt, view depth, distance from the image border. Bins that are not
+/// names have fixed bounds, except view depth, whose bins hold a fifth of the pixels each. Empty without a
+/// valid pixel. Throws sizes_differ.
+std::vector<Split> error_splits(const MetricInput& input, const PixelFacts& facts);
+
+}  // namespace aoscore

@@ -1,0 +1,22 @@
+#include "metrics/intervals/mask_areas.h"
+
+#include "metrics/analysis/analysis.h"
+#include "metrics/intervals/drawn_sums.h"
+
+namespace aoscore {
+
+const std::array<MaskArea, 2>& mask_areas() {
+    static constexpr std::array<MaskArea, 2> table{{
+        {kMissingArea, "missing_mean", "Missing", "brighter",
+         [](const ErrorAnalysis& a) { return a.missing.area; },
+         [](const ErrorAnalysis& a) { return a.missing.mean; },
+         [](const DrawnSums& s) { return s.missing / s.count; }},
+        {kFalseArea, "false_mean", "False", "darker",
+         [](const ErrorAnalysis& a) { return a.false_occlusion.area; },
+         [](const ErrorAnalysis& a) { return a.false_occlusion.mean; },
+         [](const DrawnSums& s) { return s.false_occlusion / s.count; }},
+    }};
+    return table;
+}
+
+}  // namespace aoscore

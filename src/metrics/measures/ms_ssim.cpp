@@ -1,0 +1,98 @@
+#include "metrics/intervals/block_errors.h"
+#include "metrics/measures.h"
+#include "metrics/measures/mean_error.h"
+#include "metrics/measures/structural_similarity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace aoscore {
+namespace {
+
+// Finest scale first: table of the paper's section 3.2.
+constexpr std::array<double, 5> kExponents = {0.0448, 0.2856, 0.3001, 0.2363, 0.1333};
+constexpr int kSmallestSide_px = (2 * kSsimBorder_px + 1) << (kExponents.size() - 1);
+constexpr std::size_t kFewestSquares = 15;  ///< that an interval can be had from
+
+struct WeightedPair {
+    ImageF truth, test, weight;
+};
+
+/// Half the size (an odd last row or column is dropped): weighted means of 2x2 pixels, and their mean weight.
+WeightedPair halved(const WeightedPair& pair) {
+    const int width = pair.truth.width / 2, height = pair.truth.height / 2;
+    WeightedPair half{ImageF(width, height), ImageF(width, height), ImageF(width, height)};
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            double weight = 0, truth = 0, test = 0;
+            for (int corner = 0; corner < 4; ++corner) {
+                const std::size_t i = pair.truth.index(2 * x + corner % 2, 2 * y + corner / 2);
+                const double w = pair.weight.pixels[i];
+                if (w == 0) continue;  // The values may be NaN there.
+                weight += w;
+                truth += w * pair.truth.pixels[i];
+                test += w * pair.test.pixels[i];
+            }
+            if (weight == 0) continue;
+            half.weight.at(x, y) = static_cast<float>(weight / 4);
+            half.truth.at(x, y) = static_cast<float>(truth / weight);
+            half.test.at(x, y) = static_cast<float>(test / weight);
+        }
+    }
+    return half;
+}
+
+/// Adds what each block does to exponent * log(mean of a factor).
+void add_influences(std::vector<double>& influences, const std::vector<double>& sums,
+                    const std::vector<double>& weights, double exponent) {
+    const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
+    const double weight = std::accumulate(weights.begin(), weights.end(), 0.0);
+    influences.resize(sums.size());
+    for (std::size_t b = 0; b < sums.size(); ++b)
+        influences[b] += exponent * (sums[b] / sum - weights[b] / weight);
+}
+
+}  // namespace
+
+MetricValue measure::ms_ssim(const MetricInput& input) {
+    if (!has_valid_pixel(input)) return undefined(kNoValidPixel);
+    if (std::min(input.truth.width, input.truth.height) < kSmallestSide_px) {
+        return undefined(fmt::format("the image is smaller than {0}x{0} px", kSmallestSide_px));
+    }
+    // Squares that the coarsest window does not reach across: smaller ones would not be independent.
+    const BlockGrid grid(input.truth.width, input.truth.height, input.truth.width / kSmallestSide_px);
+    std::vector<double> influences;
+    double product = 1;
+    bool anticorrelated = false;
+    WeightedPair pair{input.truth, input.test, weights_of(input.valid)};
+    for (std::size_t scale = 0; scale < kExponents.size(); ++scale) {
+        if (scale > 0) pair = halved(pair);
+        const SsimSums sums =
+            structural_similarity(pair.truth, pair.test, pair.weight, grid, static_cast<int>(scale));
+        const std::optional<SsimMeans> means = sums.means();
+        if (!means)
+            return undefined(fmt::format("no valid pixel {} px inside the border at 1/{} size",
+                                         kSsimBorder_px, 1 << scale));
+        const bool coarsest = scale + 1 == kExponents.size();
+        const double factor = coarsest ? means->ssim : means->contrast_structure;
+        if (!std::isfinite(factor)) return undefined(kNotFinite);
+        anticorrelated = anticorrelated || factor < 0;
+        product *= std::pow(std::max(factor, 0.0), kExponents[scale]);  // A negative base has no real power.
+        if (!anticorrelated && factor > 0)
+            add_influences(influences, coarsest ? sums.ssim : sums.contrast_structure, sums.weights,
+                           kExponents[scale]);
+    }
+    if (input.maps != nullptr && product > 0 && grid.size() >= kFewestSquares) {
+        input.maps->ms_ssim = product;
+        input.maps->ms_ssim_influences = std::move(influences);
+    }
+    return defined(product, anticorrelated ? "taken as 0: structure is anticorrelated at some scale" : "");
+}
+
+}  // namespace aoscore

@@ -1,0 +1,23 @@
+#include "metrics/intervals/block_errors.h"
+#include "metrics/measures.h"
+#include "metrics/measures/mean_error.h"
+#include "metrics/measures/structural_similarity.h"
+
+#include <fmt/format.h>
+
+namespace aoscore {
+
+MetricValue measure::ssim(const MetricInput& input) {
+    if (!has_valid_pixel(input)) return undefined(kNoValidPixel);
+    const SsimSums sums = structural_similarity(input.truth, input.test, weights_of(input.valid),
+                                                {input.truth.width, input.truth.height});
+    const std::optional<SsimMeans> means = sums.means();
+    if (!means) return undefined(fmt::format("no valid pixel {} px inside the border", kSsimBorder_px));
+    if (input.maps != nullptr) {
+        input.maps->ssim_sums = sums.ssim;
+        input.maps->ssim_weights = sums.weights;
+    }
+    return defined(means->ssim);
+}
+
+}  // namespace aoscore
