@@ -29,7 +29,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-PrimaryHits hits_in(const EmbreeScene& scene, const CameraFrame& frame) {
+PrimaryHits hits_in(const RayTracer& scene, const CameraFrame& frame) {
     PrimaryHits found = empty_hits(frame.width(), frame.height());
     const std::vector<Tile> tiles = tiles_of(frame.width(), frame.height());
     parallel_for(tiles.size(), [&](std::size_t i) {
@@ -59,8 +59,8 @@ struct TraceWork {
           frame(f),
           queries(q),
           settings(s),
-          hits(s.extras.causes || s.extras.one_layer_bound ? hits_in(scene.embree, frame) : PrimaryHits{}),
-          judge(scene.embree, frame, hits),
+          hits(s.extras.causes || s.extras.one_layer_bound ? hits_in(scene.tracer, frame) : PrimaryHits{}),
+          judge(scene.tracer, frame, hits),
           points(s.points, SamplePlan(s).most()) {
         if (settings.mean_error > 0) {
             price = price_for_mean_error(settings.mean_error, frame.width(), frame.height(),
@@ -159,7 +159,7 @@ const TraceBuild& ReferenceScene::build() const {
 }
 
 PrimaryHits ReferenceScene::primary_hits(const CameraFrame& frame) const {
-    return hits_in(impl_->builds.reachable(frame, 0).embree, frame);
+    return hits_in(impl_->builds.reachable(frame, 0).tracer, frame);
 }
 
 Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQuery>& queries,

@@ -42,7 +42,7 @@ only() {
         complain "$file: <$header> belongs to $* alone"
     done < <(grep -rlE "#include <$header" --include='*.h' --include='*.cpp' -- *)
 }
-only embree3/ reference/
+only embree3/ reference/tracer/embree/ reference/benchmark/
 only GL/osmesa screen/gl/osmesa_context
 only GL/ screen/
 only Imf image/

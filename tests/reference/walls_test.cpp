@@ -1,7 +1,6 @@
-#include "reference/tracer/walls.h"
-
+#include "reference/integrator/wall_habit.h"
 #include "reference/test_scenes.h"
-#include "reference/tracer/embree_scene.h"
+#include "reference/tracer/ray_tracer.h"
 #include "reference/truth.h"
 
 #include <gtest/gtest.h>
@@ -37,8 +36,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, FarRays, ::testing::Values("atrium", "cathedral
                          [](const auto& tested) { return tested.param; });
 
 TEST(FarRays, FindWallsOnlyInScenesWithManyMoreTriangles) {
-    EXPECT_NE(EmbreeScene(load_scene("atrium"), {}).walls(), nullptr);
-    EXPECT_EQ(EmbreeScene(testing::still_life(), {}).walls(), nullptr);
+    EXPECT_NE(new_ray_tracer(load_scene("atrium"), {})->walls(), nullptr);
+    EXPECT_EQ(new_ray_tracer(testing::still_life(), {})->walls(), nullptr);
 }
 
 TEST(FarRays, StopAskingWallsThatTheyPass) {

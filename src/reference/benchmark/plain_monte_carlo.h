@@ -1,7 +1,7 @@
 #pragma once
 
 #include "reference/integrator/tile.h"
-#include "reference/tracer/embree_scene.h"
+#include "reference/tracer/embree/embree_scene.h"
 #include "reference/truth.h"
 
 #include <span>

@@ -21,12 +21,12 @@ glm::vec3 view_normal(const CameraFrame& frame, const SurfaceHit& hit) {
 
 }  // namespace
 
-bool see(const EmbreeScene& scene, const CameraFrame& frame, int x, int y, SurfaceHit& hit) {
+bool see(const RayTracer& scene, const CameraFrame& frame, int x, int y, SurfaceHit& hit) {
     const Camera& camera = frame.camera();
     return scene.first_hit(frame.ray(x + 0.5, y + 0.5), camera.near, camera.far, hit);
 }
 
-bool find_surface(const EmbreeScene& scene, const CameraFrame& frame, int x, int y, PrimaryHits& hits,
+bool find_surface(const RayTracer& scene, const CameraFrame& frame, int x, int y, PrimaryHits& hits,
                   SurfaceHit& hit) {
     if (!see(scene, frame, x, y, hit)) return false;
     hits.surface.at(x, y) = 1;
@@ -45,15 +45,15 @@ TileIntegrator::TileIntegrator(const ReachableScene& scene, const CameraFrame& f
                                const std::vector<TruthQuery>& queries, const TruthSettings& settings,
                                const PointSets& points, const CauseJudge& judge, double price,
                                bool rung_by_rung)
-    : scene_(scene.embree),
+    : scene_(scene.tracer),
       frame_(frame),
       queries_(queries),
       settings_(settings),
       plan_(settings, price),
-      observer_(scene.embree, judge, queries[0], settings.extras),
-      tracer_(scene.embree, queries, points, settings.ask_walls,
+      observer_(scene.tracer, judge, queries[0], settings.extras),
+      tracer_(scene.tracer, queries, points, settings.ask_walls,
               settings.extras.any() ? &observer_ : nullptr),
-      open_space_(scene.embree, scene.within_reach),
+      open_space_(scene.tracer, scene.within_reach),
       rung_by_rung_(rung_by_rung) {
     for (const TruthQuery& query : queries) reach_m_ = std::max(reach_m_, query.radius_m);
 }

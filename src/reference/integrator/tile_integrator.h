@@ -5,9 +5,9 @@
 #include "reference/integrator/tile_tracer.h"
 #include "reference/sampling/pilot.h"
 #include "reference/sampling/sample_plan.h"
-#include "reference/tracer/embree_scene.h"
 #include "reference/tracer/hit_observer.h"
 #include "reference/tracer/open_space.h"
+#include "reference/tracer/ray_tracer.h"
 #include "reference/tracer/scene_builds.h"
 #include "reference/truth.h"
 
@@ -16,10 +16,10 @@
 namespace aoscore {
 
 /// What is seen through the centre of pixel (x, y); false for background.
-bool see(const EmbreeScene& scene, const CameraFrame& frame, int x, int y, SurfaceHit& hit);
+bool see(const RayTracer& scene, const CameraFrame& frame, int x, int y, SurfaceHit& hit);
 
 /// Looks through the centre of pixel (x, y) and notes in `hits` what is there; false for background.
-bool find_surface(const EmbreeScene& scene, const CameraFrame& frame, int x, int y, PrimaryHits& hits,
+bool find_surface(const RayTracer& scene, const CameraFrame& frame, int x, int y, PrimaryHits& hits,
                   SurfaceHit& hit);
 
 /// The rays of pixel number `pixel` of the image, which sees `hit`.
@@ -56,7 +56,7 @@ class TileIntegrator {
     void trace_by_tile();
     void store(TileState& state) const;
 
-    const EmbreeScene& scene_;
+    const RayTracer& scene_;
     const CameraFrame& frame_;
     const std::vector<TruthQuery>& queries_;
     const TruthSettings& settings_;

@@ -25,35 +25,19 @@ struct Origins {
 
 /// A packet of `rays`, and whose they are.
 AOSCORE_VECTORISE
-void fill(RTCRay16& packet, const DirectedRay* __restrict rays, const Origins& origins, float tfar,
+void fill(RayPacket& packet, const DirectedRay* __restrict rays, const Origins& origins, float reach_m,
           std::uint32_t* __restrict owner) {
     const float* __restrict from_x = origins.x, * __restrict from_y = origins.y, * __restrict from_z = origins.z;
     for (std::size_t lane = 0; lane < kPacket; ++lane) {
-        packet.dir_x[lane] = rays[lane].x;
-        packet.dir_y[lane] = rays[lane].y;
-        packet.dir_z[lane] = rays[lane].z;
+        packet.direction_x[lane] = rays[lane].x;
+        packet.direction_y[lane] = rays[lane].y;
+        packet.direction_z[lane] = rays[lane].z;
         owner[lane] = rays[lane].owner;
-        packet.tfar[lane] = tfar;
+        packet.reach_m[lane] = reach_m;
     }
-    for (std::size_t lane = 0; lane < kPacket; ++lane) packet.org_x[lane] = from_x[owner[lane]];
-    for (std::size_t lane = 0; lane < kPacket; ++lane) packet.org_y[lane] = from_y[owner[lane]];
-    for (std::size_t lane = 0; lane < kPacket; ++lane) packet.org_z[lane] = from_z[owner[lane]];
-}
-
-/// A bit for every lane that Embree found blocked, for which it sets tfar to minus infinity.
-inline std::uint32_t blocked_lanes(const RTCRay16& packet) {
-    std::uint32_t bits = 0;
-    for (std::size_t lane = 0; lane < kPacket; ++lane)
-        bits |= (std::bit_cast<std::uint32_t>(packet.tfar[lane]) >> 31) << lane;
-    return bits;
-}
-
-/// A bit for every lane that met something.
-inline std::uint32_t hit_lanes(const RTCRayHit16& packet) {
-    std::uint32_t bits = 0;
-    for (std::size_t lane = 0; lane < kPacket; ++lane)
-        bits |= std::uint32_t{packet.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID} << lane;
-    return bits;
+    for (std::size_t lane = 0; lane < kPacket; ++lane) packet.origin_x[lane] = from_x[owner[lane]];
+    for (std::size_t lane = 0; lane < kPacket; ++lane) packet.origin_y[lane] = from_y[owner[lane]];
+    for (std::size_t lane = 0; lane < kPacket; ++lane) packet.origin_z[lane] = from_z[owner[lane]];
 }
 
 /// A bit for every lane below `count`.
@@ -61,26 +45,9 @@ inline std::uint32_t lanes_below(std::size_t count) {
     return (1u << count) - 1;
 }
 
-/// What stays the same from packet to packet.
-void fill_constants(RTCRay16& ray) {
-    std::fill_n(ray.tnear, kPacket, 0.0f);
-    std::fill_n(ray.time, kPacket, 0.0f);
-    std::fill_n(ray.mask, kPacket, ~0u);
-    std::fill_n(ray.id, kPacket, 0u);
-    std::fill_n(ray.flags, kPacket, 0u);
-}
-
-/// All lanes below `count`.
-struct ValidLanes {
-    alignas(64) int lanes[kPacket];
-    explicit ValidLanes(std::size_t count) {
-        for (std::size_t lane = 0; lane < kPacket; ++lane) lanes[lane] = lane < count ? -1 : 0;
-    }
-};
-
 }  // namespace
 
-TileTracer::TileTracer(const EmbreeScene& scene, const std::vector<TruthQuery>& queries,
+TileTracer::TileTracer(const RayTracer& scene, const std::vector<TruthQuery>& queries,
                        const PointSets& points, bool ask_walls, HitObserver* observer)
     : scene_(scene),
       queries_(queries),
@@ -161,7 +128,7 @@ void TileTracer::trace_occlusion() {
     if (walls_ != nullptr && habit_.worth_it()) {
         trace_after_walls();
     } else {
-        ask(scene_.handle(), batch_.sorted(), batch_.size(), Lanes::blocked,
+        ask(scene_, batch_.sorted(), batch_.size(), Lanes::blocked,
             [&](const DirectedRay& ray) { ++blocked_[ray.owner]; });
     }
     for (std::size_t i = 0; i < blocked_.size(); ++i) sums_[i] += blocked_[i];
@@ -169,55 +136,45 @@ void TileTracer::trace_occlusion() {
 
 void TileTracer::trace_after_walls() {
     passed_.clear();
-    ask(walls_->handle(), batch_.sorted(), batch_.size(), Lanes::open,
+    ask(*walls_, batch_.sorted(), batch_.size(), Lanes::open,
         [&](const DirectedRay& ray) { passed_.push_back(ray); });
     const std::size_t passed = passed_.size();
     habit_.learn(batch_.size(), batch_.size() - passed);
     for (std::size_t owner = 0; owner < blocked_.size(); ++owner) blocked_[owner] = batch_.rays_of(owner);
     passed_.resize(passed + kPacket, passed > 0 ? passed_.back() : DirectedRay{});
-    ask(scene_.handle(), passed_.data(), passed, Lanes::open,
-        [&](const DirectedRay& ray) { --blocked_[ray.owner]; });
+    ask(scene_, passed_.data(), passed, Lanes::open, [&](const DirectedRay& ray) { --blocked_[ray.owner]; });
 }
 
 template <class Report>
-void TileTracer::ask(RTCScene scene, const DirectedRay* rays, std::size_t count, Lanes reported,
+void TileTracer::ask(const Occluders& occluders, const DirectedRay* rays, std::size_t count, Lanes reported,
                      const Report& report) const {
-    RTCIntersectContext context = scene_.packet_context();
-    RTCRay16 ray;
-    fill_constants(ray);
+    RayPacket packet;
     const Origins origins{origin_x_.data(), origin_y_.data(), origin_z_.data()};
     alignas(64) std::uint32_t owner[kPacket];
-    ValidLanes valid(kPacket);
     const std::uint32_t flip = reported == Lanes::open ? ~0u : 0u;
     for (std::size_t first = 0; first < count; first += kPacket) {
         const std::size_t lanes = std::min(kPacket, count - first);
-        if (lanes < kPacket) valid = ValidLanes(lanes);
-        fill(ray, rays + first, origins, reach_m_, owner);
-        rtcOccluded16(valid.lanes, scene, &context, &ray);
-        std::uint32_t left = (blocked_lanes(ray) ^ flip) & lanes_below(lanes);
+        fill(packet, rays + first, origins, reach_m_, owner);
+        std::uint32_t left = (occluders.occluded(packet, lanes) ^ flip) & lanes_below(lanes);
         for (; left != 0; left &= left - 1)
             report(rays[first + static_cast<std::size_t>(std::countr_zero(left))]);
     }
 }
 
 void TileTracer::trace_distance() {
-    RTCIntersectContext context = scene_.packet_context();
-    RTCRayHit16 query;
-    fill_constants(query.ray);
+    RayPacket packet;
+    HitPacket hits;
     const Origins origins{origin_x_.data(), origin_y_.data(), origin_z_.data()};
     alignas(64) std::uint32_t owner[kPacket];
     for (std::size_t first = 0; first < batch_.size(); first += kPacket) {
         const std::size_t count = std::min(kPacket, batch_.size() - first);
-        const ValidLanes valid(count);
-        fill(query.ray, batch_.sorted() + first, origins, reach_m_, owner);
-        std::fill_n(query.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
-        std::fill_n(query.hit.instID[0], kPacket, RTC_INVALID_GEOMETRY_ID);
-        rtcIntersect16(valid.lanes, scene_.handle(), &context, &query);
+        fill(packet, batch_.sorted() + first, origins, reach_m_, owner);
+        const std::uint32_t hit = scene_.nearest(packet, count, hits);
         for (std::size_t lane = 0; observer_ != nullptr && lane < count; ++lane)
-            tell_observer(query, lane, owner[lane] / kBlocks);
-        for (std::uint32_t left = hit_lanes(query) & lanes_below(count); left != 0; left &= left - 1) {
+            tell_observer(packet, hits, lane, (hit >> lane & 1u) != 0, owner[lane] / kBlocks);
+        for (std::uint32_t left = hit; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-            const double t = query.ray.tfar[lane];
+            const double t = hits.distance_m[lane];
             for (std::size_t q = 0; q < queries_.size(); ++q) {
                 sums_[q * blocked_.size() + owner[lane]] += darkening(queries_[q], t);
             }
@@ -225,16 +182,16 @@ void TileTracer::trace_distance() {
     }
 }
 
-void TileTracer::tell_observer(const RTCRayHit16& packet, std::size_t lane, std::size_t source) {
+void TileTracer::tell_observer(const RayPacket& packet, const HitPacket& hits, std::size_t lane, bool hit,
+                               std::size_t source) {
     ObservedRay ray;
     ray.origin = sources_[source].origin;
-    ray.direction = {packet.ray.dir_x[lane], packet.ray.dir_y[lane], packet.ray.dir_z[lane]};
+    ray.direction = {packet.direction_x[lane], packet.direction_y[lane], packet.direction_z[lane]};
     ray.cosine = glm::dot(ray.direction, sources_[source].frame[2]);
-    ray.hit = packet.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID;
+    ray.hit = hit;
     if (ray.hit) {
-        ray.distance_m = packet.ray.tfar[lane];
-        ray.normal = scene_.hit_normal(packet.hit.geomID[lane], packet.hit.instID[0][lane],
-                                       {packet.hit.Ng_x[lane], packet.hit.Ng_y[lane], packet.hit.Ng_z[lane]});
+        ray.distance_m = hits.distance_m[lane];
+        ray.normal = scene_.normal(hits, lane);
     }
     observer_->observe(source, ray);
 }

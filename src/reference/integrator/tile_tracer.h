@@ -1,9 +1,9 @@
 #pragma once
 
-#include "reference/tracer/embree_scene.h"
+#include "reference/integrator/wall_habit.h"
 #include "reference/tracer/hit_observer.h"
 #include "reference/tracer/ray_batch.h"
-#include "reference/tracer/walls.h"
+#include "reference/tracer/ray_tracer.h"
 #include "reference/truth.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ struct SampleRange {
 class TileTracer {
   public:
     /// `observer` may be null; else it is told of every ray. `ask_walls` as TruthSettings has it.
-    TileTracer(const EmbreeScene& scene, const std::vector<TruthQuery>& queries, const PointSets& points,
+    TileTracer(const RayTracer& scene, const std::vector<TruthQuery>& queries, const PointSets& points,
                bool ask_walls, HitObserver* observer = nullptr);
 
     /// Begins with these pixels and sums of zero.
@@ -48,12 +48,13 @@ class TileTracer {
     /// Traces packets of `count` rays, kPacket more of which may be read, and reports those that are open, or
     /// those that are blocked, in their order.
     template <class Report>
-    void ask(RTCScene scene, const DirectedRay* rays, std::size_t count, Lanes reported,
+    void ask(const Occluders& occluders, const DirectedRay* rays, std::size_t count, Lanes reported,
              const Report& report) const;
     void trace_distance();
-    void tell_observer(const RTCRayHit16& packet, std::size_t lane, std::size_t source);
+    void tell_observer(const RayPacket& packet, const HitPacket& hits, std::size_t lane, bool hit,
+                       std::size_t source);
 
-    const EmbreeScene& scene_;
+    const RayTracer& scene_;
     const std::vector<TruthQuery>& queries_;
     HitObserver* observer_;
     bool only_occlusion_;
@@ -62,7 +63,7 @@ class TileTracer {
     std::vector<float> origin_x_, origin_y_, origin_z_;  // by owner, as packets name them
     RayBatch batch_;
     std::vector<std::uint32_t> blocked_;  // by owner
-    const Walls* walls_ = nullptr;        // asked first, where it may pay
+    const Occluders* walls_ = nullptr;    // asked first, where it may pay
     WallHabit habit_;
     std::vector<DirectedRay> passed_;  // the walls
     std::vector<double> sums_;         // by query, then owner

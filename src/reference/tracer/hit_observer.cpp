@@ -38,33 +38,14 @@ Cause CauseJudge::judge(const glm::dvec3& position, const glm::dvec3& normal) co
 
 double HitObserver::first_visible(const ObservedRay& ray, Cause nearest) const {
     if (nearest == Cause::visible) return darkening(query_, ray.distance_m);
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    float from = static_cast<float>(ray.distance_m);
+    TraceRay rest{ray.origin, ray.direction, 0, static_cast<float>(query_.radius_m)};
+    TraceHit next{static_cast<float>(ray.distance_m)};
     for (int layer = 0; layer < kMostLayers; ++layer) {
-        RTCRayHit next{};
-        next.ray = {ray.origin.x,
-                    ray.origin.y,
-                    ray.origin.z,
-                    from * (1 + kStep),
-                    ray.direction.x,
-                    ray.direction.y,
-                    ray.direction.z,
-                    0,
-                    static_cast<float>(query_.radius_m),
-                    ~0u,
-                    0,
-                    0};
-        next.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        next.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(scene_.handle(), &context, &next);
-        if (next.hit.geomID == RTC_INVALID_GEOMETRY_ID) return 0;
-        from = next.ray.tfar;
+        rest.from_m = next.distance_m * (1 + kStep);
+        if (!scene_.nearest(rest, next)) return 0;
         const glm::dvec3 position =
-            glm::dvec3(ray.origin) + static_cast<double>(from) * glm::dvec3(ray.direction);
-        const glm::dvec3 normal = scene_.hit_normal(next.hit.geomID, next.hit.instID[0],
-                                                    {next.hit.Ng_x, next.hit.Ng_y, next.hit.Ng_z});
-        if (judge_.judge(position, normal) == Cause::visible) return darkening(query_, from);
+            glm::dvec3(ray.origin) + static_cast<double>(next.distance_m) * glm::dvec3(ray.direction);
+        if (judge_.judge(position, next.normal) == Cause::visible) return darkening(query_, next.distance_m);
     }
     return 0;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "reference/tracer/embree_scene.h"
 #include "reference/tracer/ray_batch.h"
+#include "reference/tracer/ray_tracer.h"
 #include "reference/truth.h"
 
 #include <array>
@@ -13,14 +13,14 @@ namespace aoscore {
 class CauseJudge {
   public:
     /// `hits` is the whole picture that the camera sees.
-    CauseJudge(const EmbreeScene& scene, const CameraFrame& frame, const PrimaryHits& hits)
+    CauseJudge(const RayTracer& scene, const CameraFrame& frame, const PrimaryHits& hits)
         : scene_(scene), frame_(frame), hits_(hits) {}
 
     /// Of a hit at `position` on a surface of unit normal `normal`, trace space.
     Cause judge(const glm::dvec3& position, const glm::dvec3& normal) const;
 
   private:
-    const EmbreeScene& scene_;
+    const RayTracer& scene_;
     const CameraFrame& frame_;
     const PrimaryHits& hits_;
 };
@@ -38,7 +38,7 @@ struct ObservedRay {
 /// Gathers over the rays of a tile's pixels what TruthExtras asks for.
 class HitObserver {
   public:
-    HitObserver(const EmbreeScene& scene, const CauseJudge& judge, const TruthQuery& query,
+    HitObserver(const RayTracer& scene, const CauseJudge& judge, const TruthQuery& query,
                 const TruthExtras& extras)
         : scene_(scene), judge_(judge), query_(query), extras_(extras) {}
 
@@ -62,7 +62,7 @@ class HitObserver {
     /// g of the nearest visible hit at or beyond the nearest hit, 0 without one.
     double first_visible(const ObservedRay& ray, Cause nearest) const;
 
-    const EmbreeScene& scene_;
+    const RayTracer& scene_;
     const CauseJudge& judge_;
     const TruthQuery& query_;
     TruthExtras extras_;

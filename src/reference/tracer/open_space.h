@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reference/tracer/embree_scene.h"
+#include "reference/tracer/ray_tracer.h"
 
 #include <cstddef>
 #include <vector>
@@ -21,7 +21,7 @@ struct UpwardPoint {
 class OpenSpace {
   public:
     /// `within_reach`: one flag an instance of the scene, see Reach: what cannot be met is not looked at.
-    OpenSpace(const EmbreeScene& scene, const std::vector<char>& within_reach)
+    OpenSpace(const RayTracer& scene, const std::vector<char>& within_reach)
         : scene_(scene), within_reach_(within_reach) {}
 
     /// One flag a point: 1 where no ray of at most `reach_m` (infinity allowed) can hit anything. The points
@@ -31,7 +31,7 @@ class OpenSpace {
   private:
     bool blocks(std::size_t triangle, const UpwardPoint& point, double reach_m) const;
 
-    const EmbreeScene& scene_;
+    const RayTracer& scene_;
     const std::vector<char>& within_reach_;
     std::vector<TraceTriangle> nearby_;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "reference/sampling/point_sets.h"
+#include "reference/tracer/ray_packet.h"
 
 #include <glm/glm.hpp>
 
@@ -15,9 +16,6 @@ struct RaySource {
     glm::mat3 frame;     ///< third column: the axis of the hemisphere
     std::uint64_t seed;  ///< of this pixel's points
 };
-
-/// Rays in one packet.
-inline constexpr std::size_t kPacket = 16;
 
 /// A direction, and the sum that it counts for: kBlocks times the source, plus the block.
 struct DirectedRay {

@@ -31,9 +31,9 @@ std::uint64_t SceneBuilds::triangles_of(const std::vector<char>& instances) cons
     return triangles;
 }
 
-const EmbreeScene& SceneBuilds::add(std::vector<char> instances) {
-    auto embree = std::make_unique<EmbreeScene>(*scene_, build_, instances);
-    return *built_.emplace_back(Built{std::move(instances), std::move(embree)}).embree;
+const RayTracer& SceneBuilds::add(std::vector<char> instances) {
+    auto tracer = new_ray_tracer(*scene_, build_, instances);
+    return *built_.emplace_back(Built{std::move(instances), std::move(tracer)}).tracer;
 }
 
 void SceneBuilds::build_whole() {
@@ -48,7 +48,7 @@ ReachableScene SceneBuilds::reachable(const CameraFrame& frame, double reach_m) 
     const std::vector<char> all(within.size(), 1);
     const std::vector<char>& wanted = build_.leave_out_of_reach ? within : all;
     for (const Built& built : built_) {
-        if (has_all(built.instances, wanted)) return {*built.embree, std::move(within)};
+        if (has_all(built.instances, wanted)) return {*built.tracer, std::move(within)};
     }
     const std::uint64_t whole = triangles_of(all), part = triangles_of(wanted);
     // All parts together are no more than the whole scene: pictures from everywhere cost no more than twice
@@ -56,15 +56,15 @@ ReachableScene SceneBuilds::reachable(const CameraFrame& frame, double reach_m) 
     const bool pays = static_cast<double>(part) < kLargestPart * static_cast<double>(whole) &&
                       triangles_in_parts_ + part <= whole;
     if (!pays) return {add(all), std::move(within)};
-    const EmbreeScene& embree = add(wanted);
+    const RayTracer& tracer = add(wanted);
     triangles_in_parts_ += part;
-    return {embree, std::move(within), whole - part};
+    return {tracer, std::move(within), whole - part};
 }
 
 std::size_t SceneBuilds::peak_bytes() const {
     const std::scoped_lock lock(mutex_);
     std::size_t bytes = 0;
-    for (const Built& built : built_) bytes += built.embree->peak_bytes();
+    for (const Built& built : built_) bytes += built.tracer->peak_bytes();
     return bytes;
 }
 

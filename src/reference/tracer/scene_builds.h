@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reference/tracer/embree_scene.h"
+#include "reference/tracer/ray_tracer.h"
 #include "reference/tracer/reach.h"
 #include "reference/truth.h"
 
@@ -14,7 +14,7 @@ namespace aoscore {
 
 /// What the rays of one picture are traced in.
 struct ReachableScene {
-    const EmbreeScene& embree;       ///< has all that is within reach, and maybe more
+    const RayTracer& tracer;         ///< has all that is within reach, and maybe more
     std::vector<char> within_reach;  ///< one flag an instance of the whole scene, see Reach
     /// Over instances, not in a scene that was built just now; 0 where it was there or is whole.
     std::uint64_t left_out_triangles = 0;
@@ -34,16 +34,16 @@ class SceneBuilds {
     ReachableScene reachable(const CameraFrame& frame, double reach_m);
 
     const TraceBuild& build() const { return build_; }
-    /// The most memory that Embree has held for each of them, bytes, added up.
+    /// The most memory that the tracer has held for each of them, bytes, added up.
     std::size_t peak_bytes() const;
 
   private:
     struct Built {
         std::vector<char> instances;  ///< one flag an instance: it is there
-        std::unique_ptr<EmbreeScene> embree;
+        std::unique_ptr<RayTracer> tracer;
     };
     const Reach& reach();
-    const EmbreeScene& add(std::vector<char> instances);
+    const RayTracer& add(std::vector<char> instances);
     std::uint64_t triangles_of(const std::vector<char>& instances) const;
 
     const Scene* scene_;

@@ -2,7 +2,7 @@
 
 #include "core/sampling.h"
 #include "reference/integrator/flush_denormals.h"
-#include "reference/tracer/embree_scene.h"
+#include "reference/tracer/ray_tracer.h"
 
 namespace aoscore {
 namespace {
@@ -19,7 +19,7 @@ glm::vec3 direction_of(std::uint32_t index, std::uint64_t pixel) {
 }  // namespace
 
 struct Scout::Impl {
-    explicit Impl(const Scene& scene) : embree(scene, {}) {}
+    explicit Impl(const Scene& scene) : tracer(new_ray_tracer(scene, {})) {}
 
     double visibility(const SurfaceHit& hit, double radius_m, int rays, std::uint64_t pixel) const {
         const glm::vec3 origin(hit.position + hit.offset_m * hit.normal);
@@ -27,17 +27,12 @@ struct Scout::Impl {
         int open = 0;
         for (int i = 0; i < rays; ++i) {
             const glm::vec3 d = frame * direction_of(static_cast<std::uint32_t>(i), pixel);
-            RTCRay ray{origin.x, origin.y, origin.z, 0, d.x, d.y, d.z, 0, static_cast<float>(radius_m),
-                       ~0u,      0,        0};
-            RTCIntersectContext context;
-            rtcInitIntersectContext(&context);
-            rtcOccluded1(embree.handle(), &context, &ray);
-            open += ray.tfar >= 0;  // Embree's sign of a hit is -infinity
+            open += !tracer->occluded(TraceRay{origin, d, 0, static_cast<float>(radius_m)});
         }
         return rays > 0 ? static_cast<double>(open) / rays : 1;
     }
 
-    EmbreeScene embree;
+    std::unique_ptr<RayTracer> tracer;
 };
 
 Scout::Scout(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}
@@ -49,7 +44,7 @@ Sight Scout::first_surface(const glm::dvec3& from, const glm::dvec3& direction) 
     const FlushDenormals flush;
     SurfaceHit hit;
     const double endless = std::numeric_limits<float>::infinity();
-    if (!impl_->embree.first_hit({from, direction}, 0, endless, hit)) return {};
+    if (!impl_->tracer->first_hit({from, direction}, 0, endless, hit)) return {};
     return {hit.depth, hit.front};
 }
 
@@ -61,8 +56,8 @@ Glance Scout::look(const CameraFrame& frame, double radius_m, int rays) const {
         for (int x = 0; x < frame.width(); ++x) {
             const std::uint64_t pixel = glance.pixels++;
             const CameraFrame::Ray ray = frame.ray(x + 0.5, y + 0.5);
-            if (!impl_->embree.first_hit(ray, frame.camera().near, frame.camera().far, hit)) continue;
-            glance.points.push_back({hit.position + impl_->embree.centre(), hit.depth,
+            if (!impl_->tracer->first_hit(ray, frame.camera().near, frame.camera().far, hit)) continue;
+            glance.points.push_back({hit.position + impl_->tracer->centre(), hit.depth,
                                      impl_->visibility(hit, radius_m, rays, pixel), hit.front});
         }
     }

@@ -1,4 +1,4 @@
-#include "reference/tracer/embree_handles.h"
+#include "reference/tracer/embree/embree_handles.h"
 
 #include "core/error.h"
 #include "reference/truth.h"

@@ -1,4 +1,4 @@
-#include "reference/tracer/cutout_filter.h"
+#include "reference/tracer/embree/cutout_filter.h"
 
 namespace aoscore {
 namespace {

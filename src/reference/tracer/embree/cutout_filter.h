@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reference/tracer/embree_scene.h"
+#include "reference/tracer/embree/embree_scene.h"
 
 namespace aoscore {
 

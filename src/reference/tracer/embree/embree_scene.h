@@ -1,9 +1,9 @@
 #pragma once
 
-#include "reference/tracer/embree_handles.h"
-#include "reference/tracer/trace_triangle.h"
-#include "reference/tracer/walls.h"
-#include "reference/truth.h"
+#include "reference/tracer/embree/embree_handles.h"
+#include "reference/tracer/embree/embree_packets.h"
+#include "reference/tracer/embree/walls.h"
+#include "reference/tracer/ray_tracer.h"
 #include "scene/scene.h"
 
 #include <glm/glm.hpp>
@@ -29,53 +29,34 @@ struct TraceGeometry {
     const Scene* cutouts = nullptr;      ///< textures of the cut-outs
 };
 
-/// The point of a triangle that a pixel sees, in trace space and double precision.
-struct SurfaceHit {
-    glm::dvec3 position;
-    glm::dvec3 normal;          ///< geometric, unit, turned to the camera
-    glm::dvec3 shading_normal;  ///< smooth, unit, on the same side
-    double depth = 0;           ///< view depth -z, metres
-    bool front = false;         ///< seen from the side that the triangle's winding calls the front (glTF 2.0)
-    /// How far along the normal a ray must start so that rounding cannot make it meet the surface it leaves.
-    double offset_m = 0;
-};
-
-/// A scene in Embree's hands. Trace space is scene space moved so that the scene's centre is its zero:
-/// float32 keeps its digits for the scene's own extent, wherever the scene lies. Meshes are baked into trace
-/// space until `baked_triangles_at_most` is spent; shared meshes beyond it stay instances.
-class EmbreeScene {
+/// A scene in Embree's hands. Meshes are baked into trace space until `baked_triangles_at_most` is spent;
+/// shared meshes beyond it stay instances.
+class EmbreeScene final : public RayTracer {
   public:
-    /// `wanted`: one flag an instance of the scene; those of 0 are left out, all else is as with the whole
-    /// scene. Empty: all of them.
+    /// As new_ray_tracer().
     EmbreeScene(const Scene& scene, const TraceBuild& build, const std::vector<char>& wanted = {});
-    EmbreeScene(const EmbreeScene&) = delete;
-    EmbreeScene& operator=(const EmbreeScene&) = delete;
 
+    const glm::dvec3& centre() const override { return centre_; }
+    double diagonal_m() const override { return diagonal_m_; }
+    std::size_t triangle_count() const override { return triangle_count_; }
+    std::size_t peak_bytes() const override { return memory_.peak; }
+
+    bool first_hit(const CameraFrame::Ray& ray, double near, double far, SurfaceHit& hit) const override;
+    bool occluded(const TraceRay& ray) const override;
+    bool nearest(const TraceRay& ray, TraceHit& hit) const override;
+    std::uint32_t occluded(const RayPacket& packet, std::size_t lanes) const override;
+    std::uint32_t nearest(const RayPacket& packet, std::size_t lanes, HitPacket& hits) const override;
+    glm::dvec3 normal(const HitPacket& hits, std::size_t lane) const override;
+    const Occluders* walls() const override;
+    bool triangles_near(const glm::dvec3& centre, double radius_m, std::size_t limit,
+                        const std::vector<char>& counted,
+                        std::vector<TraceTriangle>& triangles) const override;
+
+    /// For what measures Embree itself.
     RTCScene handle() const { return scene_.get(); }
-    const glm::dvec3& centre() const { return centre_; }
-    double diagonal_m() const { return diagonal_m_; }
-    std::size_t triangle_count() const { return triangle_count_; }  ///< of all instances, wanted or not
-    std::size_t peak_bytes() const { return memory_.peak; }
     /// A context for packets of rays of similar direction. Embree 3.13.5 may never return from coherent
     /// packets that enter an instance, so that scenes with instances are traced as if packets were not.
-    RTCIntersectContext packet_context() const;
-
-    /// The scene's largest triangles by themselves; null where they are too large a part of it to be worth
-    /// it. Built when first asked for.
-    const Walls* walls() const;
-
-    /// What the ray (scene space, unnormalised: t is view depth) meets first with t in [near, far].
-    bool first_hit(const CameraFrame::Ray& ray, double near, double far, SurfaceHit& hit) const;
-
-    /// The unit normal, trace space, of a hit that Embree reports with these ids and this Ng; 0 for a
-    /// degenerate one.
-    glm::dvec3 hit_normal(unsigned geometry_id, unsigned instance_id, const glm::dvec3& ng) const;
-
-    /// All triangles within `radius_m` (infinity allowed) of a point of trace space, of the instances that
-    /// are `counted` (one flag an instance of the scene); false when there are more than `limit` of them,
-    /// which then may not all be there. Which they are does not depend on how the scene is laid out in trees.
-    bool triangles_near(const glm::dvec3& centre, double radius_m, std::size_t limit,
-                        const std::vector<char>& counted, std::vector<TraceTriangle>& triangles) const;
+    RTCIntersectContext packet_context() const { return context_of_packets(!has_instances_); }
 
   private:
     struct Placement {
@@ -92,6 +73,9 @@ class EmbreeScene {
         std::atomic<std::ptrdiff_t> current{0};
         std::atomic<std::size_t> peak{0};
     };
+
+    /// The same of one hit, by Embree's ids and its Ng.
+    glm::dvec3 normal_at(unsigned placement, const glm::dvec3& ng) const;
 
     void copy_cutouts(const Scene& scene);
     TraceGeometry& add_triangles(RTCScene target, const Mesh& mesh, const glm::dmat4& transform);

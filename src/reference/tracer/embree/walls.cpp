@@ -1,8 +1,9 @@
-#include "reference/tracer/walls.h"
+#include "reference/tracer/embree/walls.h"
 
 namespace aoscore {
 
-Walls::Walls(RTCDevice device, std::span<const TraceTriangle> triangles) : scene_(new_trace_scene(device)) {
+Walls::Walls(RTCDevice device, std::span<const TraceTriangle> triangles, bool coherent)
+    : scene_(new_trace_scene(device)), coherent_(coherent) {
     GeometryHandle geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
     rtcSetGeometryBuildQuality(geometry.get(), RTC_BUILD_QUALITY_HIGH);
     auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX,

@@ -1,6 +1,6 @@
-#include "reference/tracer/embree_scene.h"
+#include "reference/tracer/embree/embree_scene.h"
 
-#include "reference/tracer/cutout_filter.h"
+#include "reference/tracer/embree/cutout_filter.h"
 #include "scene/cofactors.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -196,13 +196,6 @@ void EmbreeScene::add_instance(const TraceGeometry& geometry, RTCScene shared, c
     placements_.push_back({&geometry, rounded(transform), true, number, mirrors(transform)});
 }
 
-RTCIntersectContext EmbreeScene::packet_context() const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    if (!has_instances_) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    return context;
-}
-
 TraceTriangle EmbreeScene::triangle(const Placement& placement, unsigned index) const {
     const TraceGeometry& geometry = *placement.geometry;
     const glm::uvec3 corner = geometry.triangles[index];
@@ -238,20 +231,13 @@ std::vector<TraceTriangle> EmbreeScene::largest_triangles(std::size_t count) con
     return largest;
 }
 
-const Walls* EmbreeScene::walls() const {
+const Occluders* EmbreeScene::walls() const {
     std::call_once(walls_asked_for_, [&] {
         if (triangle_count_ < Walls::kLeastSceneTriangles) return;
         const std::vector<TraceTriangle> largest = largest_triangles(Walls::kTriangles);
-        if (!largest.empty()) walls_.emplace(device_.get(), largest);
+        if (!largest.empty()) walls_.emplace(device_.get(), largest, !has_instances_);
     });
     return walls_ ? &*walls_ : nullptr;
-}
-
-glm::dvec3 EmbreeScene::hit_normal(unsigned geometry_id, unsigned instance_id, const glm::dvec3& ng) const {
-    const unsigned id = instance_id != RTC_INVALID_GEOMETRY_ID ? instance_id : geometry_id;
-    const glm::dvec3 n = cofactors(glm::dmat3(placements_[id].trace_from_geometry)) * ng;
-    const double length = glm::length(n);
-    return length > 0 ? n / length : glm::dvec3(0);
 }
 
 bool EmbreeScene::triangles_near(const glm::dvec3& centre, double radius_m, std::size_t limit,

@@ -1,0 +1,86 @@
+#pragma once
+
+#include "reference/tracer/ray_packet.h"
+#include "reference/tracer/trace_triangle.h"
+#include "reference/truth.h"
+#include "scene/scene.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace aoscore {
+
+/// The point of a triangle that a pixel sees, in trace space and double precision.
+struct SurfaceHit {
+    glm::dvec3 position;
+    glm::dvec3 normal;          ///< geometric, unit, turned to the camera
+    glm::dvec3 shading_normal;  ///< smooth, unit, on the same side
+    double depth = 0;           ///< view depth -z, metres
+    bool front = false;         ///< seen from the side that the triangle's winding calls the front (glTF 2.0)
+    /// How far along the normal a ray must start so that rounding cannot make it meet the surface it leaves.
+    double offset_m = 0;
+};
+
+/// What rays may be blocked by. Packets are asked about one at a time, so that a call costs nothing beside
+/// the sixteen rays.
+class Occluders {
+  public:
+    Occluders() = default;
+    Occluders(const Occluders&) = delete;
+    Occluders& operator=(const Occluders&) = delete;
+    virtual ~Occluders() = default;
+
+    /// One bit for each of the first `lanes` rays: 1 where something lies within its reach.
+    virtual std::uint32_t occluded(const RayPacket& packet, std::size_t lanes) const = 0;
+};
+
+/// A scene, built for tracing. Trace space is scene space moved so that the scene's centre is its zero:
+/// float32 keeps its digits for the scene's own extent, wherever the scene lies. All threads may ask at once.
+///
+/// Implementations:
+///   EmbreeScene (embree/embree_scene.h)  Intel Embree 3, on the processor
+class RayTracer : public Occluders {
+  public:
+    using Occluders::occluded;
+
+    /// The zero of trace space, in scene space.
+    virtual const glm::dvec3& centre() const = 0;
+    virtual double diagonal_m() const = 0;
+    virtual std::size_t triangle_count() const = 0;  ///< of all instances, whether built or not
+    virtual std::size_t peak_bytes() const = 0;
+
+    /// What the ray (scene space, unnormalised: t is view depth) meets first with t in [near, far].
+    virtual bool first_hit(const CameraFrame::Ray& ray, double near, double far, SurfaceHit& hit) const = 0;
+
+    virtual bool occluded(const TraceRay& ray) const = 0;
+    /// What the ray meets first; false where it meets nothing.
+    virtual bool nearest(const TraceRay& ray, TraceHit& hit) const = 0;
+
+    /// What each of the first `lanes` rays meets first: one bit for each that meets something.
+    virtual std::uint32_t nearest(const RayPacket& packet, std::size_t lanes, HitPacket& hits) const = 0;
+    /// The unit normal, trace space, of a lane that met something; 0 of a degenerate triangle. Not made for
+    /// every lane, because most truths need none.
+    virtual glm::dvec3 normal(const HitPacket& hits, std::size_t lane) const = 0;
+
+    /// The scene's largest triangles by themselves, which are quicker to ask and block most far rays; null
+    /// where it would not pay. Built when first asked for.
+    virtual const Occluders* walls() const = 0;
+
+    /// All triangles within `radius_m` (infinity allowed) of a point of trace space, of the instances that
+    /// are `counted` (one flag an instance of the scene); false when there are more than `limit` of them,
+    /// which then may not all be there. Which they are does not depend on how the scene is laid out in trees.
+    virtual bool triangles_near(const glm::dvec3& centre, double radius_m, std::size_t limit,
+                                const std::vector<char>& counted,
+                                std::vector<TraceTriangle>& triangles) const = 0;
+};
+
+/// The one place that chooses an implementation. `wanted`: one flag an instance of the scene; those of 0 are
+/// left out, all else is as with the whole scene. Empty: all of them. Throws internal_error.
+std::unique_ptr<RayTracer> new_ray_tracer(const Scene& scene, const TraceBuild& build,
+                                          const std::vector<char>& wanted = {});
+
+}  // namespace aoscore
