@@ -81,7 +81,7 @@ struct ScoredAs {
 
 struct Pass {
     std::string fragment;             ///< file in the method's folder; empty where a processor computes it
-    std::string processor;            ///< "line_sweep": computed on the CPU from the listed inputs
+    std::string processor;            ///< of processors(): computes it from the listed inputs
     std::vector<std::string> inputs;  ///< contract inputs it samples: "linear_depth", "normal_geometric", …
     /// Drawn at 1/scale of the picture's width and height. The next pass reads its result as "coarser" (a
     /// filter's as "visibility"); the last pass has scale 1.

@@ -1,11 +1,12 @@
 #include "core/error.h"
 #include "core/files.h"
+#include "core/known_names.h"
 #include "core/printable.h"
 #include "core/strict_json.h"
 #include "screen/method/kernel.h"
 #include "screen/method/method.h"
 #include "screen/method/method_files.h"
-#include "screen/passes/line_sweep.h"
+#include "screen/passes/processors.h"
 #include "screen/passes/shader_source.h"
 #include "screen/screen.h"
 
@@ -187,9 +188,7 @@ OwnTruth parse_truth(const MethodDescriptor& method, StrictObject object) {
 Pass parse_pass(StrictObject object, const fs::path& folder, const std::set<std::string>& inputs) {
     Pass pass;
     pass.processor = object.text_or("processor", "");
-    if (!pass.processor.empty() && pass.processor != "line_sweep") {
-        throw file_error(fmt::format("is \"{}\"", pass.processor), object.where("processor"), "line_sweep");
-    }
+    if (!pass.processor.empty()) row_in_file(processors(), pass.processor, object.where("processor"));
     if (pass.processor.empty()) pass.fragment = object.text("fragment");
     if (pass.processor.empty() && !fs::is_regular_file(folder / pass.fragment)) {
         throw file_error(fmt::format("\"{}\" is not there", pass.fragment), object.where("fragment"),
@@ -271,7 +270,7 @@ void check_parameters_used(const MethodDescriptor& method, const std::string& wh
         if (pass.processor.empty()) {
             text += expanded_text(method.folder / pass.fragment, method.folder);
         } else {
-            processed = line_sweep_parameters();
+            processed.merge(std::set(row_of(processors(), pass.processor, "no processor").parameters));
         }
     }
     for (const std::string& id : processed) {

@@ -46,7 +46,7 @@ double toward_viewer(const PlanePoint& a, const PlanePoint& b, const PlanePoint&
 
 class Sweep {
   public:
-    Sweep(const SweepInput& input, const Direction& direction, double edge)
+    Sweep(const ProcessorInput& input, const Direction& direction, double edge)
         : in_(input),
           direction_(direction),
           edge_(edge),
@@ -153,7 +153,7 @@ class Sweep {
         return ray - along() * glm::dot(ray, along());
     }
 
-    const SweepInput& in_;
+    const ProcessorInput& in_;
     Direction direction_;
     double edge_;
     bool perspective_;
@@ -161,12 +161,7 @@ class Sweep {
 
 }  // namespace
 
-const std::set<std::string>& line_sweep_parameters() {
-    static const std::set<std::string> all = {"directions", "edge"};
-    return all;
-}
-
-ImageF line_sweep(const SweepInput& input, const ParameterValues& parameters) {
+ImageF line_sweep(const ProcessorInput& input, const ParameterValues& parameters) {
     const int directions = static_cast<int>(parameters.at("directions").get<double>());
     const double edge = parameters.at("edge").get<double>();
     // One picture a direction, added in order: the same sum for any number of threads.
@@ -193,6 +188,10 @@ ImageF line_sweep(const SweepInput& input, const ParameterValues& parameters) {
         result.pixels[p] = background || v > 1 ? 1.0F : v;
     }
     return result;
+}
+
+double line_sweep_fetches(const ParameterValues& parameters) {
+    return 2 * parameters.at("directions").get<double>();
 }
 
 }  // namespace aoscore

@@ -3,9 +3,10 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/hash.h"
+#include "core/known_names.h"
 #include "screen/gl/texture.h"
 #include "screen/method/method_files.h"
-#include "screen/passes/line_sweep.h"
+#include "screen/passes/processors.h"
 #include "screen/trial/shader_trial.h"
 
 #include <fmt/format.h>
@@ -18,6 +19,10 @@ namespace {
 
 // In place of a count of fetches: where nothing was shaded, and what contract/ao_pass.glsl says of loops.
 constexpr float kUnshaded = -1, kLoopsCutShort = -2;
+
+const Processor& processor_of(const Pass& pass) {
+    return row_of(processors(), pass.processor, "no processor");
+}
 
 int scaled_size(int size, int scale) {
     return std::max((size + scale - 1) / scale, 1);
@@ -189,8 +194,8 @@ void MethodRunner::process(const Step& step, GLuint target, const InputSettings&
     Image<glm::vec4> normal(width_, height_);
     read_texture(inputs_.texture("linear_depth", step.build, settings, 0), GL_RED, depth.pixels.data());
     read_texture(inputs_.texture("normal_geometric", step.build, settings, 0), GL_RGBA, normal.pixels.data());
-    const SweepInput input{&gbuffer_->frame(), &depth, &normal, gbuffer_->far_depth()};
-    write(target, line_sweep(input, *step.build.parameters));
+    const ProcessorInput input{&gbuffer_->frame(), &depth, &normal, gbuffer_->far_depth()};
+    write(target, processor_of(*step.pass).compute(input, *step.build.parameters));
 }
 
 void MethodRunner::write(GLuint texture, const ImageF& image) const {
@@ -316,9 +321,8 @@ ImageF MethodRunner::count_fetches(const MethodRequest& request) {
         steps[i].program = program(steps[i]);
         const GLuint target = scale == 1 ? raw_.name() : scaled_target(i, scale).name();
         if (steps[i].program == nullptr) {
-            // A sweep reads the two pixels beside its line at every step.
-            const float taps = 2 * steps[i].build.parameters->at("directions").get<float>();
-            for (float& count : total.pixels) count += taps;
+            const double taps = processor_of(*steps[i].pass).fetches(*steps[i].build.parameters);
+            for (float& count : total.pixels) count += static_cast<float>(taps);
             draw(steps[i], {target}, {request.normals, request.precision}, previous);
             continue;
         }
