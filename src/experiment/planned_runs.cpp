@@ -109,7 +109,8 @@ CellWork cell_work(const ResolvedCell& cell, const std::string& view_key, const 
                    std::optional<double> drawn_for_m) {
     CellWork work;
     work.id = fmt::format("{}/{}", view_key, cell_name(cell.plan));
-    work.request = work.timed = cell.request;
+    work.contestant = contestant_of(cell.request);
+    work.timed = cell.request;
     if (cell.plan.own_truth) work.own = cell.own;
     work.keep_image = cell.plan.keep_image;
     work.whole_frames = cell.plan.whole_frames;

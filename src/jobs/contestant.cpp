@@ -2,49 +2,104 @@
 
 #include "jobs/draw_image.h"
 #include "jobs/few_rays.h"
+#include "jobs/truth_image.h"
+#include "screen/method/request_digest.h"
 
 #include <utility>
 
 namespace aoscore {
 namespace {
 
-class ShaderMethod final : public Contestant {
+/// What both contestants that a request describes have in common.
+class Requested : public Contestant {
   public:
-    explicit ShaderMethod(const MethodRequest& request) : request_(request) {}
+    explicit Requested(MethodRequest request) : request_(std::move(request)) {}
 
-    std::string_view code() const override { return "image"; }
-    MethodOutput image(SceneTools& tools, const CameraFrame&) const override {
-        return draw_image(tools.ready_renderer(), request_);
+    std::string digest(bool orthographic) const override { return request_digest(request_, orthographic); }
+    std::optional<std::set<std::string>> gbuffer_inputs() const override {
+        return needed_gbuffer_inputs(request_);
     }
-    bool has_cost() const override { return true; }
+    bool is_filtered() const override { return request_.filter != nullptr; }
+
+  protected:
+    const MethodRequest& request() const { return request_; }
 
   private:
-    const MethodRequest& request_;
+    MethodRequest request_;
 };
 
-class FewRays final : public Contestant {
+class ShaderMethod final : public Requested {
   public:
-    explicit FewRays(const MethodRequest& request) : request_(request) {}
+    using Requested::Requested;
+
+    std::string_view code() const override { return "image"; }
+    const MethodRequest* timed_request() const override { return &request(); }
+    MethodOutput image(const ContestantSources& sources) const override {
+        return draw_image(sources.tools.ready_renderer(), request());
+    }
+};
+
+/// It has no cost: rays on a processor say nothing of a graphics card's.
+class FewRays final : public Requested {
+  public:
+    using Requested::Requested;
 
     std::string_view code() const override { return "few_rays"; }
-    MethodOutput image(SceneTools& tools, const CameraFrame& frame) const override {
+    MethodOutput image(const ContestantSources& sources) const override {
         MethodOutput output;
-        output.raw = trace_few_rays(tools.reference(), frame, request_);
-        output.visibility = tools.ready_renderer().filter(output.raw, request_);
+        output.raw = trace_few_rays(sources.tools.reference(), sources.frame, request());
+        output.visibility = sources.tools.ready_renderer().filter(output.raw, request());
         return output;
     }
-    /// Rays on a processor say nothing of a graphics card's.
-    bool has_cost() const override { return false; }
+};
+
+/// What both contestants that are a part of the truth have in common.
+class OfTruth : public Contestant {
+  public:
+    explicit OfTruth(const TruthQuery& query) : query_(query) {}
+
+    std::string_view code() const override { return "truth_image"; }
+    std::optional<TruthQuery> truth_query() const override { return query_; }
 
   private:
-    const MethodRequest& request_;
+    TruthQuery query_;
+};
+
+class TrueImage final : public OfTruth {
+  public:
+    using OfTruth::OfTruth;
+
+    std::string digest(bool) const override { return "true"; }
+    MethodOutput image(const ContestantSources& sources) const override {
+        const ImageF& visibility = true_visibility(*sources.truth, *truth_query());
+        return {visibility, visibility, {}};
+    }
+};
+
+class OneLayerBound final : public OfTruth {
+  public:
+    using OfTruth::OfTruth;
+
+    std::string digest(bool) const override { return "one layer"; }
+    MethodOutput image(const ContestantSources& sources) const override {
+        const ImageF visibility = one_layer_visibility(*sources.truth);
+        return {visibility, visibility, {}};
+    }
 };
 
 }  // namespace
 
-std::unique_ptr<const Contestant> contestant_of(const MethodRequest& request) {
-    if (is_few_rays(request)) return std::make_unique<FewRays>(request);
-    return std::make_unique<ShaderMethod>(request);
+std::shared_ptr<const Contestant> contestant_of(MethodRequest request) {
+    if (is_few_rays(request)) return std::make_shared<FewRays>(std::move(request));
+    return std::make_shared<ShaderMethod>(std::move(request));
+}
+
+std::shared_ptr<const Contestant> true_image(const TruthQuery& query) {
+    return std::make_shared<TrueImage>(query);
+}
+
+std::shared_ptr<const Contestant> one_layer_bound(const TruthQuery& query) {
+    return std::make_shared<OneLayerBound>(query);
 }
 
 }  // namespace aoscore

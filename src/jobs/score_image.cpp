@@ -1,14 +1,14 @@
 #include "jobs/score_image.h"
 
 #include "core/error.h"
+#include "jobs/truth_image.h"
+#include "metrics/analysis/analysis.h"
 #include "metrics/analysis/analysis.h"
 #include "metrics/evaluate.h"
 #include "results/record_json.h"
 #include "results/results_members.h"
 
 #include <fmt/format.h>
-
-#include <algorithm>
 
 namespace aoscore {
 namespace {
@@ -59,9 +59,7 @@ MetricMap score_against(const Truth& truth, const TruthQuery& query, const Groun
                         const ImageF& image) {
     std::size_t nonfinite = 0;
     const Mask valid = finite_pixels(truth.visibility[0], image, ground.contract.valid, nonfinite);
-    const auto index =
-        static_cast<std::size_t>(std::ranges::find(truth.queries, query) - truth.queries.begin());
-    return metrics_against(truth, index, image, valid);
+    return metrics_against(truth, query_index(truth, query), image, valid);
 }
 
 nlohmann::json to_json(const Score& score) {

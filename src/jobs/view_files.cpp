@@ -23,7 +23,7 @@ void write_gbuffer_file(const ViewWork& work, const GBufferImages& gbuffer) {
 
 void write_image_file(const ViewWork& work, const CellWork& cell, const MethodOutput& image) {
     std::vector<ChannelView> channels{{"Y", &image.visibility}};
-    if (cell.request.filter != nullptr) channels.push_back({"raw.Y", &image.raw});
+    if (cell.contestant->is_filtered()) channels.push_back({"raw.Y", &image.raw});
     write_exr(work.folder / work.image_file(cell), channels, {{"aoscore:cell", cell.id}});
 }
 

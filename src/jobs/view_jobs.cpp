@@ -1,6 +1,5 @@
 #include "jobs/view_jobs.h"
 
-#include "jobs/contestant.h"
 #include "jobs/view_keys.h"
 
 #include <utility>
@@ -55,7 +54,8 @@ class Layout {
             return made;
         };
         CellKeys keys;
-        Job image = of_cell(keys_.image(cell), ArtifactKind::image, {gbuffer_});
+        Job image = of_cell(keys_.image(cell), ArtifactKind::image,
+                            image_sources(*cell.contestant, gbuffer_, truth_));
         keys.image = (cell.keep_image ? jobs_.graph.want(image) : jobs_.graph.add(image)).key;
         keys.score =
             jobs_.graph.want(of_cell(keys_.score(cell), ArtifactKind::score, {keys.image, truth_, contract_}))
@@ -66,7 +66,7 @@ class Layout {
             own.after = {keys.score};
             keys.own_score = jobs_.graph.want(own).key;
         }
-        if (contestant_of(cell.request)->has_cost()) {
+        if (cell.contestant->timed_request() != nullptr) {
             Job fetches = of_cell(keys_.fetches(cell), ArtifactKind::fetches, {gbuffer_, contract_});
             fetches.after = {keys.score};
             keys.fetches = jobs_.graph.want(fetches).key;
@@ -85,6 +85,13 @@ class Layout {
 };
 
 }  // namespace
+
+std::vector<Key> image_sources(const Contestant& contestant, const Key& gbuffer, const Key& truth) {
+    std::vector<Key> sources;
+    if (contestant.gbuffer_inputs()) sources.push_back(gbuffer);
+    if (contestant.truth_query()) sources.push_back(truth);
+    return sources;
+}
 
 ViewJobs view_jobs(const ViewWork& work) {
     return Layout(work).lay_out();

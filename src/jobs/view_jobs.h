@@ -23,6 +23,9 @@ struct ViewJobs {
     std::vector<CellKeys> cells;  ///< in the order of the work's
 };
 
+/// Which of a view's artifacts a contestant's image is made of.
+std::vector<Key> image_sources(const Contestant& contestant, const Key& gbuffer, const Key& truth);
+
 /// Lays out the jobs; looks nothing up and makes nothing.
 ViewJobs view_jobs(const ViewWork& work);
 

@@ -2,7 +2,6 @@
 
 #include "core/machine.h"
 #include "core/threads.h"
-#include "jobs/contestant.h"
 #include "screen/method/request_digest.h"
 #include "store/code_digest.h"
 
@@ -69,6 +68,11 @@ Key ViewKeys::truth(std::span<const TruthQuery> queries) const {
     return key.key();
 }
 
+// What else there is in the truth belongs to the first query.
+Key ViewKeys::own_truth(const TruthQuery& query) const {
+    return truth(std::vector<TruthQuery>{work_.queries.front(), query});
+}
+
 // Of the truth it takes the primary hits alone, which no number of rays changes.
 Key ViewKeys::contract() const {
     TruthRequest request = work_.truth_request();
@@ -92,9 +96,12 @@ Key ViewKeys::gbuffer_file() const {
 Key ViewKeys::image(const CellWork& cell) const {
     const auto [found, is_new] = images_.try_emplace(&cell);
     if (is_new) {
-        KeyBuilder key("image", contestant_of(cell.request)->code());
-        key.text(code_digest("files")).input(gbuffer(needed_gbuffer_inputs(cell.request)));
-        found->second = key.text(request_digest(cell.request, orthographic())).key();
+        const Contestant& contestant = *cell.contestant;
+        KeyBuilder key("image", contestant.code());
+        key.text(code_digest("files")).value(work_.width).value(work_.height);
+        if (const auto inputs = contestant.gbuffer_inputs()) key.input(gbuffer(*inputs));
+        if (const auto query = contestant.truth_query()) key.input(own_truth(*query));
+        found->second = key.text(contestant.digest(orthographic())).key();
     }
     return found->second;
 }
@@ -106,9 +113,8 @@ Key ViewKeys::score(const CellWork& cell) const {
 }
 
 Key ViewKeys::own_score(const CellWork& cell) const {
-    const std::vector<TruthQuery> queries{work_.queries.front(), cell.own.value()};
     KeyBuilder key("own_score", "score");
-    return key.input(image(cell)).input(truth(queries)).input(contract()).key();
+    return key.input(image(cell)).input(own_truth(cell.own.value())).input(contract()).key();
 }
 
 Key ViewKeys::fetches(const CellWork& cell) const {

@@ -22,6 +22,8 @@ class ViewKeys {
     Key gbuffer_times() const;
     /// Of these queries of the view's truth.
     Key truth(std::span<const TruthQuery> queries) const;
+    /// Of a query beside the first.
+    Key own_truth(const TruthQuery& query) const;
     Key contract() const;
     Key view() const;
     Key truth_file() const;

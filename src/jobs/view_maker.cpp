@@ -3,7 +3,6 @@
 #include "core/error.h"
 #include "core/log.h"
 #include "image/image_file.h"
-#include "jobs/contestant.h"
 #include "jobs/draw_image.h"
 #include "jobs/time_requests.h"
 #include "jobs/view_files.h"
@@ -171,7 +170,8 @@ void ViewMaker::make(const Job& job) {
             return keep(job, to_json(own_scores_[job.key]));
         case ArtifactKind::fetches:
             fetches_[job.key] =
-                fetches_per_pixel(work_.tools.ready_renderer(), cell(job).request, ground_->contract.valid);
+                fetches_per_pixel(work_.tools.ready_renderer(), *cell(job).contestant->timed_request(),
+                                  ground_->contract.valid);
             return keep(job, fetches_[job.key]);
         case ArtifactKind::times:
             break;
@@ -197,14 +197,15 @@ void ViewMaker::trace() {
 
 void ViewMaker::make_image(const Job& job) {
     const CellWork& work = cell(job);
-    image_.emplace(job.key, contestant_of(work.request)->image(work_.tools, frame_));
+    const Truth* truth = truth_ ? &truth_->truth : nullptr;
+    image_.emplace(job.key, work.contestant->image({work_.tools, frame_, truth}));
     if (!pictured_.contains(job.key)) return;
     write_image_file(work_, work, image_->second);
     store_.put_file(job.key.hex, work_.folder / work_.image_file(work));
 }
 
 void ViewMaker::make_score(const Job& job) {
-    const ScoreSettings settings{cell(job).request.filter != nullptr, work_.mask_threshold, work_.seed};
+    const ScoreSettings settings{cell(job).contestant->is_filtered(), work_.mask_threshold, work_.seed};
     const Score& score = scores_[job.key] = score_image(truth_->truth, *ground_, image_->second, settings);
     if (!score.error().empty()) throw internal_error(score.error());
     keep(job, to_json(score));

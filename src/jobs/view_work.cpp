@@ -20,8 +20,11 @@ bool ViewWork::times_gbuffer() const {
 }
 
 std::set<std::string> ViewWork::read_inputs() const {
-    std::set<std::string> inputs = needed_gbuffer_inputs(fixed_pass);
-    for (const CellWork& cell : cells) inputs.merge(needed_gbuffer_inputs(cell.request));
+    std::set<std::string> inputs;
+    if (fixed_pass.method != nullptr) inputs = needed_gbuffer_inputs(fixed_pass);
+    for (const CellWork& cell : cells) {
+        if (auto read = cell.contestant->gbuffer_inputs()) inputs.merge(*read);
+    }
     return inputs;
 }
 

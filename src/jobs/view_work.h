@@ -1,5 +1,6 @@
 #pragma once
 
+#include "jobs/contestant.h"
 #include "jobs/scene_tools.h"
 #include "jobs/timing.h"
 #include "reference/truth.h"
@@ -9,6 +10,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -16,16 +18,16 @@
 
 namespace aoscore {
 
-/// A method on a view, as it is drawn, scored and timed.
+/// A contestant on a view, as it is scored and timed.
 struct CellWork {
     std::string id;  ///< of the cell in the results: "atrium/wide/hbao/default"
-    MethodRequest request;
+    std::shared_ptr<const Contestant> contestant;
     std::optional<TruthQuery>
         own;                 ///< a truth of the method's own to be scored against, beside the ranking's
     bool keep_image = true;  ///< write its output
     /// Also time whole lit frames, waited for at their end and after every pass.
     bool whole_frames = false;
-    MethodRequest timed;  ///< `request`, with its lighting where whole frames are timed
+    MethodRequest timed;  ///< the contestant's, with its lighting where whole frames are timed
 };
 
 /// One view of a scene and everything that is measured on it. What it refers to must outlive it.

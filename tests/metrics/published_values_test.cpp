@@ -1,5 +1,5 @@
 #include "metrics/evaluate.h"
-#include "pictures.h"
+#include "report/pictures/pictures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "metrics/analysis/tile_pattern.h"
 
-#include "pictures.h"
+#include "report/pictures/pictures.h"
 
 #include <gtest/gtest.h>
 
