@@ -1,4 +1,5 @@
 #include "cli/command.h"
+#include "cli/shared_options.h"
 #include "core/files.h"
 #include "core/output.h"
 #include "report/stress_page.h"
@@ -45,9 +46,8 @@ CommandEntry add_stress_command(CLI::App& program, const GlobalOptions& global) 
         ->allow_extra_args(false);
     app->add_option("--methods-dir", options->plan.methods_dir, "A folder of methods of your own");
     app->add_flag("--quick", options->quick, "The ends of each axis alone, in 64x64 pixels");
-    app->add_option("--out", options->out,
-                    "Folder of page, results and images; what is there already is not run again "
-                    "[reports/out/stress]");
+    add_cache_option(*app, options->plan.cache);
+    app->add_option("--out", options->out, "Folder of page, results and images [reports/out/stress]");
     return {app, [options, &global] { return run(*options, global); }};
 }
 

@@ -22,17 +22,21 @@ enum class ArtifactKind : std::uint8_t {
     view,           ///< the facts of truth and contract that stand in the results
     truth_file,
     gbuffer_file,
-    image,      ///< a method's visibility, and its file where that is kept
-    score,      ///< metrics and analysis against the ranking's truth
-    own_score,  ///< metrics against the method's own truth
-    fetches,    ///< texture fetches a pixel
-    times,      ///< runs of the method's passes, milliseconds
+    image,           ///< a method's visibility, and its file where that is kept
+    score,           ///< metrics and analysis against the ranking's truth
+    own_score,       ///< metrics against the method's own truth
+    fetches,         ///< texture fetches a pixel
+    times,           ///< runs of the method's passes, milliseconds
+    unstressed,      ///< what a stress test's subjects show where nothing is stressed
+    stress_setting,  ///< what a stressed view is like before any subject is run on it
+    stress_cell,     ///< one subject on a stressed view
 };
-inline constexpr std::size_t kArtifactKinds = 12;
+inline constexpr std::size_t kArtifactKinds = 15;
 /// Their names in lists of jobs, in the order of ArtifactKind.
 inline constexpr std::array<std::string_view, kArtifactKinds> kArtifactKindIds{
-    "gbuffer_times", "gbuffer", "truth", "contract",  "view",    "truth_file",
-    "gbuffer_file",  "image",   "score", "own_score", "fetches", "times"};
+    "gbuffer_times", "gbuffer",      "truth",      "contract",       "view",
+    "truth_file",    "gbuffer_file", "image",      "score",          "own_score",
+    "fetches",       "times",        "unstressed", "stress_setting", "stress_cell"};
 constexpr std::string_view id_of(ArtifactKind kind) {
     return kArtifactKindIds[static_cast<std::size_t>(kind)];
 }

@@ -3,8 +3,10 @@
 namespace aoscore {
 
 void SceneTools::choose(const Scene& scene) {
-    if (scene_ == &scene) return;
+    // Another scene may lie where an earlier one has ended.
+    if (scene_ == &scene && digest_ == scene.digest) return;
     scene_ = &scene;
+    digest_ = scene.digest;
     uploaded_ = nullptr;
     reference_.reset();
 }

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace aoscore {
 
@@ -26,6 +27,7 @@ class SceneTools {
   private:
     ScreenRenderer renderer_;
     const Scene* scene_ = nullptr;
+    std::string digest_;  ///< of the chosen scene
     const Scene* uploaded_ = nullptr;
     std::optional<ReferenceScene> reference_;
 };

@@ -173,10 +173,9 @@ void ViewMaker::make(const Job& job) {
                 fetches_per_pixel(work_.tools.ready_renderer(), *cell(job).contestant->timed_request(),
                                   ground_->contract.valid);
             return keep(job, fetches_[job.key]);
-        case ArtifactKind::times:
-            break;
+        default:
+            throw internal_error("is not made by itself", std::string(id_of(job.kind)));
     }
-    throw internal_error("is made in turns alone", std::string(id_of(job.kind)));
 }
 
 void ViewMaker::draw(const std::set<std::string>& inputs) {

@@ -40,6 +40,14 @@ class ViewMaker final : public Maker {
     const double* fetches(const Key& key) const;
     const StoredTimes* times(const Key& key) const;
 
+    // What is in memory of the artifacts that others are made of; null where none is.
+    const GBufferImages* gbuffer() const { return gbuffer_ ? &*gbuffer_ : nullptr; }
+    const Truth* truth() const { return truth_ ? &truth_->truth : nullptr; }
+    const Ground* ground() const { return ground_ ? &*ground_ : nullptr; }
+    const MethodOutput* image() const { return image_ ? &image_->second : nullptr; }
+    /// How long drawing the G-buffer has taken the last time, milliseconds.
+    double drawn_ms() const { return drawn_ms_; }
+
     /// Rays of the truth that were traced now.
     std::uint64_t rays() const { return rays_; }
 

@@ -86,16 +86,16 @@ namespace {
 
 constexpr const char* kStressFile = "stress.json";
 
-template <class Record>
-void write_record(const Record& record, const std::filesystem::path& file) {
-    nlohmann::json object = record_json::written(record);
-    record_json::require_finite(object, file.filename().string());
+}  // namespace
+
+void write_stress_results(const StressResults& results, const std::filesystem::path& folder) {
+    nlohmann::json object = record_json::checked_json(results, kStressFile);
     object["schema_version"] = StressResults::kSchemaVersion;
-    write_atomically(file, json_text(object, 1) + "\n");
+    write_atomically(folder / kStressFile, json_text(object, 1) + "\n");
 }
 
-template <class Record>
-Record read_record(const std::filesystem::path& file) {
+StressResults read_stress_results(const std::filesystem::path& folder) {
+    const std::filesystem::path file = folder / kStressFile;
     const nlohmann::json object = parse_json_file(file);
     record_json::Reader reader{StrictObject::of_file(object, file.string())};
     int schema_version = 0;
@@ -104,20 +104,10 @@ Record read_record(const std::filesystem::path& file) {
         throw file_error(fmt::format("is {}, of another version of this program", schema_version),
                          file.string() + ".schema_version", fmt::format("{}", StressResults::kSchemaVersion));
     }
-    Record record;
-    visit_members(reader, record);
+    StressResults results;
+    visit_members(reader, results);
     reader.object.finish();
-    return record;
-}
-
-}  // namespace
-
-void write_stress_results(const StressResults& results, const std::filesystem::path& folder) {
-    write_record(results, folder / kStressFile);
-}
-
-StressResults read_stress_results(const std::filesystem::path& folder) {
-    return read_record<StressResults>(folder / kStressFile);
+    return results;
 }
 
 bool has_stress_results(const std::filesystem::path& folder) {
@@ -125,12 +115,20 @@ bool has_stress_results(const std::filesystem::path& folder) {
     return std::filesystem::is_regular_file(folder / kStressFile, ec);
 }
 
-void write_stress_setting(const StressSettingRecord& setting, const std::filesystem::path& file) {
-    write_record(setting, file);
+nlohmann::json to_json(const StressSettingRecord& setting) {
+    return record_json::checked_json(setting, setting.id);
 }
 
-StressSettingRecord read_stress_setting(const std::filesystem::path& file) {
-    return read_record<StressSettingRecord>(file);
+StressSettingRecord stress_setting_from_json(const nlohmann::json& json, const std::string& where) {
+    return record_json::record_from_json<StressSettingRecord>(json, where);
+}
+
+nlohmann::json to_json(const StressCell& cell) {
+    return record_json::checked_json(cell, cell.subject);
+}
+
+StressCell stress_cell_from_json(const nlohmann::json& json, const std::string& where) {
+    return record_json::record_from_json<StressCell>(json, where);
 }
 
 std::vector<StressBreak> first_breaks(const StressAxisRecord& axis, const std::string& subject) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
+
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -43,7 +45,7 @@ struct StressSettingRecord {
     int truth_samples = 0;                    ///< rays a pixel; 0 without truth
     double truth_seconds = 0;
     double gbuffer_ms = 0;
-    double seconds = 0;  ///< all of it
+    double seconds = 0;  ///< that this run has spent on it
     std::string
         images;  ///< EXR of thumbnails: <subject>.Y and, as deviation is defined, <subject>.D; "" without any
     std::vector<StressCell> cells;
@@ -100,8 +102,11 @@ StressResults read_stress_results(const std::filesystem::path& folder);
 /// Whether a folder holds a stress test's results.
 bool has_stress_results(const std::filesystem::path& folder);
 
-/// One setting in a file of its own: what an interrupted run goes on from.
-void write_stress_setting(const StressSettingRecord& setting, const std::filesystem::path& file);
-StressSettingRecord read_stress_setting(const std::filesystem::path& file);
+// What is kept of a setting and of a cell, so that an interrupted run goes on where it was. Reading throws
+// file_error for another form.
+nlohmann::json to_json(const StressSettingRecord& setting);
+StressSettingRecord stress_setting_from_json(const nlohmann::json& json, const std::string& where);
+nlohmann::json to_json(const StressCell& cell);
+StressCell stress_cell_from_json(const nlohmann::json& json, const std::string& where);
 
 }  // namespace aoscore

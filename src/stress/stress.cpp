@@ -7,18 +7,19 @@
 #include "core/log.h"
 #include "core/machine.h"
 #include "core/progress.h"
+#include "core/stopwatch.h"
 #include "core/threads.h"
+#include "image/image_file.h"
 #include "stress/stress_axes.h"
+#include "stress/stress_jobs.h"
 #include "stress/stress_judge.h"
-#include "stress/stress_key.h"
-#include "stress/stress_run.h"
+#include "stress/stress_maker.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <ctime>
-#include <optional>
+#include <utility>
 
 namespace aoscore {
 namespace {
@@ -53,25 +54,6 @@ std::vector<StressAxis> planned_axes(const StressPlan& plan) {
     return axes;
 }
 
-fs::path setting_file(const fs::path& folder, std::string_view axis, const std::string& setting) {
-    return folder / "settings" / axis / (setting + ".json");
-}
-
-// What an earlier run has found, when nothing that it depends on has changed.
-std::optional<StressSettingRecord> kept_setting(const fs::path& folder, const fs::path& file,
-                                                const std::string& key) {
-    std::error_code ec;
-    if (!fs::is_regular_file(file, ec)) return std::nullopt;
-    try {
-        StressSettingRecord record = read_stress_setting(file);
-        const bool pictured = record.images.empty() || fs::is_regular_file(folder / record.images, ec);
-        if (record.key == key && pictured) return record;
-    } catch (const Error& e) {
-        log_warning(fmt::format("{}: run again", e.what()));
-    }
-    return std::nullopt;
-}
-
 StressResults described(const StressPlan& plan, const std::vector<StressSubject>& subjects) {
     StressResults results;
     results.program_version = version();
@@ -90,10 +72,84 @@ StressResults described(const StressPlan& plan, const std::vector<StressSubject>
     return results;
 }
 
+/// Runs settings one after the other.
+class StressRun {
+  public:
+    StressRun(const StressPlan& plan, const std::vector<StressSubject>& subjects, const fs::path& folder)
+        : plan_(plan),
+          subjects_(subjects),
+          folder_(folder),
+          store_(ArtifactStore::folder_in(plan.cache)),
+          unstressed_(plan, subjects, tools_) {}
+
+    std::string gl_renderer() { return tools_.renderer().renderer(); }
+
+    StressSettingRecord run(const StressAxis& axis, const StressSetting& setting) {
+        const Stopwatch watch;
+        const std::string key = fmt::format("{}/{}", axis.id, setting.id);
+        const StressWork work(plan_, subjects_, stress_case(setting, plan_.size), axis.judgement, key,
+                              tools_);
+        const StressJobs jobs = stress_jobs(work, unstressed_);
+        StressMaker maker(work, store_, unstressed_);
+        const Execution done = execute(jobs.graph, maker);
+        StressSettingRecord record = maker.setting();
+        record.id = setting.id;
+        record.label = setting.label;
+        record.unstressed = setting.unstressed();
+        record.key = jobs.setting.hex;
+        record.width = work.stress.width;
+        record.height = work.stress.height;
+        record.triangles = work.stress.scene.triangle_count;
+        record.cells = cells(work, jobs, maker, done);
+        record.images = write_thumbnails(jobs, maker, key);
+        record.seconds = watch.seconds();
+        return record;
+    }
+
+  private:
+    static std::vector<StressCell> cells(const StressWork& work, const StressJobs& jobs,
+                                         const StressMaker& maker, const Execution& done) {
+        std::vector<StressCell> cells = work.cells;
+        for (std::size_t i = 0; i < jobs.cells.size(); ++i) {
+            StressCell& cell = *find_row(cells, work.requests[i].subject->id, &StressCell::subject);
+            if (const StressedCell* made = maker.cell(jobs.cells[i])) {
+                cell = made->cell;
+            } else {
+                cell.error = done.failed.at(jobs.cells[i]);
+            }
+        }
+        for (StressCell& cell : cells) judge(work.judgement, cell);
+        return cells;
+    }
+
+    /// The file's name in the folder; empty where no subject applies.
+    std::string write_thumbnails(const StressJobs& jobs, const StressMaker& maker,
+                                 const std::string& key) const {
+        std::vector<ChannelView> channels;
+        for (const Key& job : jobs.cells) {
+            const StressedCell* made = maker.cell(job);
+            if (made == nullptr) continue;
+            channels.push_back({made->cell.subject + ".Y", &made->picture});
+            if (!made->difference.empty()) channels.push_back({made->cell.subject + ".D", &made->difference});
+        }
+        if (channels.empty()) return {};
+        const std::string name = fmt::format("settings/{}.exr", key);
+        write_exr(folder_ / name, channels, {});
+        return name;
+    }
+
+    const StressPlan& plan_;
+    const std::vector<StressSubject>& subjects_;
+    const fs::path& folder_;
+    const ArtifactStore store_;
+    SceneTools tools_;
+    Unstressed unstressed_;
+};
+
 }  // namespace
 
 StressResults run_stress(const StressPlan& plan, const fs::path& folder) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const std::clock_t start_cpu = std::clock();
     std::vector<std::string> warnings;
     const Registry registry = load_registry(plan.methods_dir, plan.methods, warnings);
@@ -102,9 +158,8 @@ StressResults run_stress(const StressPlan& plan, const fs::path& folder) {
     const std::vector<StressAxis> axes = planned_axes(plan);
 
     StressResults results = described(plan, subjects);
-    StressRunner runner(plan, subjects);
-    const StressKeys keys(plan, subjects, runner.renderer());
-    results.gl_renderer = runner.renderer().renderer();
+    StressRun run(plan, subjects, folder);
+    results.gl_renderer = run.gl_renderer();
     std::size_t total = 0;
     for (const StressAxis& axis : axes) total += axis.settings.size();
     Progress progress("stress", total);
@@ -117,22 +172,12 @@ StressResults run_stress(const StressPlan& plan, const fs::path& folder) {
                                 {}};
         for (const StressSetting& setting : axis.settings) {
             throw_if_interrupted();
-            const fs::path file = setting_file(folder, axis.id, setting.id);
-            const StressCase stress = stress_case(setting, plan.size);
-            const std::string key = keys.of(axis, setting, stress);
-            std::optional<StressSettingRecord> done = kept_setting(folder, file, key);
-            if (!done) {
-                done = runner.run(axis, setting, stress, folder);
-                done->key = key;
-                write_stress_setting(*done, file);
-            }
-            record.settings.push_back(std::move(*done));
+            record.settings.push_back(run.run(axis, setting));
             progress.step();
         }
         results.axes.push_back(std::move(record));
     }
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    results.total_seconds = elapsed.count();
+    results.total_seconds = watch.seconds();
     results.cpu_seconds = static_cast<double>(std::clock() - start_cpu) / CLOCKS_PER_SEC;
     write_stress_results(results, folder);
     return results;

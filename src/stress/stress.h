@@ -18,13 +18,14 @@ struct StressPlan {
     int samples = 64;        ///< rays a pixel
     bool ends_only = false;  ///< of each axis the unstressed and the outermost settings alone
     std::uint64_t seed = 1;
+    std::filesystem::path cache;  ///< where artifacts are kept; empty: nowhere
     std::string command;
 };
 
-/// Runs every subject at every setting, one axis at a time. Each finished setting is kept in
-/// folder/settings/; a setting whose inputs have not changed since is taken from there. stress.json is
-/// written at the end. Throws usage_error for an unknown method or axis before anything is written;
-/// interrupted_error on Ctrl-C, after which the same call goes on where it stopped.
+/// Runs every subject at every setting, one axis at a time. What the cache has is taken from there; all else
+/// is put there as soon as it is made. stress.json is written at the end, with the settings' images beside
+/// it. Throws usage_error for an unknown method or axis before anything is written; interrupted_error on
+/// Ctrl-C, after which the same call goes on where it stopped.
 StressResults run_stress(const StressPlan& plan, const std::filesystem::path& folder);
 
 /// Cells that could not be run.

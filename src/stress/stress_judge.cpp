@@ -63,6 +63,18 @@ std::optional<double> debiased_error(const StressedPicture& picture, ImageF& dif
     return std::sqrt(std::max(sum / static_cast<double>(count), 0.0));
 }
 
+void compare_with_unstressed(StressJudgement judgement, const StressedPicture& picture,
+                             const UnstressedPicture& unstressed, StressCell& cell, ImageF& difference) {
+    if (picture.truth == nullptr) {
+        if (cell.mean && unstressed.mean) cell.deviation = std::abs(*cell.mean - *unstressed.mean);
+    } else if (judgement == StressJudgement::same_picture) {
+        cell.deviation = same_picture_deviation(picture, unstressed.visibility, unstressed.valid, difference);
+    } else {
+        cell.rmse = debiased_error(picture, difference);
+        if (cell.rmse && unstressed.rmse) cell.deviation = *cell.rmse - *unstressed.rmse;
+    }
+}
+
 void judge(StressJudgement judgement, StressCell& cell) {
     if (!cell.skipped.empty()) return;
     if (!cell.error.empty()) {

@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace aoscore {
 namespace {
+
+// The reference is looked at with this radius where no method asks for another, metres in the base.
+constexpr double kRadius_m = 0.5;
 
 // The parameter that the radius axis turns: the truth's, else the one of that name.
 std::string radius_parameter(const MethodDescriptor& method) {
@@ -32,6 +36,47 @@ std::string performance_preset(const MethodDescriptor& method) {
         if (preset.starts_with("performance")) return preset;
     }
     return {};
+}
+
+// The reference or the bound.
+void traced_request(StressJudgement judgement, const StressCase& stress, StressRequest& result) {
+    const bool is_bound = result.subject->kind == "bound";
+    if (is_bound && judgement == StressJudgement::same_picture) {
+        result.skipped = "is traced where the picture changes";
+    } else if (!stress.has_truth) {
+        result.skipped = "is not traced here";
+    } else {
+        result.own = reference_query(stress);
+        result.contestant = is_bound ? one_layer_bound(result.own) : true_image(result.own);
+    }
+}
+
+// A method, or a filter over one.
+void drawn_request(const StressCase& stress, std::uint64_t seed, StressRequest& result) {
+    const StressSubject& subject = *result.subject;
+    const std::string radius = radius_parameter(*subject.method);
+    if (stress.radius_scale != 1 && radius.empty()) {
+        result.skipped = "has no radius";
+        return;
+    }
+    if (stress.performance_presets_only) {
+        result.preset = performance_preset(*subject.method);
+        if (result.preset.empty() || subject.filter != nullptr) {
+            result.skipped = "has no performance preset";
+            return;
+        }
+    }
+    MethodRequest request;
+    request.method = subject.method;
+    request.seed = seed;
+    stress.modes.apply_to(request);
+    request.parameters = scaled_values(*subject.method, result.preset, stress, radius);
+    if (subject.filter != nullptr) {
+        request.filter = subject.filter;
+        request.filter_parameters = scaled_values(*subject.filter, "default", stress, "");
+    }
+    result.own = own_truth(*subject.method, request.parameters);
+    result.contestant = contestant_of(std::move(request));
 }
 
 }  // namespace
@@ -69,32 +114,19 @@ std::vector<StressSubject> stress_subjects(const Registry& registry,
     return subjects;
 }
 
-StressRequest stress_request(const StressSubject& subject, const StressCase& stress, std::uint64_t seed) {
+TruthQuery reference_query(const StressCase& stress) {
+    return {Falloff::binary, kRadius_m * stress.length_scale * stress.radius_scale, 0};
+}
+
+StressRequest stress_request(const StressSubject& subject, StressJudgement judgement,
+                             const StressCase& stress, std::uint64_t seed) {
     StressRequest result;
-    if (subject.method == nullptr) return result;
-    const std::string radius = radius_parameter(*subject.method);
-    if (stress.radius_scale != 1 && radius.empty()) {
-        result.skipped = "has no radius";
-        return result;
+    result.subject = &subject;
+    if (subject.method == nullptr) {
+        traced_request(judgement, stress, result);
+    } else {
+        drawn_request(stress, seed, result);
     }
-    if (stress.performance_presets_only) {
-        result.preset = performance_preset(*subject.method);
-        if (result.preset.empty() || subject.filter != nullptr) {
-            result.skipped = "has no performance preset";
-            return result;
-        }
-    }
-    MethodRequest request;
-    request.method = subject.method;
-    request.seed = seed;
-    stress.modes.apply_to(request);
-    request.parameters = scaled_values(*subject.method, result.preset, stress, radius);
-    if (subject.filter != nullptr) {
-        request.filter = subject.filter;
-        request.filter_parameters = scaled_values(*subject.filter, "default", stress, "");
-    }
-    result.own = own_truth(*subject.method, request.parameters);
-    result.request = std::move(request);
     return result;
 }
 

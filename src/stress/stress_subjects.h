@@ -1,10 +1,12 @@
 #pragma once
 
+#include "jobs/contestant.h"
 #include "plan/resolved_cell.h"
+#include "stress/stress_axes.h"
 #include "stress/stress_case.h"
 
 #include <map>
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,14 +30,19 @@ inline constexpr const char* kFilteredMethod = "gtao";
 /// must outlive the result. Throws usage_error for an unknown method.
 std::vector<StressSubject> stress_subjects(const Registry& registry, const std::vector<std::string>& methods);
 
-/// What a subject is run with in a case. Empty with `skipped` filled where the stress does not concern it.
-/// Throws usage_error where a scaled parameter leaves its range.
+/// The truth that subjects are held against which have none of their own.
+TruthQuery reference_query(const StressCase& stress);
+
+/// What a subject is run as in a case.
 struct StressRequest {
-    std::optional<MethodRequest> request;
+    const StressSubject* subject = nullptr;
+    std::shared_ptr<const Contestant> contestant;  ///< null where it is not run
     std::string preset = "default";
     TruthQuery own;
-    std::string skipped;
+    std::string skipped;  ///< why the stress does not concern it; empty where it is run
 };
-StressRequest stress_request(const StressSubject& subject, const StressCase& stress, std::uint64_t seed);
+/// Throws usage_error where a scaled parameter leaves its range.
+StressRequest stress_request(const StressSubject& subject, StressJudgement judgement,
+                             const StressCase& stress, std::uint64_t seed);
 
 }  // namespace aoscore

@@ -1,7 +1,5 @@
 #include "stress/stress_thumbnails.h"
 
-#include "image/image_file.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -26,17 +24,6 @@ ImageF stress_thumbnail(const ImageF& image, int steps) {
         }
     }
     return small;
-}
-
-void StressThumbnails::add(const std::string& id, const ImageF& picture, const ImageF& difference) {
-    if (!picture.empty()) channels_.emplace_back(id + ".Y", stress_thumbnail(picture, 255));
-    if (!difference.empty()) channels_.emplace_back(id + ".D", stress_thumbnail(difference, 127));
-}
-
-void StressThumbnails::write(const std::filesystem::path& path) const {
-    std::vector<ChannelView> views;
-    for (const auto& [name, image] : channels_) views.push_back({name, &image});
-    write_exr(path, views, {});
 }
 
 }  // namespace aoscore

@@ -1,5 +1,5 @@
 #include "core/threads.h"
-#include "core/files.h"
+#include "files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // EXR files of the kinds that other programs write and ours does not.
 #include "support/foreign_exr.h"
 
-#include "core/files.h"
+#include "files.h"
 
 #include <ImfDeepFrameBuffer.h>
 #include <ImfDeepScanLineOutputFile.h>

@@ -1,4 +1,4 @@
-#include "core/files.h"
+#include "files.h"
 
 #include <gtest/gtest.h>
 #include <png.h>

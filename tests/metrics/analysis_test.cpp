@@ -2,7 +2,7 @@
 
 #include "metrics/analysis/distance.h"
 #include "metrics/evaluate.h"
-#include "report/pictures/pictures.h"
+#include "pictures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "metrics/analysis/occlusion_masks.h"
 #include "metrics/evaluate.h"
 #include "metrics/measures/noise.h"
-#include "report/pictures/pictures.h"
+#include "pictures.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

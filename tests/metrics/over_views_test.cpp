@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "metrics/evaluate.h"
 #include "metrics/intervals/bootstrap.h"
-#include "report/pictures/pictures.h"
+#include "pictures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include "metrics/evaluate.h"
-#include "report/pictures/pictures.h"
+#include "pictures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "core/files.h"
 #include "metrics/evaluate.h"
-#include "report/pictures/pictures.h"
+#include "pictures.h"
 #include "support/support.h"
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include "metrics/evaluate.h"
 #include "metrics/intervals/bootstrap.h"
 #include "metrics/roles.h"
-#include "report/pictures/pictures.h"
+#include "pictures.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

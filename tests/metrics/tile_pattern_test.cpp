@@ -1,6 +1,6 @@
 #include "metrics/analysis/tile_pattern.h"
 
-#include "report/pictures/pictures.h"
+#include "pictures.h"
 
 #include <gtest/gtest.h>
 

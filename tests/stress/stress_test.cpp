@@ -133,50 +133,74 @@ TEST(Stress, RunsTheLargestPictureInPerformancePresetsAlone) {
     EXPECT_EQ(largest.width, 4096);
     std::size_t run = 0;
     for (const StressSubject& subject : stress_subjects(registry, {})) {
-        const StressRequest request = stress_request(subject, largest, 1);
-        if (!request.request) continue;
+        const StressRequest request = stress_request(subject, StressJudgement::error, largest, 1);
+        if (!request.contestant) continue;
         ++run;
         EXPECT_TRUE(request.preset.starts_with("performance")) << subject.id;
     }
     EXPECT_GT(run, 0U);
 }
 
+/// The artifacts that the store holds of stressed views, as files that lie there.
+std::set<std::string> kept_files(const fs::path& cache) {
+    std::set<std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(cache))
+        if (entry.is_regular_file()) files.insert(entry.path().string());
+    return files;
+}
+
+// A time is never measured twice to the bit: that it is the same says that nothing ran.
 TEST(Stress, GoesOnWhereItStopped) {
-    const fs::path folder = output_dir();
+    const fs::path folder = output_dir(), out = folder / "out";
     plant_broken_method(folder / "methods");
     StressPlan plan = small_plan({"planted"}, {"depth-format"});
     plan.methods_dir = folder / "methods";
     plan.ends_only = true;
-    const fs::path out = folder / "out";
+    plan.cache = folder / "cache";
+    const auto time_at = [](const StressResults& results, std::size_t setting, const char* subject) {
+        return cell_of(results.axes[0].settings[setting], subject).time_ms;
+    };
     const StressResults first = run_stress(plan, out);
-    const fs::path kept = out / "settings/depth-format/base.json",
-                   lost = out / "settings/depth-format/packed-rgba8.json";
-    const std::string kept_text = read_file(kept), lost_text = read_file(lost);
-    ASSERT_NE(kept_text, lost_text);
+    const std::set<std::string> kept = kept_files(plan.cache);
 
-    // As if it had been stopped before the last setting, with a mark that only a file left alone keeps.
+    // As if it had been stopped: the results are not there yet, and one cell is not in the store.
+    fs::remove_all(out);
+    fs::path lost;
+    for (const std::string& file : kept) {
+        if (file.ends_with(".exr")) lost = file;
+    }
     fs::remove(lost);
-    fs::remove(out / "stress.json");
-    StressSettingRecord marked = read_stress_setting(kept);
-    marked.gbuffer_ms = 12345;
-    write_stress_setting(marked, kept);
+    fs::remove(fs::path(lost).replace_extension(".json"));
     const StressResults second = run_stress(plan, out);
-    EXPECT_EQ(second.axes[0].settings[0].gbuffer_ms, 12345);
-    EXPECT_EQ(second.axes[0].settings[1].key, first.axes[0].settings[1].key);
-    EXPECT_EQ(cell_of(second.axes[0].settings[1], "planted").mean,
-              cell_of(first.axes[0].settings[1], "planted").mean);
+    EXPECT_EQ(kept_files(plan.cache), kept);
+    std::size_t run_again = 0;
+    for (std::size_t i = 0; i < first.axes[0].settings.size(); ++i) {
+        for (const StressCell& cell : first.axes[0].settings[i].cells) {
+            const StressCell& again = cell_of(second.axes[0].settings[i], cell.subject);
+            run_again += cell.time_ms != again.time_ms;
+            EXPECT_EQ(cell.mean, again.mean) << cell.subject;
+            EXPECT_EQ(cell.deviation, again.deviation) << cell.subject;
+        }
+    }
+    EXPECT_EQ(run_again, 1U);
 
-    // An edited shader makes everything that it draws run again.
+    // An edited shader makes what it draws run again, and nothing else.
     std::string shader = read_file(folder / "methods/planted/p.frag");
     shader.replace(shader.find("0.01"), 4, "0.02");
     write_atomically(folder / "methods/planted/p.frag", shader);
     const StressResults third = run_stress(plan, out);
-    EXPECT_NE(third.axes[0].settings[0].gbuffer_ms, 12345);
-    EXPECT_NE(third.axes[0].settings[0].key, first.axes[0].settings[0].key);
+    EXPECT_NE(time_at(third, 0, "planted"), time_at(second, 0, "planted"));
+    EXPECT_EQ(time_at(third, 0, "reference"), time_at(second, 0, "reference"));
+    EXPECT_EQ(time_at(third, 0, "box-4x4"), time_at(second, 0, "box-4x4"));
 
-    // So does a file that is no result any more.
-    write_atomically(kept, "{");
-    EXPECT_EQ(run_stress(plan, out).axes[0].settings[0].key, third.axes[0].settings[0].key);
+    // So does an entry that is none any more.
+    for (const std::string& file : kept_files(plan.cache)) {
+        if (file.ends_with(".json")) write_atomically(file, "{");
+    }
+    const StressResults fourth = run_stress(plan, out);
+    EXPECT_NE(time_at(fourth, 0, "reference"), time_at(third, 0, "reference"));
+    EXPECT_EQ(cell_of(fourth.axes[0].settings[0], "planted").mean,
+              cell_of(third.axes[0].settings[0], "planted").mean);
 }
 
 TEST(Stress, RefusesUnknownNamesBeforeItWritesAnything) {
@@ -222,9 +246,9 @@ TEST(Stress, RunsEveryMethodOnPicturesOfOnePixelAndOfOddSizes) {
         if (stress.width * stress.height > 20000) continue;
         renderer.draw_gbuffer(CameraFrame(stress.camera, stress.width, stress.height), gbuffer_inputs());
         for (const StressSubject& subject : subjects) {
-            const StressRequest request = stress_request(subject, stress, 1);
-            if (!request.request) continue;
-            const MethodOutput output = renderer.run(*request.request);
+            const StressRequest request = stress_request(subject, StressJudgement::error, stress, 1);
+            if (!request.contestant || request.contestant->timed_request() == nullptr) continue;
+            const MethodOutput output = renderer.run(*request.contestant->timed_request());
             ASSERT_EQ(output.visibility.width, stress.width);
             for (const float v : output.visibility.pixels)
                 ASSERT_TRUE(v >= 0 && v <= 1) << subject.id << ", " << setting.id;

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/temporary_folder.h"
+#include "jobs/executor.h"
+#include "jobs/view_maker.h"
+#include "stress/stressed_cell.h"
+#include "stress/unstressed.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace aoscore {
+
+/// Makes the artifacts of one stressed view in this process, and keeps those in the store that its results
+/// are put together from. What they are made of comes from a ViewMaker.
+class StressMaker final : public Maker {
+  public:
+    /// All of them must outlive it.
+    StressMaker(const StressWork& work, const ArtifactStore& store, Unstressed& unstressed);
+
+    bool take(const Job& job) override;
+    bool take_input(const Job& job) override;
+    void make(const Job& job) override;
+    std::vector<std::string> make_in_turns(std::span<const Job* const> jobs) override;
+
+    // What was taken or made; the cell is null where it has failed.
+    const StressSettingRecord& setting() const { return setting_.value(); }
+    const StressedCell* cell(const Key& key) const;
+
+  private:
+    void make_setting(const Job& job);
+    void make_cell(const Job& job);
+    void time_cell(const StressRequest& request, StressCell& cell);
+
+    const StressWork& work_;
+    const ArtifactStore& store_;
+    Unstressed& unstressed_;
+    ViewRecord described_;  ///< nothing: no results of a score are made
+    ViewMaker sources_;
+    TemporaryFolder folder_;  ///< of files that are about to be kept
+    std::optional<StressSettingRecord> setting_;
+    std::map<Key, StressedCell> cells_;
+};
+
+}  // namespace aoscore
