@@ -80,6 +80,16 @@ inline glm::vec3 cosine_hemisphere(float u, float v) {
     return {disc.x, disc.y, std::sqrt((1 - radius) * (1 + radius))};
 }
 
+/// A direction about +z with density 1/(2 pi), equal areas to equal areas: unit, z > 0 (Lambert's azimuthal
+/// projection of the disc).
+inline glm::vec3 uniform_hemisphere(float u, float v) {
+    const glm::vec2 disc = concentric_disc(u, v);
+    const float a = std::abs(2 * u - 1), b = std::abs(2 * v - 1);
+    const float radius = a > b ? a : b;
+    const float stretch = std::sqrt((1 - radius) * (1 + radius) + 1);
+    return {disc.x * stretch, disc.y * stretch, (1 - radius) * (1 + radius)};
+}
+
 /// A right-handed orthonormal frame whose third column is the unit vector n (Duff et al., Building an
 /// Orthonormal Basis, Revisited, 2017).
 inline glm::dmat3 frame_about(const glm::dvec3& n) {

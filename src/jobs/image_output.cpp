@@ -43,7 +43,10 @@ void add_extras(const Truth& truth, std::vector<ChannelView>& channels, std::lis
     }
     if (!truth.one_layer_bound.empty()) channels.push_back({kOneLayerChannel, &truth.one_layer_bound});
     add_vectors(truth.bent_normal, {"bent.X", "bent.Y", "bent.Z"}, channels, planes);
-    if (!truth.cone_angle_rad.empty()) channels.push_back({"cone.Y", &truth.cone_angle_rad});
+    if (truth.bent_normal.empty()) return;
+    channels.push_back({"SE.bent.Y", &truth.bent_error_rad});
+    channels.push_back({"cone.Y", &truth.cone_angle_rad});
+    channels.push_back({"SE.cone.Y", &truth.cone_error_rad});
 }
 
 /// As EXR's attributes have it: 16 numbers, row by row, for points that are row vectors.

@@ -19,7 +19,8 @@ inline constexpr const char* kOneLayerChannel = "one_layer.Y";
 /// `SE0.Y`, … the standard errors, `mask.Y` 1 where `valid` says so; radii, falloffs, samples and
 /// `attributes` in the header. Where they were traced: the first query's occlusion by cause
 /// (cause_channel()), the bound of any one-layer method, `bent.X/Y/Z` the bent normal in view space and
-/// `cone.Y` its cone's half angle in radians.
+/// `cone.Y` its cone's half angle in radians, with the standard errors `SE.bent.Y` and `SE.cone.Y` of their
+/// angles.
 void write_truth(const std::filesystem::path& path, const Truth& truth, const Mask& valid,
                  std::map<std::string, std::string> attributes);
 

@@ -56,8 +56,12 @@ struct TruthExtras {
     /// Occlusion by rays that meet any visible surface within the radius, be it behind a hidden one: no
     /// method that knows one depth layer can find more. Costs further rays.
     bool one_layer_bound = false;
+    /// What is open, with directions weighted alike: costs a second set of rays, as many as the first and
+    /// uniform over the hemisphere, since cosine-distributed ones weighted by 1 / (2 cos) vary without bound.
     bool bent_normals = false;
-    bool any() const { return causes || one_layer_bound || bent_normals; }
+    bool any() const { return of_hits() || bent_normals; }
+    /// Whether where rays hit must be known.
+    bool of_hits() const { return causes || one_layer_bound; }
     bool operator==(const TruthExtras&) const = default;
 };
 
@@ -129,11 +133,15 @@ struct Truth {
     /// asked for.
     std::array<ImageF, kCauses> occlusion_by_cause;
     ImageF one_layer_bound;  ///< occlusion in [0,1]; empty unless asked for
-    /// Mean open direction with all directions of the hemisphere weighted alike, view space: 1/2 long where
-    /// all is open. 0 without surface; empty unless asked for.
+    /// Mean of the open directions of the first query, n', all directions of the hemisphere weighted alike,
+    /// view space: 1/2 long where all is open, longer where less is, 1 at most (Vermeer, Stochastic-Depth
+    /// Ambient Occlusion, 2020, section 7.1). The normal itself where no ray was open; 0 without surface;
+    /// empty unless asked for, like the three that follow.
     Image<glm::vec3> bent_normal;
-    /// Half angle of the cone about it that is as open: pi/2 (1 - max(2 |n'| - 1, 0)) (Vermeer, 2020).
+    ImageF bent_error_rad;  ///< standard error of its direction, as an angle; pi/2 where it is not known
+    /// Half angle of the cone about it that is as open: pi/2 (1 - max(2 |n'| - 1, 0)).
     ImageF cone_angle_rad;
+    ImageF cone_error_rad;               ///< standard error of the cone's half angle
     Image<std::uint32_t> sample_counts;  ///< rays of each pixel; 0 where none were needed
     int samples = 0;                     ///< rays a pixel with a surface (the mean, rounded, if they differ)
     std::uint64_t rays = 0;              ///< that all pixels got together

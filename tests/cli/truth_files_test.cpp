@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <vector>
 
 namespace aoscore {
@@ -52,17 +53,20 @@ TEST(TruthFile, HoldsBentNormalsAndConesWhereAskedFor) {
         "reference pillar --size 64x48 --radius 1 --samples 32 --bent-normals --out t.exr", folder);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const ImageFile file = read_image(folder / "t.exr");
-    for (const char* name : {"bent.X", "bent.Y", "bent.Z", "cone.Y"})
+    for (const char* name : {"bent.X", "bent.Y", "bent.Z", "SE.bent.Y", "cone.Y", "SE.cone.Y"})
         ASSERT_NE(file.channel(name), nullptr) << name;
     EXPECT_EQ(file.channel("cause.outside.Y"), nullptr) << "what was not asked for is not there";
-    std::vector<double> lengths;
+    std::size_t closed_in = 0;
     for (std::size_t i = 0; i < file.channel("Y")->size(); ++i) {
         if (file.channel("mask.Y")->pixels[i] < 0.5F) continue;
-        lengths.push_back(std::hypot(file.channel("bent.X")->pixels[i], file.channel("bent.Y")->pixels[i],
-                                     file.channel("bent.Z")->pixels[i]));
+        const double length = std::hypot(file.channel("bent.X")->pixels[i], file.channel("bent.Y")->pixels[i],
+                                         file.channel("bent.Z")->pixels[i]);
+        EXPECT_LE(length, 1 + 1e-6);
+        const double cone(file.channel("cone.Y")->pixels[i]);
+        EXPECT_NEAR(cone, std::numbers::pi / 2 * (1 - std::max(2 * length - 1, 0.0)), 1e-4);
+        closed_in += cone < 1.2;
     }
-    std::nth_element(lengths.begin(), lengths.begin() + std::ssize(lengths) / 2, lengths.end());
-    EXPECT_NEAR(lengths[lengths.size() / 2], 0.5, 0.05) << "where all is open, half a unit";
+    EXPECT_GT(closed_in, 50u) << "cones are narrower beside the pillar";
 }
 
 TEST(Score, ResultsSayCausesAndWhatTheTruthSaved) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace aoscore {
 namespace {
@@ -108,44 +107,6 @@ TEST(Causes, ABoundLooksBehindWhatIsHidden) {
     const Split s = split(scene, testing::looking({0, 3, 3}, {0, 0, 0}, 1.4), 2);
     EXPECT_GE(s.bound, part(s, Cause::visible) - 1e-6);
     EXPECT_LE(s.bound, s.occlusion + 1e-6);
-}
-
-TEST(BentNormals, PointWhereItIsOpen) {
-    // An open plane: half the normal, a cone of 90 degrees. Before an endless tall wall: the open quarter of
-    // the sphere, whose mean direction leans away from the wall by 45 degrees and is half as long as a
-    // hemisphere's part: |n'| = sqrt(2) / 4.
-    const Camera camera = testing::looking({1, 6, 2}, {0.001, 0, 0}, 1e-4);
-    TruthSettings settings = with_extras(16384);
-    settings.skip_open = false;
-    const CameraFrame frame(camera, 8, 8);
-    const auto bent = [&](const Scene& scene, double& cone) {
-        const Truth truth =
-            ReferenceScene(scene).trace(frame, {{Falloff::binary, INFINITY, 0}}, settings, "bent");
-        cone = truth.cone_angle_rad.at(4, 4);
-        return glm::dmat3(frame.world_from_view()) * glm::dvec3(truth.bent_normal.at(4, 4));
-    };
-    double cone = 0;
-    const glm::dvec3 open = bent(floor_only(), cone);
-    EXPECT_NEAR(glm::distance(open, glm::dvec3(0, 0.5, 0)), 0, 0.01);
-    EXPECT_NEAR(cone, std::numbers::pi / 2, 0.03);
-
-    Scene walled = floor_only();
-    testing::add(walled, testing::quad({-1e-3, 0, -4000}, {-1e-3, 4000, -4000}, {-1e-3, 4000, 4000},
-                                       {-1e-3, 0, 4000}));
-    const glm::dvec3 half = bent(walled, cone);
-    EXPECT_NEAR(half.x, 0.25, 0.01);
-    EXPECT_NEAR(half.y, 0.25, 0.01);
-    EXPECT_NEAR(half.z, 0, 0.01);
-    EXPECT_NEAR(cone, std::numbers::pi / 2, 1e-6);
-}
-
-TEST(BentNormals, OfProvenPixelsAreTheirNormals) {
-    const CameraFrame frame(testing::looking({1, 5, 1}, {0, 0, 0}), 8, 8);
-    const Truth truth =
-        ReferenceScene(floor_only()).trace(frame, {{Falloff::binary, 1, 0}}, with_extras(64), "open");
-    EXPECT_EQ(truth.open_pixels, 64u);
-    EXPECT_EQ(truth.bent_normal.at(3, 3), 0.5f * truth.hits.normal.at(3, 3));
-    EXPECT_FLOAT_EQ(truth.cone_angle_rad.at(3, 3), std::numbers::pi_v<float> / 2);
 }
 
 }  // namespace

@@ -71,7 +71,9 @@ void expect_same_bits(const Truth& a, const Truth& b) {
         EXPECT_EQ(a.occlusion_by_cause[c].pixels, b.occlusion_by_cause[c].pixels);
     EXPECT_EQ(a.one_layer_bound.pixels, b.one_layer_bound.pixels);
     EXPECT_EQ(a.bent_normal.pixels, b.bent_normal.pixels);
+    EXPECT_EQ(a.bent_error_rad.pixels, b.bent_error_rad.pixels);
     EXPECT_EQ(a.cone_angle_rad.pixels, b.cone_angle_rad.pixels);
+    EXPECT_EQ(a.cone_error_rad.pixels, b.cone_error_rad.pixels);
     EXPECT_EQ(a.hits.surface.pixels, b.hits.surface.pixels);
     EXPECT_EQ(a.hits.depth.pixels, b.hits.depth.pixels);
     EXPECT_EQ(a.hits.normal.pixels, b.hits.normal.pixels);

@@ -52,7 +52,10 @@ TileIntegrator::TileIntegrator(const ReachableScene& scene, const CameraFrame& f
       plan_(settings, price),
       observer_(scene.tracer, judge, queries[0], settings.extras),
       tracer_(scene.tracer, queries, points, settings.ask_walls,
-              settings.extras.any() ? &observer_ : nullptr),
+              settings.extras.of_hits() ? &observer_ : nullptr),
+      first_query_{queries[0]},
+      open_directions_(first_query_[0]),
+      open_tracer_(scene.tracer, first_query_, points, false, &open_directions_, RayDensity::uniform),
       open_space_(scene.tracer, scene.within_reach),
       rung_by_rung_(rung_by_rung) {
     for (const TruthQuery& query : queries) reach_m_ = std::max(reach_m_, query.radius_m);
@@ -64,7 +67,8 @@ TileState TileIntegrator::trace(const Tile& tile, const TileState* begun) {
     find_surfaces(tile, state);
     list_traced();
     state.samples.assign(state.surfaces(), 0);
-    if (settings_.extras.any()) state.extras.assign(state.surfaces(), {});
+    if (settings_.extras.of_hits()) state.extras.assign(state.surfaces(), {});
+    if (settings_.extras.bent_normals) state.open_sums.assign(state.surfaces(), {});
     if (!traced_.empty()) {
         std::vector<RaySource> sources;
         sources.reserve(traced_.size());
@@ -75,6 +79,7 @@ TileState TileIntegrator::trace(const Tile& tile, const TileState* begun) {
         samples_.assign(traced_.size(), 0);
         if (begun != nullptr) restore(*begun);
         trace_all();
+        if (settings_.extras.bent_normals) trace_open_directions();
     }
     store(state);
     return state;
@@ -129,7 +134,7 @@ void TileIntegrator::restore(const TileState& begun) {
         for (std::size_t q = 0; q < queries_.size(); ++q) {
             tracer_.restore(i, q, begun.sums_of(q, queries_.size(), traced_[i]));
         }
-        if (settings_.extras.any()) observer_.restore(i, begun.extras[traced_[i]]);
+        if (settings_.extras.of_hits()) observer_.restore(i, begun.extras[traced_[i]]);
     }
 }
 
@@ -183,6 +188,19 @@ void TileIntegrator::trace_by_tile() {
     }
 }
 
+void TileIntegrator::trace_open_directions() {
+    constexpr std::uint64_t kOtherPoints = 0x6f70656e;  // not those of the first set
+    std::vector<RaySource> sources;
+    std::vector<SampleRange> ranges;
+    for (std::size_t i = 0; i < traced_.size(); ++i) {
+        sources.push_back(ray_source(surfaces_[traced_[i]], settings_, pixels_[traced_[i]]));
+        sources.back().seed = mix_bits(sources.back().seed ^ kOtherPoints);
+        ranges.push_back({0, samples_[i]});
+    }
+    open_tracer_.start(std::move(sources));
+    open_tracer_.trace(ranges);
+}
+
 void TileIntegrator::store(TileState& state) const {
     if (traced_.empty()) return;
     const std::size_t width = tracer_.sums(0, 0).size();
@@ -190,7 +208,8 @@ void TileIntegrator::store(TileState& state) const {
     for (std::size_t i = 0; i < traced_.size(); ++i) {
         const std::size_t s = traced_[i];
         state.samples[s] = static_cast<std::uint32_t>(samples_[i]);
-        if (settings_.extras.any()) state.extras[s] = observer_.sums(i);
+        if (settings_.extras.of_hits()) state.extras[s] = observer_.sums(i);
+        if (settings_.extras.bent_normals) state.open_sums[s] = open_directions_.sums(i);
         for (std::size_t q = 0; q < queries_.size(); ++q) {
             std::ranges::copy(tracer_.sums(i, q), &state.sums[(q * state.surfaces() + s) * width]);
         }

@@ -6,6 +6,7 @@
 #include "reference/sampling/pilot.h"
 #include "reference/sampling/sample_plan.h"
 #include "reference/tracer/hit_observer.h"
+#include "reference/tracer/open_directions.h"
 #include "reference/tracer/open_space.h"
 #include "reference/tracer/ray_tracer.h"
 #include "reference/tracer/scene_builds.h"
@@ -41,7 +42,7 @@ class TileIntegrator {
     /// tiles.
     const std::vector<Rung>& rungs() const { return rungs_; }
     /// Of all tiles so far.
-    std::uint64_t rays() const { return tracer_.rays(); }
+    std::uint64_t rays() const { return tracer_.rays() + open_tracer_.rays(); }
 
   private:
     /// Where the tile's surfaces lie.
@@ -54,6 +55,9 @@ class TileIntegrator {
     void trace_all();
     /// The same where all pixels of a tile get the same.
     void trace_by_tile();
+    /// Traces as many rays again, uniform over the hemisphere. Where fewer of them are kept they are not gone
+    /// on from, so that their blocks need no merging.
+    void trace_open_directions();
     void store(TileState& state) const;
 
     const RayTracer& scene_;
@@ -63,6 +67,9 @@ class TileIntegrator {
     SamplePlan plan_;
     HitObserver observer_;
     TileTracer tracer_;
+    const std::vector<TruthQuery> first_query_;
+    OpenDirections open_directions_;
+    TileTracer open_tracer_;
     OpenSpace open_space_;
     double reach_m_ = 0;
     std::vector<SurfaceHit> surfaces_;

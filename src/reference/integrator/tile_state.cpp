@@ -13,15 +13,20 @@ namespace {
 /// much, as tests over many seeds show.
 constexpr double kStoppingAllowance = 1.06;
 
+TileLawRules law_rules(const TruthQuery& query, const TruthSettings& settings) {
+    const SamplePlan plan(settings);
+    return {settings.max_error > 0 && plan.first() < plan.most(), query.falloff == Falloff::binary};
+}
+
 void develop_open(std::size_t pixel, Truth& truth) {
     for (ImageF& error : truth.standard_error) error.pixels[pixel] = kProvenError;
     if (truth.bent_normal.empty()) return;
     truth.bent_normal.pixels[pixel] = 0.5f * truth.hits.normal.pixels[pixel];
     truth.cone_angle_rad.pixels[pixel] = std::numbers::pi_v<float> / 2;
+    truth.bent_error_rad.pixels[pixel] = truth.cone_error_rad.pixels[pixel] = kProvenError;
 }
 
-void develop_extras(const HitObserver::Sums& sums, double samples, std::size_t pixel,
-                    const CameraFrame& frame, Truth& truth) {
+void develop_extras(const HitObserver::Sums& sums, double samples, std::size_t pixel, Truth& truth) {
     for (std::size_t c = 0; c < kCauses; ++c) {
         if (truth.occlusion_by_cause[c].empty()) continue;
         truth.occlusion_by_cause[c].pixels[pixel] = static_cast<float>(sums.by_cause[c] / samples);
@@ -29,10 +34,19 @@ void develop_extras(const HitObserver::Sums& sums, double samples, std::size_t p
     if (!truth.one_layer_bound.empty()) {
         truth.one_layer_bound.pixels[pixel] = static_cast<float>(sums.one_layer / samples);
     }
-    if (truth.bent_normal.empty()) return;
-    const glm::dvec3 bent = glm::dmat3(frame.view_from_world()) * (sums.open_direction / samples);
-    truth.bent_normal.pixels[pixel] = glm::vec3(bent);
-    truth.cone_angle_rad.pixels[pixel] = static_cast<float>(cone_angle_rad(bent));
+}
+
+void develop_cones(const std::vector<OpenCone>& cones, const std::vector<std::size_t>& pixels,
+                   const CameraFrame& frame, Truth& truth) {
+    const glm::dmat3 view_from_world(frame.view_from_world());
+    for (std::size_t i = 0; i < cones.size(); ++i) {
+        const std::size_t pixel = pixels[i];
+        const glm::vec3 bent(view_from_world * cones[i].bent_normal);
+        truth.bent_normal.pixels[pixel] = bent == glm::vec3(0) ? truth.hits.normal.pixels[pixel] : bent;
+        truth.bent_error_rad.pixels[pixel] = static_cast<float>(cones[i].bent_error_rad);
+        truth.cone_angle_rad.pixels[pixel] = static_cast<float>(cones[i].cone_rad);
+        truth.cone_error_rad.pixels[pixel] = static_cast<float>(cones[i].cone_error_rad);
+    }
 }
 
 }  // namespace
@@ -46,13 +60,10 @@ std::span<const double> TileState::sums_of(std::size_t query, std::size_t querie
 std::vector<Estimate> stated_estimates(std::span<const int> samples, const TruthQuery& query,
                                        const TruthSettings& settings,
                                        const std::function<std::span<const double>(std::size_t)>& sums) {
-    const SamplePlan plan(settings);
     std::vector<PixelSpread> spreads;
     spreads.reserve(samples.size());
     for (std::size_t i = 0; i < samples.size(); ++i) spreads.push_back(pixel_spread(sums(i), samples[i]));
-    const TileLawRules rules{settings.max_error > 0 && plan.first() < plan.most(),
-                             query.falloff == Falloff::binary};
-    std::vector<Estimate> all = moderated_estimates(spreads, rules);
+    std::vector<Estimate> all = moderated_estimates(spreads, law_rules(query, settings));
     if (settings.max_error > 0) {
         for (Estimate& e : all) e.standard_error = std::min(kStoppingAllowance * e.standard_error, 0.5);
     }
@@ -79,7 +90,13 @@ void develop(const Tile& tile, const TileState& state, const CameraFrame& frame,
         pixels.push_back(pixel);
         samples.push_back(static_cast<int>(state.samples[s]));
         if (!state.extras.empty())
-            develop_extras(state.extras[s], static_cast<double>(state.samples[s]), pixel, frame, truth);
+            develop_extras(state.extras[s], static_cast<double>(state.samples[s]), pixel, truth);
+    }
+    if (!truth.bent_normal.empty()) {
+        std::vector<OpenSums> open_sums;
+        for (const std::size_t t : traced) open_sums.push_back(state.open_sums[t]);
+        develop_cones(open_cones(open_sums, samples, law_rules(truth.queries.front(), development.settings)),
+                      pixels, frame, truth);
     }
     for (std::size_t q = 0; q < development.which.size(); ++q) {
         const std::vector<Estimate> all =
@@ -91,10 +108,6 @@ void develop(const Tile& tile, const TileState& state, const CameraFrame& frame,
             truth.standard_error[q].pixels[pixels[i]] = static_cast<float>(all[i].standard_error);
         }
     }
-}
-
-double cone_angle_rad(const glm::dvec3& bent_normal) {
-    return std::numbers::pi / 2 * (1 - std::clamp(2 * glm::length(bent_normal) - 1, 0.0, 1.0));
 }
 
 }  // namespace aoscore

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "reference/estimate/estimate.h"
+#include "reference/estimate/open_cone.h"
 #include "reference/integrator/tile.h"
 #include "reference/tracer/hit_observer.h"
 #include "reference/truth.h"
@@ -23,6 +24,7 @@ struct TileState {
     /// Darkening by query, then surface, then as TileTracer::sums() has it; multiples of kDarkeningStep.
     std::vector<double> sums;
     std::vector<HitObserver::Sums> extras;  ///< of those surfaces; empty unless TruthExtras asks for some
+    std::vector<OpenSums> open_sums;        ///< of those surfaces; empty unless bent normals are asked for
 
     std::size_t surfaces() const { return places.size(); }
     std::span<const double> sums_of(std::size_t query, std::size_t queries, std::size_t surface) const;
@@ -45,8 +47,5 @@ struct TileDevelopment {
 /// Fills the tile's pixels of all images that `truth` has.
 void develop(const Tile& tile, const TileState& state, const CameraFrame& frame,
              const TileDevelopment& development, Truth& truth);
-
-/// Cone angle of a bent normal, see Truth::cone_angle_rad.
-double cone_angle_rad(const glm::dvec3& bent_normal);
 
 }  // namespace aoscore

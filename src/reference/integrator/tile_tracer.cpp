@@ -48,12 +48,12 @@ inline std::uint32_t lanes_below(std::size_t count) {
 }  // namespace
 
 TileTracer::TileTracer(const RayTracer& scene, const std::vector<TruthQuery>& queries,
-                       const PointSets& points, bool ask_walls, HitObserver* observer)
+                       const PointSets& points, bool ask_walls, RayObserver* observer, RayDensity density)
     : scene_(scene),
       queries_(queries),
       observer_(observer),
       only_occlusion_(observer == nullptr && queries.size() == 1 && queries[0].falloff == Falloff::binary),
-      batch_(points) {
+      batch_(points, density) {
     double reach = 0;
     for (const TruthQuery& q : queries) reach = std::max(reach, q.radius_m);
     reach_m_ = static_cast<float>(reach);
@@ -171,7 +171,7 @@ void TileTracer::trace_distance() {
         fill(packet, batch_.sorted() + first, origins, reach_m_, owner);
         const std::uint32_t hit = scene_.nearest(packet, count, hits);
         for (std::size_t lane = 0; observer_ != nullptr && lane < count; ++lane)
-            tell_observer(packet, hits, lane, (hit >> lane & 1u) != 0, owner[lane] / kBlocks);
+            tell_observer(packet, hits, lane, (hit >> lane & 1u) != 0, owner[lane]);
         for (std::uint32_t left = hit; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
             const double t = hits.distance_m[lane];
@@ -183,11 +183,12 @@ void TileTracer::trace_distance() {
 }
 
 void TileTracer::tell_observer(const RayPacket& packet, const HitPacket& hits, std::size_t lane, bool hit,
-                               std::size_t source) {
+                               std::size_t owner) {
+    const std::size_t source = owner / kBlocks;
     ObservedRay ray;
+    ray.block = owner % kBlocks;
     ray.origin = sources_[source].origin;
     ray.direction = {packet.direction_x[lane], packet.direction_y[lane], packet.direction_z[lane]};
-    ray.cosine = glm::dot(ray.direction, sources_[source].frame[2]);
     ray.hit = hit;
     if (ray.hit) {
         ray.distance_m = hits.distance_m[lane];

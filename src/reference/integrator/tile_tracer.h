@@ -1,8 +1,8 @@
 #pragma once
 
 #include "reference/integrator/wall_habit.h"
-#include "reference/tracer/hit_observer.h"
 #include "reference/tracer/ray_batch.h"
+#include "reference/tracer/ray_observer.h"
 #include "reference/tracer/ray_tracer.h"
 #include "reference/truth.h"
 
@@ -22,7 +22,7 @@ class TileTracer {
   public:
     /// `observer` may be null; else it is told of every ray. `ask_walls` as TruthSettings has it.
     TileTracer(const RayTracer& scene, const std::vector<TruthQuery>& queries, const PointSets& points,
-               bool ask_walls, HitObserver* observer = nullptr);
+               bool ask_walls, RayObserver* observer = nullptr, RayDensity density = RayDensity::cosine);
 
     /// Begins with these pixels and sums of zero.
     void start(std::vector<RaySource> sources);
@@ -52,11 +52,11 @@ class TileTracer {
              const Report& report) const;
     void trace_distance();
     void tell_observer(const RayPacket& packet, const HitPacket& hits, std::size_t lane, bool hit,
-                       std::size_t source);
+                       std::size_t owner);
 
     const RayTracer& scene_;
     const std::vector<TruthQuery>& queries_;
-    HitObserver* observer_;
+    RayObserver* observer_;
     bool only_occlusion_;
     float reach_m_;  // no query looks farther
     std::vector<RaySource> sources_;

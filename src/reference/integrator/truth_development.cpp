@@ -15,7 +15,8 @@ void make_room_for_extras(const TruthExtras& extras, Truth& truth) {
     if (extras.one_layer_bound) truth.one_layer_bound = ImageF(width, height, 0.0f);
     if (extras.bent_normals) {
         truth.bent_normal = Image<glm::vec3>(width, height, glm::vec3(0));
-        truth.cone_angle_rad = ImageF(width, height, 0.0f);
+        for (ImageF* image : {&truth.bent_error_rad, &truth.cone_angle_rad, &truth.cone_error_rad})
+            *image = ImageF(width, height, 0.0f);
     }
 }
 

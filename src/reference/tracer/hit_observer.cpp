@@ -53,12 +53,7 @@ double HitObserver::first_visible(const ObservedRay& ray, Cause nearest) const {
 void HitObserver::observe(std::size_t source, const ObservedRay& ray) {
     Sums& sums = sums_[source];
     const double dark = ray.hit ? darkening(query_, ray.distance_m) : 0;
-    if (extras_.bent_normals) {
-        const glm::dvec3 open = (1 - dark) / (2.0 * ray.cosine) * glm::dvec3(ray.direction);
-        for (int axis = 0; axis < 3; ++axis)
-            sums.open_direction[axis] += in_steps(open[axis], kDirectionStep);
-    }
-    if (dark <= 0 || (!extras_.causes && !extras_.one_layer_bound)) return;
+    if (dark <= 0) return;
     const Cause cause =
         judge_.judge(glm::dvec3(ray.origin) + ray.distance_m * glm::dvec3(ray.direction), ray.normal);
     sums.by_cause[static_cast<std::size_t>(cause)] += dark;

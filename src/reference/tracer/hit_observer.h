@@ -1,6 +1,7 @@
 #pragma once
 
 #include "reference/tracer/ray_batch.h"
+#include "reference/tracer/ray_observer.h"
 #include "reference/tracer/ray_tracer.h"
 #include "reference/truth.h"
 
@@ -25,18 +26,8 @@ class CauseJudge {
     const PrimaryHits& hits_;
 };
 
-/// One traced ray and what it met.
-struct ObservedRay {
-    glm::vec3 origin;
-    glm::vec3 direction;
-    float cosine = 1;  ///< with the axis of its hemisphere
-    bool hit = false;
-    double distance_m = 0;  ///< of the nearest hit
-    glm::dvec3 normal{0};   ///< of the nearest hit, trace space
-};
-
-/// Gathers over the rays of a tile's pixels what TruthExtras asks for.
-class HitObserver {
+/// Gathers over the rays of a tile's pixels what TruthExtras asks for of their hits.
+class HitObserver final : public RayObserver {
   public:
     HitObserver(const RayTracer& scene, const CauseJudge& judge, const TruthQuery& query,
                 const TruthExtras& extras)
@@ -46,14 +37,11 @@ class HitObserver {
     struct Sums {
         std::array<double, kCauses> by_cause{};
         double one_layer = 0;
-        /// Uniformly weighted: each ray's by 1 / (2 cos); multiples of kDirectionStep.
-        glm::dvec3 open_direction{0};
         bool operator==(const Sums&) const = default;
     };
-    static constexpr double kDirectionStep = 0x1p-20;
 
-    void start(std::size_t sources) { sums_.assign(sources, {}); }
-    void observe(std::size_t source, const ObservedRay& ray);
+    void start(std::size_t sources) override { sums_.assign(sources, {}); }
+    void observe(std::size_t source, const ObservedRay& ray) override;
     /// Goes on from sums of an earlier trace; after start().
     void restore(std::size_t source, const Sums& sums) { sums_[source] = sums; }
     const Sums& sums(std::size_t source) const { return sums_[source]; }

@@ -49,16 +49,16 @@ struct PointRange {
     unsigned block_bits;             ///< log2 of the samples in a block
 };
 
-AOSCORE_VECTORISE
-void make_directions(const PointRange& points, const glm::mat3& frame, DirectedRay* __restrict rays,
-                     std::uint16_t* __restrict cell) {
+template <auto direction_of>
+[[gnu::always_inline]] inline void make_by(const PointRange& points, const glm::mat3& frame,
+                                           DirectedRay* __restrict rays, std::uint16_t* __restrict cell) {
     const glm::vec3 s = frame[0], t = frame[1], n = frame[2];
     const std::uint32_t* __restrict u = points.u, * __restrict v = points.v;
     const std::uint32_t shift_u = points.shift_u, shift_v = points.shift_v;
     const std::uint32_t owner = points.owner, first = points.first;
     const unsigned block_bits = points.block_bits;
     for (std::size_t i = 0; i < points.count; ++i) {
-        const glm::vec3 d = cosine_hemisphere(unit_interval(u[i] ^ shift_u), unit_interval(v[i] ^ shift_v));
+        const glm::vec3 d = direction_of(unit_interval(u[i] ^ shift_u), unit_interval(v[i] ^ shift_v));
         const float x = s.x * d.x + t.x * d.y + n.x * d.z;
         const float y = s.y * d.x + t.y * d.y + n.y * d.z;
         const float z = s.z * d.x + t.z * d.y + n.z * d.z;
@@ -68,6 +68,18 @@ void make_directions(const PointRange& points, const glm::mat3& frame, DirectedR
         rays[i].owner = owner + ((first + static_cast<std::uint32_t>(i)) >> block_bits);
         cell[i] = direction_cell(x, y, z);
     }
+}
+
+AOSCORE_VECTORISE
+void make_cosine_directions(const PointRange& points, const glm::mat3& frame, DirectedRay* __restrict rays,
+                            std::uint16_t* __restrict cell) {
+    make_by<cosine_hemisphere>(points, frame, rays, cell);
+}
+
+AOSCORE_VECTORISE
+void make_uniform_directions(const PointRange& points, const glm::mat3& frame, DirectedRay* __restrict rays,
+                             std::uint16_t* __restrict cell) {
+    make_by<uniform_hemisphere>(points, frame, rays, cell);
 }
 
 }  // namespace
@@ -92,7 +104,8 @@ void RayBatch::add(const RaySource& source, std::size_t number, int first, int l
                             static_cast<std::uint32_t>(shifts >> 32),
                             owner,
                             static_cast<unsigned>(std::countr_zero(static_cast<unsigned>(block)))};
-    make_directions(points, source.frame, &rays_[size_], &cell_[size_]);
+    const auto make = density_ == RayDensity::cosine ? make_cosine_directions : make_uniform_directions;
+    make(points, source.frame, &rays_[size_], &cell_[size_]);
     size_ += points.count;
     if (rays_of_.size() < owner + kBlocks) rays_of_.resize(owner + kBlocks);
     for (int from = first; from < last;) {

@@ -23,12 +23,16 @@ struct DirectedRay {
     std::uint32_t owner;
 };
 
+/// How directions are spread over the hemisphere.
+enum class RayDensity : std::uint8_t { cosine, uniform };
+
 /// The rays of the pixels of one tile for a range of sample indices, in an order that puts rays of similar
 /// direction, whichever pixel they leave from, side by side: packets of them are coherent, while each pixel
 /// keeps point sets of its own, so that the noise of neighbours stays independent.
 class RayBatch {
   public:
-    explicit RayBatch(const PointSets& points) : points_(points) {}
+    explicit RayBatch(const PointSets& points, RayDensity density = RayDensity::cosine)
+        : points_(points), density_(density) {}
 
     void clear() {
         size_ = 0;
@@ -49,6 +53,7 @@ class RayBatch {
     void reserve(std::size_t size);
 
     const PointSets& points_;
+    RayDensity density_;
     std::size_t size_ = 0;
     std::vector<DirectedRay> rays_, sorted_;
     std::vector<std::uint16_t> cell_;

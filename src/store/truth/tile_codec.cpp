@@ -104,24 +104,41 @@ std::vector<std::uint64_t> integers(const std::vector<HitObserver::Sums>& extras
         for (const auto& sums : extras) values.push_back(steps_of(sums.by_cause[c], kDarkeningStep));
     }
     for (const auto& sums : extras) values.push_back(steps_of(sums.one_layer, kDarkeningStep));
-    for (int axis = 0; axis < 3; ++axis) {
-        for (const auto& sums : extras)
-            values.push_back(steps_of(sums.open_direction[axis], HitObserver::kDirectionStep));
+    return values;
+}
+
+std::vector<std::uint64_t> integers(const std::vector<OpenSums>& all) {
+    std::vector<std::uint64_t> values;
+    for (std::size_t b = 0; b < kBlocks; ++b) {
+        for (const OpenSums& sums : all) values.push_back(steps_of(sums.open[b], kDarkeningStep));
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const OpenSums& sums : all)
+                values.push_back(steps_of(sums.direction[b][axis], OpenSums::kDirectionStep));
+        }
     }
     return values;
 }
 
+std::vector<OpenSums> open_sums_of(const std::vector<std::uint64_t>& values) {
+    constexpr std::size_t kRows = 4;  // of a block
+    std::vector<OpenSums> all(values.size() / (kRows * kBlocks));
+    auto next = values.begin();
+    for (std::size_t b = 0; b < kBlocks; ++b) {
+        for (OpenSums& sums : all) sums.open[b] = value_of(*next++, kDarkeningStep);
+        for (int axis = 0; axis < 3; ++axis) {
+            for (OpenSums& sums : all) sums.direction[b][axis] = value_of(*next++, OpenSums::kDirectionStep);
+        }
+    }
+    return all;
+}
+
 std::vector<HitObserver::Sums> extras_of(const std::vector<std::uint64_t>& values) {
-    std::vector<HitObserver::Sums> extras(values.size() / (kCauses + 4));
+    std::vector<HitObserver::Sums> extras(values.size() / (kCauses + 1));
     const std::size_t count = extras.size();
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t c = 0; c < kCauses; ++c)
             extras[i].by_cause[c] = value_of(values[c * count + i], kDarkeningStep);
         extras[i].one_layer = value_of(values[kCauses * count + i], kDarkeningStep);
-        for (int axis = 0; axis < 3; ++axis) {
-            const std::size_t row = kCauses + 1 + static_cast<std::size_t>(axis);
-            extras[i].open_direction[axis] = value_of(values[row * count + i], HitObserver::kDirectionStep);
-        }
     }
     return extras;
 }
@@ -175,6 +192,7 @@ std::string encode(const GroupState& state) {
         for (const double sum : tile.sums) sums.push_back(steps_of(sum, kDarkeningStep));
         out.planes(sums);
         out.planes(integers(tile.extras));
+        out.planes(integers(tile.open_sums));
     }
     return compressed(out.bytes());
 }
@@ -201,6 +219,7 @@ GroupState decode(std::string_view bytes, const std::string& where) {
         for (const std::uint64_t sum : in.planes<std::uint64_t>())
             tile.sums.push_back(value_of(sum, kDarkeningStep));
         tile.extras = extras_of(in.planes<std::uint64_t>());
+        tile.open_sums = open_sums_of(in.planes<std::uint64_t>());
     }
     return state;
 }

@@ -1,0 +1,247 @@
+#include "core/sampling.h"
+#include "reference/test_scenes.h"
+#include "reference/truth.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace aoscore {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// What a scene's middle pixel, at the origin and with its normal upward, must see.
+struct Expected {
+    glm::dvec3 bent_normal;  ///< world
+    double cone_rad;
+};
+
+Truth bent_truth(const Scene& scene, const Camera& camera, double radius_m, int samples, std::uint64_t seed,
+                 int size = 8) {
+    TruthSettings settings;
+    settings.samples = samples;
+    settings.seed = seed;
+    settings.extras.bent_normals = true;
+    settings.skip_open = false;
+    const ReferenceScene reference(scene);
+    return reference.trace(CameraFrame(camera, size, size), {{Falloff::binary, radius_m, 0}}, settings,
+                           "bent");
+}
+
+double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+/// Holds all pixels of a view so narrow that all see the same against the closed form: errors as parts of
+/// what is stated.
+void expect_closed_form(const Scene& scene, const Camera& camera, const Expected& expected) {
+    const CameraFrame frame(camera, 8, 8);
+    const glm::dmat3 world_from_view(frame.world_from_view());
+    double angles = 0, cones = 0, count = 0, sureness = 0;
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        const Truth truth = bent_truth(scene, camera, INFINITY, 1024, seed);
+        for (std::size_t i = 0; i < truth.bent_normal.size(); ++i) {
+            const glm::dvec3 bent = world_from_view * glm::dvec3(truth.bent_normal.pixels[i]);
+            const double z = angle_between(bent, expected.bent_normal) /
+                             static_cast<double>(truth.bent_error_rad.pixels[i]);
+            const double cone_z = (static_cast<double>(truth.cone_angle_rad.pixels[i]) - expected.cone_rad) /
+                                  static_cast<double>(truth.cone_error_rad.pixels[i]);
+            EXPECT_LT(z, 5);
+            EXPECT_LT(std::abs(cone_z), 5);
+            EXPECT_NEAR(glm::length(bent), glm::length(expected.bent_normal), 0.03);
+            angles += z * z;
+            cones += cone_z * cone_z;
+            sureness = std::max(sureness, static_cast<double>(truth.bent_error_rad.pixels[i]));
+            ++count;
+        }
+    }
+    EXPECT_LT(std::sqrt(angles / count), 1.3) << "angle";
+    EXPECT_LT(std::sqrt(cones / count), 1.3) << "cone";
+    EXPECT_LT(sureness, 0.05) << "an error of any size would pass, were it stated as large";
+}
+
+Scene floor_only() {
+    Scene scene = testing::empty_scene();
+    testing::add(scene, testing::floor_grid(50, 1));
+    return scene;
+}
+
+/// A cylinder's wall about the y axis, so tall that from the bottom its rim lies at this zenith angle.
+Scene pit(double rim_rad) {
+    Scene scene = floor_only();
+    constexpr int kSides = 256;
+    const double height = 1 / std::tan(rim_rad);
+    for (int i = 0; i < kSides; ++i) {
+        const double a = 2 * kPi * i / kSides, b = 2 * kPi * (i + 1) / kSides;
+        const glm::dvec3 from(std::cos(a), 0, std::sin(a)), to(std::cos(b), 0, std::sin(b));
+        const glm::dvec3 up(0, height, 0);
+        testing::add(scene, testing::quad(from, to, to + up, from + up));
+    }
+    return scene;
+}
+
+/// Each closed form at three scales.
+class BentNormalsAtScale : public ::testing::TestWithParam<double> {
+  protected:
+    /// From above, a millionth of a radian wide.
+    void expect_seen(const Scene& scene, const glm::dvec3& eye, const Expected& expected) const {
+        const testing::Similarity by{.scale = GetParam()};
+        const Camera camera = testing::looking(eye, {0, 0, 0}, 1e-6);
+        expect_closed_form(moved(scene, by), moved(camera, by), expected);
+    }
+};
+
+TEST_P(BentNormalsAtScale, OfAnOpenPlaneAreHalfTheNormal) {
+    expect_seen(floor_only(), {0.5, 3, 1}, {{0, 0.5, 0}, kPi / 2});
+}
+
+TEST_P(BentNormalsAtScale, BeforeAnEndlessWallLeanAwayFromIt) {
+    // The open quarter of the sphere: its mean direction lies at 45 degrees, sqrt(2)/2 long.
+    Scene walled = floor_only();
+    testing::add(walled, testing::quad({-1e-3, 0, -4000}, {-1e-3, 4000, -4000}, {-1e-3, 4000, 4000},
+                                       {-1e-3, 0, 4000}));
+    expect_seen(walled, {0.5, 3, 1}, {{0.5, 0.5, 0}, kPi / 2 * (2 - std::numbers::sqrt2)});
+    EXPECT_NEAR(kPi / 2 * (2 - std::numbers::sqrt2) * 180 / kPi, 52.7, 0.05);
+}
+
+TEST_P(BentNormalsAtScale, AtTheBottomOfAPitAreAsLongAsItsRimIsNarrow) {
+    for (const double rim : {0.4, 0.8, 1.2}) {
+        expect_seen(pit(rim), {0.3, 3, 0.2},
+                    {{0, (1 + std::cos(rim)) / 2, 0}, kPi / 2 * (1 - std::cos(rim))});
+    }
+}
+
+/// A wall of finite height h at distance d, endless along z, takes the elevations below atan(h / d) in its
+/// own plane: its shadow ends at the plane through z and the wall's top. The open part is the lune between
+/// that plane and the floor on the other side, of angle t = pi - atan(h / d); its mean direction lies in
+/// its middle, sin(t/2)/t * pi/2 long.
+TEST_P(BentNormalsAtScale, BeforeAWallLieInTheMiddleOfTheLuneThatItLeaves) {
+    for (const double elevation : {0.3, 0.9}) {
+        Scene walled = floor_only();
+        const double h = std::tan(elevation);
+        testing::add(walled, testing::quad({-1, 0, -4e4}, {-1, h, -4e4}, {-1, h, 4e4}, {-1, 0, 4e4}));
+        const double lune = kPi - elevation, length = kPi / 2 * std::sin(lune / 2) / lune;
+        const Expected expected{length * glm::dvec3(std::cos(lune / 2), std::sin(lune / 2), 0),
+                                kPi / 2 * (1 - std::max(2 * length - 1, 0.0))};
+        expect_seen(walled, {0.5, 3, 1}, expected);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scales, BentNormalsAtScale, ::testing::Values(1e-3, 1.0, 1e3));
+
+TEST(BentNormals, OfClosedPixelsAreTheirNormalsAndSaidToBeUnknown) {
+    Scene closed = floor_only();
+    testing::add(closed, testing::quad({-4, 1e-3, -4}, {4, 1e-3, -4}, {4, 1e-3, 4}, {-4, 1e-3, 4}));
+    Camera inside = testing::looking({0, 5e-4, 1e-3}, {0, 0, 0}, 1e-3);
+    inside.near = 1e-6;
+    const Truth truth = bent_truth(closed, inside, 100, 64, 1);
+    for (std::size_t i = 0; i < truth.bent_normal.size(); ++i) {
+        EXPECT_EQ(truth.bent_normal.pixels[i], truth.hits.normal.pixels[i]);
+        EXPECT_EQ(truth.cone_angle_rad.pixels[i], 0);
+        EXPECT_FLOAT_EQ(truth.bent_error_rad.pixels[i], std::numbers::pi_v<float> / 2);
+    }
+}
+
+TEST(BentNormals, OfProvenPixelsAreTheirNormals) {
+    const CameraFrame frame(testing::looking({1, 5, 1}, {0, 0, 0}), 8, 8);
+    TruthSettings settings;
+    settings.extras.bent_normals = true;
+    const Truth truth =
+        ReferenceScene(floor_only()).trace(frame, {{Falloff::binary, 1, 0}}, settings, "open");
+    EXPECT_EQ(truth.open_pixels, 64u);
+    EXPECT_EQ(truth.bent_normal.at(3, 3), 0.5f * truth.hits.normal.at(3, 3));
+    EXPECT_FLOAT_EQ(truth.cone_angle_rad.at(3, 3), std::numbers::pi_v<float> / 2);
+    EXPECT_EQ(truth.bent_error_rad.at(3, 3), kProvenError);
+}
+
+TEST(BentNormals, ChangeNoBitOfTheVisibility) {
+    const CameraFrame frame(testing::looking({2, 2, 3}, {0, 0.6, 0}), 48, 32);
+    const ReferenceScene scene(testing::thicket());
+    TruthSettings settings;
+    settings.samples = 32;
+    const std::vector<TruthQuery> queries{{Falloff::binary, 1, 0}};
+    const Truth plain = scene.trace(frame, queries, settings, "plain");
+    settings.extras.bent_normals = true;
+    const Truth bent = scene.trace(frame, queries, settings, "bent");
+    EXPECT_EQ(plain.visibility[0].pixels, bent.visibility[0].pixels);
+    EXPECT_EQ(plain.standard_error[0].pixels, bent.standard_error[0].pixels);
+}
+
+/// Stated errors against those of few rays, seen from many more.
+struct Calibration {
+    double root_mean_square = 0, tail = 0;
+};
+
+struct StatedErrors {
+    Calibration angle, cone;
+};
+
+StatedErrors calibrate(const Scene& scene, const Camera& camera, int samples) {
+    constexpr int kSize = 24;
+    const Truth sure = bent_truth(scene, camera, 1, 4096, 99, kSize);
+    double angles = 0, stated_angles = 0, cones = 0, stated_cones = 0;
+    int angle_tail = 0, cone_tail = 0, count = 0;
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        const Truth few = bent_truth(scene, camera, 1, samples, seed, kSize);
+        for (std::size_t i = 0; i < few.bent_normal.size(); ++i) {
+            // Where nearly nothing is open a direction has no error to speak of.
+            if (few.hits.surface.pixels[i] == 0 || few.bent_error_rad.pixels[i] > 0.5F) continue;
+            const double stated(few.bent_error_rad.pixels[i]), cone_stated(few.cone_error_rad.pixels[i]);
+            const double angle = angle_between(few.bent_normal.pixels[i], sure.bent_normal.pixels[i]);
+            const double cone(few.cone_angle_rad.pixels[i] - sure.cone_angle_rad.pixels[i]);
+            angles += angle * angle;
+            stated_angles += stated * stated;
+            cones += cone * cone;
+            stated_cones += cone_stated * cone_stated;
+            angle_tail += angle > 3 * stated;
+            cone_tail += std::abs(cone) > 3 * cone_stated;
+            ++count;
+        }
+    }
+    return {{std::sqrt(stated_angles / angles), 1.0 * angle_tail / count},
+            {std::sqrt(stated_cones / cones), 1.0 * cone_tail / count}};
+}
+
+TEST(BentNormals, StateErrorsThatHold) {
+    const std::vector<std::pair<const char*, Scene>> scenes{{"still life", testing::still_life()},
+                                                            {"thicket", testing::thicket()}};
+    for (const auto& [name, scene] : scenes) {
+        for (const int samples : {16, 64, 192}) {
+            const StatedErrors stated = calibrate(scene, testing::looking({2, 2, 3}, {0, 0.6, 0}), samples);
+            const auto where = std::string(name) + " at " + std::to_string(samples);
+            std::printf("%s: stated/true angle %.2f (tail %.4f), cone %.2f (tail %.4f)\n", where.c_str(),
+                        stated.angle.root_mean_square, stated.angle.tail, stated.cone.root_mean_square,
+                        stated.cone.tail);
+            EXPECT_GT(stated.angle.root_mean_square, 0.9) << where;
+            EXPECT_LT(stated.angle.root_mean_square, 1.6) << where;
+            EXPECT_LT(stated.angle.tail, 0.01) << where;
+            EXPECT_GT(stated.cone.root_mean_square, 0.9) << where;
+            EXPECT_LT(stated.cone.root_mean_square, 2) << where;
+            EXPECT_LT(stated.cone.tail, 0.01) << where;
+        }
+    }
+}
+
+TEST(UniformHemisphere, HasItsMomentsAndIsUnit) {
+    glm::dvec3 mean(0);
+    double z_squared = 0;
+    constexpr int kSide = 64;
+    for (int i = 0; i < kSide; ++i) {
+        for (int j = 0; j < kSide; ++j) {
+            const glm::dvec3 d(uniform_hemisphere((static_cast<float>(i) + 0.5f) / kSide,
+                                                  (static_cast<float>(j) + 0.5f) / kSide));
+            EXPECT_NEAR(glm::length(d), 1, 1e-6);
+            mean += d;
+            z_squared += d.z * d.z;
+        }
+    }
+    EXPECT_NEAR(glm::distance(mean / double{kSide * kSide}, glm::dvec3(0, 0, 0.5)), 0, 1e-3);
+    EXPECT_NEAR(z_squared / (kSide * kSide), 1.0 / 3, 1e-3);
+}
+
+}  // namespace
+}  // namespace aoscore
