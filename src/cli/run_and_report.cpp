@@ -1,11 +1,47 @@
 #include "cli/run_and_report.h"
 
 #include "core/output.h"
+#include "core/temporary_folder.h"
 #include "experiment/experiment.h"
 #include "experiment/job_list.h"
+#include "report/page_key.h"
 #include "report/report.h"
+#include "store/code_digest.h"
+
+#include <optional>
+#include <string>
+#include <utility>
 
 namespace aoscore {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The page of a run, made anew as the run goes on; its path is printed once, when there is one.
+class Pages {
+  public:
+    explicit Pages(fs::path folder) : folder_(std::move(folder)) {}
+
+    /// A page that shows these very results is left as it is.
+    void write(const fs::path& staged) {
+        const std::string key = page_key(read_results(staged), std::string(code_digest("page")));
+        if (!is_page_of(folder_ / kName, key)) write_report(staged, false, key);
+        made_ = true;
+    }
+    void announce() {
+        if (!made_ || announced_) return;
+        print_path(folder_ / kName);
+        flush_output();
+        announced_ = true;
+    }
+
+  private:
+    static constexpr const char* kName = "index.html";
+    fs::path folder_;
+    bool made_ = false, announced_ = false;
+};
+
+}  // namespace
 
 ExitCode run_and_report(ExperimentPlan plan, const std::filesystem::path& folder,
                         const OutcomeOptions& options, const GlobalOptions& global) {
@@ -20,11 +56,17 @@ ExitCode run_and_report(ExperimentPlan plan, const std::filesystem::path& folder
     require_page_parts();
     Outcome outcome(options);
     plan.baseline = outcome.baseline();
-    std::filesystem::path page;
-    const Results results = run_experiment(plan, folder, [&](const std::filesystem::path& staged) {
-        page = folder / write_report(staged).filename();
-    });
-    print_path(page);
+    Pages pages(folder);
+    std::optional<TemporaryFolder> own_cache;
+    if (has_score_goal(plan)) {
+        // Rays are added to those that are there, even where nothing is to be kept.
+        if (plan.truth_cache.empty()) plan.truth_cache = own_cache.emplace().path();
+        run_experiment(first_answer_of(plan), folder, [&](const fs::path& staged) { pages.write(staged); });
+        pages.announce();
+    }
+    const Results results =
+        run_experiment(plan, folder, [&](const fs::path& staged) { pages.write(staged); });
+    pages.announce();
     return outcome.conclude(results);
 }
 

@@ -52,6 +52,7 @@ ExitCode run(const ScoreOptions& options, const GlobalOptions& global) {
     view.height = options.size.height;
     view.samples = options.effort.least_samples();
     view.max_error = options.effort.max_error;
+    view.score_goal = score_goal(options.effort);
     if (!options.radii.empty()) view.radius_m = options.radii[0];
     view.cells = plan_cells(chosen_methods(options, plan.warnings), load_filters(), options.method_options,
                             plan.warnings);
@@ -78,7 +79,7 @@ CommandEntry add_score_command(CLI::App& program, const GlobalOptions& global) {
     add_method_options(*app, options->method_options);
     add_size_option(*app, options->size);
     add_radii_option(*app, options->radii);
-    add_truth_options(*app, options->effort);
+    add_score_truth_options(*app, options->effort);
     app->add_option("--methods-dir", options->methods_dir, "A folder of methods of your own");
     add_cache_option(*app, options->truth_cache);
     app->add_option("--out", options->out, "Folder of page, results and images [reports/out/score-SCENE]");

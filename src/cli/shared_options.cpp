@@ -110,6 +110,27 @@ void add_truth_options(CLI::App& app, TruthEffort& effort) {
         ->check(CLI::Range(1e-4, 0.5));
 }
 
+void add_score_truth_options(CLI::App& app, TruthEffort& effort) {
+    add_truth_options(app, effort);
+    const ScoreGoal usual;
+    app.add_option("--score-error", effort.score_error,
+                   fmt::format("Trace until the truth's noise leaves every RMSE within this, 95 % of the time, and "
+                               "every other metric within {:g} times this; the page is written as soon as noise "
+                               "cannot change the ranking, and again at the end [{:g} unless --samples or --error "
+                               "is given]",
+                               ScoreGoal::kOtherMetrics, usual.error))
+        ->check(CLI::Range(1e-6, 0.5))
+        ->excludes("--samples")
+        ->excludes("--error");
+}
+
+std::optional<ScoreGoal> score_goal(const TruthEffort& effort) {
+    if (effort.samples || effort.max_error > 0) return std::nullopt;
+    ScoreGoal goal;
+    goal.error = effort.score_error.value_or(goal.error);
+    return goal;
+}
+
 void add_cache_option(CLI::App& app, std::filesystem::path& folder) {
     folder = default_cache_dir();
     app.add_flag_callback(

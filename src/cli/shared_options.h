@@ -2,6 +2,7 @@
 
 #include "core/image_size.h"
 #include "core/log.h"
+#include "plan/plan.h"
 #include "reference/truth.h"
 #include "scene/scene.h"
 #include "store/truth/truth_cache.h"
@@ -32,12 +33,18 @@ struct TruthEffort {
     std::optional<int> samples;  ///< as the user named them
     double max_error = 0;        ///< 0, or the standard error that every pixel is traced to
     double mean_error = 0;       ///< 0, or that of the mean over the picture
+    std::optional<double> score_error;  ///< as the user named it: ScoreGoal::error
     /// Rays a pixel, the fewest where an error is asked for: those named, else as few as tell an error where
     /// one is asked for, else 64.
     int least_samples() const;
 };
 /// --samples N and --error E.
 void add_truth_options(CLI::App& app, TruthEffort& effort);
+
+/// The same, and --score-error E, which decides the rays where neither of the two is given.
+void add_score_truth_options(CLI::App& app, TruthEffort& effort);
+/// The goal that decides the rays of a view; none where the user named rays or an error.
+std::optional<ScoreGoal> score_goal(const TruthEffort& effort);
 
 /// --no-cache: leaves `folder`, that of the kept truths, empty. Without it `folder` is the user's cache.
 void add_cache_option(CLI::App& app, std::filesystem::path& folder);

@@ -8,6 +8,7 @@
 #include "core/stopwatch.h"
 #include "core/threads.h"
 #include "experiment/planned_runs.h"
+#include "experiment/score_goal.h"
 #include "experiment/work_plan.h"
 #include "plan/live_output.h"
 #include "results/sweep_rows.h"
@@ -102,7 +103,7 @@ class ExperimentRun {
                                  run.work.width, run.work.height));
         }
         const Stopwatch watch;
-        ViewOutcome outcome = run_view(run, store_);
+        ViewOutcome outcome = run_to_goal(run, store_);
         learn_pace(store_, run, outcome, watch.seconds());
         results_.work.rays += outcome.rays;
         results_.work.cells_measured += outcome.measured;
@@ -169,6 +170,7 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
     const std::filesystem::path& folder = staged.path();
     planned.lay_out(folder);
     const Results results = ExperimentRun(plan, planned, store, watch).run();
+    if (plan.first_answer && results.work.cells_measured == 0) return results;
     write_results(results, folder);
     const bool pictured =
         std::ranges::any_of(results.cells, [](const CellRecord& cell) { return !cell.image_file.empty(); });

@@ -100,6 +100,11 @@ TruthSettings truth_settings(const ViewPlan& plan, std::uint64_t seed) {
     TruthSettings settings;
     settings.samples = plan.samples;
     settings.max_error = plan.max_error;
+    if (plan.score_goal) {
+        settings.samples = ScoreGoal::kFirstSamples;
+        settings.max_error = 0;
+        settings.halves = true;
+    }
     settings.seed = seed;
     settings.extras = plan.extras;
     return settings;
@@ -148,6 +153,7 @@ ViewWork view_work(const ExperimentPlan& plan, const PreparedView& p, const Regi
             .cells = std::move(cells),
             .fixed_pass = fixed_pass_request(registry, p.plan->lit, plan.seed, drawn_for_m),
             .timing_goal = p.plan->timing_goal,
+            .timed = !plan.first_answer,
             .seed = plan.seed,
             .keep_gbuffer = plan.keep_gbuffer,
             .kept_inputs = gbuffer_inputs_of(registry),

@@ -47,6 +47,8 @@ ViewRecord renamed(ViewRecord stored, const ViewRecord& described) {
     stored.view_note = described.view_note;
     stored.radius_rule = described.radius_rule;
     stored.warnings = described.warnings;
+    stored.score_error = described.score_error;
+    stored.final_answer = described.final_answer;
     stored.lighting = described.lighting;
     stored.lighting_parameters = described.lighting_parameters;
     return stored;
@@ -188,6 +190,10 @@ ViewRecord described_view(const ViewRun& run) {
     view.lighting_parameters = run.lighting_parameters;
     view.radius_m = run.radius.metres;
     view.radius_rule = run.radius.rule;
+    if (run.plan.score_goal) {
+        view.score_error = run.plan.score_goal->error;
+        view.final_answer = run.plan.score_goal->every_metric;
+    }
     add_radius_warnings(run, view.warnings);
     return view;
 }

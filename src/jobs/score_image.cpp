@@ -10,12 +10,37 @@
 
 #include <fmt/format.h>
 
+
+#include <algorithm>
+#include <array>
+#include <optional>
 namespace aoscore {
 namespace {
 
+/// An image against one query of a truth, with the halves of the truth where it has them.
+class Comparison {
+  public:
+    Comparison(const Truth& truth, std::size_t query, const ImageF& image, const Mask& valid)
+        : input_{truth.visibility[query], image, valid, &truth.standard_error[query]} {
+        input_.maps = &maps_[0];
+        if (truth.halves.empty()) return;
+        halves_.emplace(truth.halves[query][0], truth.halves[query][1], &maps_[1], &maps_[2]);
+        input_.halves = &*halves_;
+    }
+    Comparison(const Comparison&) = delete;
+    Comparison& operator=(const Comparison&) = delete;
+
+    const MetricInput& input() const { return input_; }
+
+  private:
+    std::array<MapSums, 3> maps_;
+    std::optional<TruthHalves> halves_;
+    MetricInput input_;
+};
+
 MetricMap metrics_against(const Truth& truth, std::size_t query, const ImageF& image, const Mask& valid) {
-    const MetricInput input{truth.visibility[query], image, valid, &truth.standard_error[query]};
-    return evaluate(input, unranked_metrics());
+    const Comparison comparison(truth, query, image, valid);
+    return evaluate(comparison.input(), unranked_metrics());
 }
 
 void require_ground(const CameraContract& contract) {
@@ -42,10 +67,9 @@ Score score_image(const Truth& truth, const Ground& ground, const MethodOutput& 
     const Mask valid =
         finite_pixels(truth.visibility[0], image.visibility, ground.contract.valid, score.nonfinite);
     if (score.nonfinite > 0) return score;
-    MapSums maps;
-    const MetricInput ranked{truth.visibility[0], image.visibility, valid, &truth.standard_error[0], &maps};
-    score.ranked = evaluate(ranked);
-    score.analysis = analyse(ranked, ground.facts, settings.mask_threshold, settings.seed);
+    const Comparison ranked(truth, 0, image.visibility, valid);
+    score.ranked = evaluate(ranked.input());
+    score.analysis = analyse(ranked.input(), ground.facts, settings.mask_threshold, settings.seed);
     if (settings.filtered) {
         std::size_t nonfinite = 0;
         const Mask raw_valid =

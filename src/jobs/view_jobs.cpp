@@ -66,7 +66,7 @@ class Layout {
             own.after = {keys.score};
             keys.own_score = jobs_.graph.want(own).key;
         }
-        if (cell.contestant->timed_request() != nullptr) {
+        if (work_.timed && cell.contestant->timed_request() != nullptr) {
             Job fetches = of_cell(keys_.fetches(cell), ArtifactKind::fetches, {gbuffer_, contract_});
             fetches.after = {keys.score};
             keys.fetches = jobs_.graph.want(fetches).key;

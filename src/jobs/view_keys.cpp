@@ -63,7 +63,7 @@ Key ViewKeys::truth(std::span<const TruthQuery> queries) const {
     // Where pixels are traced until all queries are sure, each of them changes the rays of the others.
     if (request.settings.max_error == 0) request.queries.assign(queries.begin(), queries.end());
     KeyBuilder key("truth");
-    key.text(request.picture_key()).text(request.wanted_key());
+    key.text(request.picture_key()).text(request.wanted_key()).value(request.settings.halves);
     for (const TruthQuery& query : queries) key.value(query.falloff).value(query.radius_m).value(query.u_m);
     return key.key();
 }

@@ -12,6 +12,7 @@ ViewRecord recorded_view(const ViewWork& work, const ViewRecord& described, cons
     ViewRecord view = described;
     view.truth_origin = origin_id(traced.origin);
     view.least_samples = traced.made_for.settings.samples;
+    view.halves = traced.made_for.settings.halves;
     view.integrator = integrator_id();
     TruthRequest again = traced.made_for;
     again.queries = work.queries;

@@ -1,6 +1,8 @@
 #include "metrics/evaluate.h"
 
 #include "core/known_names.h"
+#include "metrics/extrapolation.h"
+#include "metrics/measures/mean_error.h"
 #include "metrics/measures/mean_error.h"
 
 #include <fmt/format.h>
@@ -8,6 +10,15 @@
 #include <algorithm>
 
 namespace aoscore {
+namespace {
+
+MetricValue measured(const Metric& row, const MetricInput& input) {
+    const MetricValue whole = row.measure(input);
+    if (input.halves == nullptr || row.noise != Metric::Noise::extrapolated) return whole;
+    return extrapolated(whole, row.measure(against_half(input, 0)), row.measure(against_half(input, 1)));
+}
+
+}  // namespace
 
 const Metric& metric(std::string_view id) {
     return row_of(metrics(), id, "no metric");
@@ -34,7 +45,7 @@ std::map<std::string, MetricValue> evaluate(const MetricInput& input, std::span<
     std::map<std::string, MetricValue> values;
     for (const Metric* row : rows) {
         values[std::string(row->id)] =
-            nonfinite == 0 ? row->measure(input)
+            nonfinite == 0 ? measured(*row, input)
                            : undefined(fmt::format("{} valid pixels are NaN or infinite", nonfinite));
     }
     return values;

@@ -13,6 +13,15 @@ namespace aoscore {
 struct DrawnSums;
 struct MapSums;
 
+/// The two independent halves whose mean a truth is. How far a value lies apart between them says what the
+/// truth's noise does to it.
+struct TruthHalves {
+    const ImageF& first;
+    const ImageF& second;
+    MapSums* first_maps = nullptr;  ///< as MetricInput::maps, of the same metrics against each half
+    MapSums* second_maps = nullptr;
+};
+
 /// What a metric looks at. All images have one size; visibility in [0,1], 1 = open.
 struct MetricInput {
     const ImageF& truth;
@@ -20,6 +29,7 @@ struct MetricInput {
     const Mask& valid;                       ///< pixels that count; finite in both images
     const ImageF* standard_error = nullptr;  ///< of the truth, where it is known
     MapSums* maps = nullptr;  ///< where metrics that are means of a map leave what they add up, if wanted
+    const TruthHalves* halves = nullptr;  ///< of the truth, where it has two
 };
 
 struct MetricValue {
@@ -43,6 +53,10 @@ struct Metric {
     /// Of an image whose blocks were drawn again: what its interval is made of. Null where parts of an image
     /// cannot give it.
     double (*resampled)(const DrawnSums&) = nullptr;
+    /// What the truth's noise does to it. `extrapolated`: it moves in proportion to the noise's variance, so that
+    /// its value for a truth without noise is extrapolated where the truth has two halves; see extrapolation.h.
+    enum class Noise { included, taken_off, extrapolated };
+    Noise noise = Noise::included;
     bool brief = false;     ///< also in tables for readers, whose width is limited
     bool unranked = false;  ///< also measured before the filter and against a method's own truth
     /// The id of the same without the truth's noise, which this one adds to the error of a perfect image; ""

@@ -8,6 +8,7 @@ namespace aoscore {
 
 const std::vector<Metric>& metrics() {
     using enum Metric::Better;
+    using enum Metric::Noise;
     static const std::vector<Metric> table = {
         {.id = "rmse",
          .label = "RMSE",
@@ -33,6 +34,7 @@ const std::vector<Metric>& metrics() {
                  const double mse = (s.squared - s.variance) / s.count;
                  return mse < 0 ? 0.0 : std::sqrt(mse);  // not std::max, which would turn NaN into 0
              },
+         .noise = taken_off,
          .brief = true,
          .unranked = true},
         {.id = "mae",
@@ -43,6 +45,7 @@ const std::vector<Metric>& metrics() {
          .measure = measure::mae,
          .over_views = over_views::mean,
          .resampled = [](const DrawnSums& s) { return s.absolute / s.count; },
+         .noise = extrapolated,
          .unranked = true},
         {.id = "bias",
          .label = "Bias",
@@ -53,6 +56,7 @@ const std::vector<Metric>& metrics() {
          .measure = measure::bias,
          .over_views = over_views::mean,
          .resampled = [](const DrawnSums& s) { return s.difference / s.count; },
+         .noise = taken_off,
          .brief = true,
          .unranked = true},
         {.id = "psnr",
@@ -76,6 +80,7 @@ const std::vector<Metric>& metrics() {
          .measure = measure::ssim,
          .over_views = over_views::mean,
          .resampled = [](const DrawnSums& s) { return s.ssim / s.ssim_weight; },
+         .noise = extrapolated,
          .brief = true,
          .unranked = true},
         {.id = "max_error",
@@ -97,6 +102,7 @@ const std::vector<Metric>& metrics() {
          .measure = measure::flip,
          .over_views = over_views::mean,
          .resampled = [](const DrawnSums& s) { return s.flip / s.count; },
+         .noise = extrapolated,
          .brief = true},
         {.id = "ms_ssim",
          .label = "MS-SSIM",
@@ -108,7 +114,8 @@ const std::vector<Metric>& metrics() {
                   "Quality Assessment, 2003",
          .measure = measure::ms_ssim,
          .over_views = over_views::mean,
-         .resampled = [](const DrawnSums& s) { return s.ms_ssim; }},
+         .resampled = [](const DrawnSums& s) { return s.ms_ssim; },
+         .noise = extrapolated},
     };
     return table;
 }

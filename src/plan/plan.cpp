@@ -45,6 +45,7 @@ CellPlan read_row(StrictObject row) {
     CellPlan cell;
     cell.method = row.text("method");
     cell.preset = row.text("preset");
+    cell.own_truth = true;
     check_published(row.object("published"), row.where());
     if (row.has("alternatives")) check_alternatives(row.object("alternatives"));
     row.texts_or_empty("notes");
@@ -165,6 +166,18 @@ bool CellPlan::same_as(const CellPlan& other) const {
            filter == other.filter && filter_overrides == other.filter_overrides && modes == other.modes;
 }
 
+bool has_score_goal(const ExperimentPlan& plan) {
+    return std::ranges::any_of(plan.views, [](const ViewPlan& view) { return view.score_goal.has_value(); });
+}
+
+ExperimentPlan first_answer_of(ExperimentPlan plan) {
+    plan.first_answer = true;
+    for (ViewPlan& view : plan.views) {
+        if (view.score_goal) view.score_goal->every_metric = false;
+    }
+    return plan;
+}
+
 std::size_t shared_view(ExperimentPlan& plan, ViewPlan view) {
     const auto found = std::find_if(plan.views.begin(), plan.views.end(),
                                     [&](const ViewPlan& other) { return same_picture(other, view); });
@@ -173,6 +186,7 @@ std::size_t shared_view(ExperimentPlan& plan, ViewPlan view) {
         return plan.views.size() - 1;
     }
     found->samples = std::max(found->samples, view.samples);
+    if (!view.score_goal) found->score_goal.reset();
     if (view.max_error > 0)
         found->max_error = found->max_error > 0 ? std::min(found->max_error, view.max_error) : view.max_error;
     found->extras.causes |= view.extras.causes;

@@ -30,12 +30,25 @@ struct CellPlan {
     std::optional<std::string> filter;  ///< "none" or a filter's id; empty: the preset's own
     ParameterValues filter_overrides;
     RunModes modes;
-    bool own_truth = true;   ///< also score it against the method's own radius and falloff
+    bool own_truth = false;  ///< also score it against the method's own radius and falloff
     bool keep_image = true;  ///< write its output
     /// Also time whole lit frames, waited for at their end and after every pass.
     bool whole_frames = false;
     /// Whether both are the same measurement, whatever is kept of it.
     bool same_as(const CellPlan& other) const;
+};
+
+/// When a truth has rays enough: when the statements that are made with it are sure, not each of its pixels.
+struct ScoreGoal {
+    /// Half the width that the truth's noise may give the interval of a ranking's value.
+    double error = 0.002;
+    /// Also those of all other metrics that have one, within kOtherMetrics times of it; and passes are timed in
+    /// full. Without it tracing also ends as soon as noise cannot change the order of a ranking.
+    bool every_metric = true;
+
+    static constexpr double kOtherMetrics = 5;
+    /// Rays a pixel to begin with; they are doubled until the goal is reached.
+    static constexpr int kFirstSamples = 16;
 };
 
 /// One view of a scene and everything that is run on it.
@@ -46,6 +59,7 @@ struct ViewPlan {
     int width = 1920, height = 1080;
     double max_error = 0;  ///< 0, or the standard error every truth pixel is traced to
     int samples = 64;      ///< truth rays a pixel
+    std::optional<ScoreGoal> score_goal;  ///< where given, decides the rays in place of the two above
     /// What else the truth is to tell about the ranking's occlusion: by default all that a page shows.
     TruthExtras extras{.causes = true, .one_layer_bound = true, .bent_normals = false};
     std::optional<double> radius_m;  ///< of the ranking; empty: the view's own, else one automatic
@@ -95,10 +109,18 @@ struct ExperimentPlan {
     std::filesystem::path
         truth_cache;           ///< folder of the truths and measurements that are kept; empty: none is
     bool keep_gbuffer = true;  ///< write the G-buffer beside the results
+    /// An answer as soon as one stands: goals without ScoreGoal::every_metric, and nothing is timed. What was
+    /// measured is kept, so that the whole plan goes on from there.
+    bool first_answer = false;
     std::string command;       ///< that makes it again
     std::shared_ptr<const Results> baseline;  ///< an earlier run to be held against; null: none
     std::vector<std::string> warnings;        ///< to be shown with the results
 };
+
+/// Whether rays of the plan are decided by what it is to find out.
+bool has_score_goal(const ExperimentPlan& plan);
+/// The plan that gives the first answer of `plan` (see ExperimentPlan::first_answer).
+ExperimentPlan first_answer_of(ExperimentPlan plan);
 
 /// The index of the plan's view of the same picture, added when there is none yet; the finer of both truths.
 std::size_t shared_view(ExperimentPlan& plan, ViewPlan view);

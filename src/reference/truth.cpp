@@ -121,6 +121,10 @@ void check_truth_request(const std::vector<TruthQuery>& queries, const TruthSett
     if (settings.max_error > 0 && settings.mean_error > 0) {
         throw usage_error("an error for every pixel and one for the mean", "error", "one of them");
     }
+    if (settings.halves && (settings.samples % 2 != 0 || settings.max_error > 0 || settings.mean_error > 0)) {
+        throw usage_error("two halves of an odd number of rays, or of one that an error decides", "samples",
+                          "an even number, and no error");
+    }
     if (queries.empty()) throw usage_error("no radius to trace", "radius", "at least one");
     for (const TruthQuery& query : queries) {
         if (!(query.radius_m > 0)) {
@@ -165,6 +169,7 @@ PrimaryHits ReferenceScene::primary_hits(const CameraFrame& frame) const {
 Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQuery>& queries,
                             const TruthSettings& settings, const std::string& what, TileStore* store) const {
     check_truth_request(queries, settings);
+    if (settings.halves) throw internal_error("halves are traced one after the other");
     const TileGroups groups(frame.width(), frame.height());
     const std::vector<std::size_t> all_queries = numbers_up_to(queries.size());
     const TileDevelopment development{queries.size(), all_queries, settings};

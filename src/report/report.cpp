@@ -3,8 +3,13 @@
 #include "core/files.h"
 #include "core/log.h"
 #include "report/page/html_document.h"
+#include "report/page/html_document.h"
 #include "report/page/page_parts.h"
 #include "report/page/page_template.h"
+#include "report/page_key.h"
+#include "report/page/page_parts.h"
+#include "report/page/page_template.h"
+#include "report/pictures/pictures.h"
 #include "report/pictures/pictures.h"
 #include "report/section.h"
 #include "report/sections/stage_data.h"
@@ -51,16 +56,17 @@ void require_page_parts() {
     page_script();
 }
 
-fs::path write_report(const fs::path& results_folder, bool everything) {
+fs::path write_report(const fs::path& results_folder, bool everything, const std::string& key) {
     const Results results = read_results(results_folder);
     const Results shown = pictured(results);
     const Pictures pictures = make_pictures(shown, results_folder, everything);
     const LiveData live = read_live_data(shown, results_folder);
-    const std::string html = page_html({results, pictures, live}, {shown, pictures, live});
+    std::string html = page_html({results, pictures, live}, {shown, pictures, live});
     if (html.size() > kLargePage_bytes) {
         log_warning(
             fmt::format("the page has {} MiB: render smaller images or fewer methods", html.size() >> 20U));
     }
+    if (!key.empty()) html += page_key_comment(key);
     const fs::path path = results_folder / "index.html";
     write_atomically(path, html);
     return path;

@@ -91,6 +91,10 @@ struct ViewRecord {
                                       ///< find of the ranking's occlusion; empty where it was not traced
     int samples = 0;                  ///< rays a pixel (the mean where they differ)
     std::optional<double> max_error;  ///< the standard error that every pixel was traced to
+    bool halves = false;  ///< the rays are two independent halves, from which noise is taken off the scores
+    /// The half width that the truth's noise may give an RMSE, where that decided the rays.
+    std::optional<double> score_error;
+    bool final_answer = true;  ///< false where only the ranking was asked for, and the run goes on
     std::size_t open_pixels = 0;      ///< proven open without tracing a ray
     double truth_seconds = 0;
     /// "traced", "resumed" after an interruption, "refined" from fewer rays, or "cached": not traced again.
@@ -299,7 +303,7 @@ struct WorkRecord {
 };
 
 struct Results {
-    static constexpr int kSchemaVersion = 5;
+    static constexpr int kSchemaVersion = 6;
     std::string program_version;
     std::string created_utc;  ///< 2026-11-22T02:11:47Z
     std::string command;      ///< that makes it again

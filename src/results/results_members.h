@@ -83,6 +83,9 @@ void visit_members(Visit& visit, Record& view) {
     visit("one_layer_channel", view.one_layer_channel);
     visit("samples", view.samples);
     visit("max_error", view.max_error);
+    visit("halves", view.halves);
+    visit("score_error", view.score_error);
+    visit("final_answer", view.final_answer);
     visit("open_pixels", view.open_pixels);
     visit("truth_seconds", view.truth_seconds);
     visit("truth_origin", view.truth_origin);

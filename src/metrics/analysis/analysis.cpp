@@ -1,10 +1,13 @@
 #include "metrics/analysis/analysis.h"
 
 #include "metrics/analysis/tile_pattern.h"
+#include "metrics/extrapolation.h"
 #include "metrics/measures/mean_error.h"
+#include "metrics/analysis/tile_pattern.h"
+#include "metrics/truth_noise.h"
 
 #include <array>
-#include <cmath>
+#include <utility>
 
 namespace aoscore {
 
@@ -22,6 +25,12 @@ std::optional<ErrorAnalysis> analyse(const MetricInput& input, const PixelFacts&
     analysis.distribution = error_distribution(input);
     analysis.tile_pattern = tile_pattern(input);
     analysis.blocks = block_errors(input, masks);
+    if (input.halves != nullptr) {
+        const BlockErrors first = block_errors(against_half(input, 0), masks);
+        const BlockErrors second = block_errors(against_half(input, 1), masks);
+        analysis.truth_noise = truth_noise(analysis.blocks, first, second);
+        analysis.blocks = extrapolated(std::move(analysis.blocks), first, second);
+    }
     const std::array<const BlockErrors*, 1> images{&analysis.blocks};
     analysis.intervals = confidence_intervals(images, seed);
     return analysis;

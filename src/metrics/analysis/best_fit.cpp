@@ -141,8 +141,8 @@ std::optional<BestFit> best_fit(const MetricInput& input) {
     }
     BestFit fit{curve.strength, curve.exponent, std::sqrt(mse), {}, 0};
     fit.bias = *mean_over_valid({input.truth, image, input.valid}, [](double error) { return error; });
-    if (input.standard_error != nullptr) {
-        const double variance = noise_floor(*input.standard_error, input.valid)->mean_variance;
+    if (knows_noise(input)) {
+        const double variance = *mean_noise_variance(input);
         if (std::isfinite(variance)) fit.rmse_debiased = std::sqrt(std::max(mse - variance, 0.0));
     }
     return fit;

@@ -2,6 +2,8 @@
 
 #include "core/threads.h"
 #include "metrics/measures/mean_error.h"
+#include "metrics/measures/mean_error.h"
+#include "metrics/measures/noise.h"
 
 #include <fmt/format.h>
 
@@ -147,10 +149,9 @@ std::vector<Sums> bin_sums(const MetricInput& input, const Division& division) {
             std::ranges::fill(weights, 0.0);
             division.weigh(i, weights);
             const double error = double{input.test.pixels[i]} - double{input.truth.pixels[i]};
-            const double sigma =
-                input.standard_error != nullptr ? double{input.standard_error->pixels[i]} : 0.0;
+            const double variance = knows_noise(input) ? noise_variance(input, i) : 0.0;
             for (std::size_t b = 0; b < bins; ++b) {
-                if (weights[b] > 0) rows[y][b].add(weights[b], error, sigma * sigma);
+                if (weights[b] > 0) rows[y][b].add(weights[b], error, variance);
             }
         }
     });
@@ -174,7 +175,7 @@ std::vector<SplitBin> bins_of(const MetricInput& input, const Division& division
         if (sums[b].weight > 0) {
             bin.rmse = std::sqrt(sums[b].squared / sums[b].weight);
             bin.bias = sums[b].signed_sum / sums[b].weight;
-            if (input.standard_error != nullptr)
+            if (knows_noise(input))
                 bin.noise_rmse = std::sqrt(sums[b].variance / sums[b].weight);
         }
         bins.push_back(std::move(bin));

@@ -1,7 +1,10 @@
 #include "metrics/intervals/block_errors.h"
 
 #include "metrics/intervals/block_grid.h"
+#include "metrics/intervals/block_grid.h"
 #include "metrics/measures/mean_error.h"
+#include "metrics/measures/mean_error.h"
+#include "metrics/measures/noise.h"
 
 #include <cmath>
 
@@ -17,7 +20,7 @@ BlockErrors block_errors(const MetricInput& input, const OcclusionMasks& masks) 
     blocks.counts.assign(grid.size(), 0);
     blocks.squared_sums = blocks.absolute_sums = blocks.signed_sums = blocks.counts;
     blocks.missing_counts = blocks.false_counts = blocks.counts;
-    if (input.standard_error != nullptr) blocks.variance_sums = blocks.counts;
+    if (knows_noise(input)) blocks.variance_sums = blocks.counts;
     if (input.maps != nullptr) blocks.maps = *input.maps;
     const auto add = [&](std::size_t block, std::size_t i) {
         if (input.valid.pixels[i] == 0) return;
@@ -28,9 +31,7 @@ BlockErrors block_errors(const MetricInput& input, const OcclusionMasks& masks) 
         blocks.signed_sums[block] += error;
         blocks.missing_counts[block] += masks.missing.pixels[i];
         blocks.false_counts[block] += masks.false_occlusion.pixels[i];
-        if (input.standard_error == nullptr) return;
-        const auto sigma = double{input.standard_error->pixels[i]};
-        blocks.variance_sums[block] += sigma * sigma;
+        if (knows_noise(input)) blocks.variance_sums[block] += noise_variance(input, i);
     };
     for (int y = 0; y < input.truth.height; ++y) {
         grid.for_each_piece(y, 0, input.truth.width, 0, [&](std::size_t block, int from, int to) {

@@ -31,7 +31,7 @@ struct BlockErrors {
     std::vector<double> squared_sums;    ///< of (test - truth)^2
     std::vector<double> absolute_sums;   ///< of |test - truth|
     std::vector<double> signed_sums;     ///< of test - truth
-    std::vector<double> variance_sums;   ///< of the truth's squared standard error; empty where not known
+    std::vector<double> variance_sums;   ///< of noise_variance(); empty where not known
     std::vector<double> missing_counts;  ///< pixels of missing occlusion
     std::vector<double> false_counts;    ///< pixels of false occlusion
     MapSums maps;                        ///< as evaluate() left them in the input

@@ -1,6 +1,8 @@
 #include "metrics/intervals/bootstrap.h"
 
 #include "core/error.h"
+#include "metrics/block_sums.h"
+#include "metrics/intervals/drawn_sums.h"
 #include "metrics/intervals/drawn_sums.h"
 #include "metrics/intervals/over_views.h"
 #include "metrics/metric.h"
@@ -13,15 +15,6 @@
 
 namespace aoscore {
 
-DrawnSums& DrawnSums::operator+=(const DrawnSums& other) {
-    for (double DrawnSums::*const sum :
-         {&DrawnSums::count, &DrawnSums::squared, &DrawnSums::absolute, &DrawnSums::difference,
-          &DrawnSums::variance, &DrawnSums::missing, &DrawnSums::false_occlusion, &DrawnSums::ssim,
-          &DrawnSums::ssim_weight, &DrawnSums::flip})
-        this->*sum += other.*sum;
-    return *this;
-}
-
 namespace {
 
 constexpr int kResamples = 2000;
@@ -30,18 +23,7 @@ constexpr double kNotThere = std::numeric_limits<double>::quiet_NaN();
 /// An image as it is drawn from. What it lacks is NaN.
 class Urn {
   public:
-    explicit Urn(const BlockErrors& image) : blocks_(image.counts.size()), maps_(image.maps) {
-        fill(&DrawnSums::count, image.counts);
-        fill(&DrawnSums::squared, image.squared_sums);
-        fill(&DrawnSums::absolute, image.absolute_sums);
-        fill(&DrawnSums::difference, image.signed_sums);
-        fill(&DrawnSums::variance, image.variance_sums);
-        fill(&DrawnSums::missing, image.missing_counts);
-        fill(&DrawnSums::false_occlusion, image.false_counts);
-        fill(&DrawnSums::ssim, image.maps.ssim_sums);
-        fill(&DrawnSums::ssim_weight, image.maps.ssim_weights);
-        fill(&DrawnSums::flip, image.maps.flip_sums);
-    }
+    explicit Urn(const BlockErrors& image) : blocks_(sums_of_blocks(image)), maps_(image.maps) {}
 
     /// Squares for MS-SSIM come from a generator of their own: they are other than the blocks.
     DrawnSums draw(std::mt19937_64& random, std::mt19937_64& random_squares) const {
@@ -59,11 +41,6 @@ class Urn {
         for (std::size_t k = 0; k < influences.size(); ++k) moved += influences[random() % influences.size()];
         // To first order only; the index has no value above 1.
         return std::min(1.0, *maps_.ms_ssim * std::exp(moved));
-    }
-
-    void fill(double DrawnSums::*sum, const std::vector<double>& values) {
-        for (std::size_t b = 0; b < blocks_.size(); ++b)
-            blocks_[b].*sum = values.size() == blocks_.size() ? values[b] : kNotThere;
     }
 
     std::vector<DrawnSums> blocks_;

@@ -9,7 +9,7 @@ struct DrawnSums {
     double squared = 0;          ///< of (test - truth)^2
     double absolute = 0;         ///< of |test - truth|
     double difference = 0;       ///< of test - truth
-    double variance = 0;         ///< of the truth's squared standard error
+    double variance = 0;         ///< of the variance of the truth's noise
     double missing = 0;          ///< pixels of missing occlusion
     double false_occlusion = 0;  ///< pixels of false occlusion
     double ssim = 0;             ///< of the index, over `ssim_weight` pixels

@@ -13,8 +13,8 @@ namespace aoscore {
 MetricValue measure::rmse_debiased(const MetricInput& input) {
     const std::optional<double> mse = mean_squared_error(input);
     if (!mse) return undefined(kNoValidPixel);
-    if (input.standard_error == nullptr) return undefined("the truth's standard error is not known");
-    const double variance = noise_floor(*input.standard_error, input.valid)->mean_variance;
+    if (!knows_noise(input)) return undefined("the truth's standard error is not known");
+    const double variance = *mean_noise_variance(input);
     if (!std::isfinite(*mse) || !std::isfinite(variance)) return undefined(kNotFinite);
     if (*mse < variance) {
         return defined(0, fmt::format("below the truth's noise floor of {:.3g}", std::sqrt(variance)));

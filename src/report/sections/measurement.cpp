@@ -47,7 +47,8 @@ std::string contract_text(const ViewRecord& view) {
 }
 
 std::string truth_cost_text(const ViewRecord& view) {
-    std::string text = fmt::format("{} samples a pixel", view.samples);
+    std::string text =
+        fmt::format("{} samples a pixel{}", view.samples, view.halves ? " in two independent halves" : "");
     if (view.max_error)
         text +=
             fmt::format(" in the mean, as many as a standard error of {} takes", short_text(*view.max_error));
@@ -89,7 +90,12 @@ std::string truth_settings_text(const ViewRecord& view, std::uint64_t seed) {
     const std::string effort =
         view.max_error ? fmt::format("at least {} samples a pixel, then more until the standard error is {}",
                                      view.least_samples, short_text(*view.max_error))
-                       : fmt::format("{} samples a pixel, without a bound on the error", view.least_samples);
+        : view.score_error
+            ? fmt::format("{} samples a pixel, doubled until the truth's noise leaves every RMSE within {}{}",
+                          view.least_samples, short_text(*view.score_error),
+                          view.final_answer ? " and every other metric within five times that"
+                                            : ", or the order of the ranking sure")
+            : fmt::format("{} samples a pixel, without a bound on the error", view.least_samples);
     return fmt::format("seed {}, {}; integrator {}", seed, effort, view.integrator);
 }
 

@@ -3,6 +3,7 @@
 #include "report/page/number_text.h"
 #include "report/section.h"
 #include "report/sections/place_name.h"
+#include "report/truth_noise_text.h"
 #include "results/ranked_value.h"
 
 #include <fmt/format.h>
@@ -201,6 +202,13 @@ nlohmann::json section::verdict(const PageSource& source) {
         for (const RankingRecord* view : views)
             model["details"].push_back(ranking_sentence(results, *view) + bounds_sentence(*view));
     }
+    for (const ViewRecord& view : results.views) {
+        if (std::string text = truth_noise_text(results, view); !text.empty())
+            model["details"].push_back(std::move(text));
+    }
+    const std::string first_answer = first_answer_text(results);
+    model["goes_on"] = !first_answer.empty();
+    model["first_answer"] = first_answer;
     const auto failed =
         std::ranges::count_if(results.cells, [](const auto& cell) { return !cell.error.empty(); });
     model["failed"] = failed > 0;

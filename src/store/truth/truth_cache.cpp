@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/log.h"
+#include "reference/halved_truth.h"
 #include "reference/integrator/tile.h"
 #include "reference/sampling/sample_plan.h"
 #include "store/truth/cache_file.h"
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdlib>
 #include <memory>
@@ -322,8 +324,52 @@ CachedTruth TruthCache::trace(const ReferenceScene& reference, const TruthReques
     return CachedTracing(folder_, reference, request, label, what).run();
 }
 
+namespace {
+
+/// One half of `request`, traced with `samples` rays a pixel.
+CachedTruth trace_half(const fs::path& folder, const ReferenceScene& reference, const TruthRequest& request,
+                       std::size_t half, int samples, const TruthLabel& label, const std::string& what) {
+    TruthRequest one = request;
+    one.settings = settings_of_half(request.settings, half);
+    one.settings.samples = samples;
+    return trace_truth(folder, reference, one, label, fmt::format("{}, half {} of 2", what, half + 1));
+}
+
+/// How both came about: where one was traced, so was their mean.
+TruthOrigin origin_of(TruthOrigin first, TruthOrigin second) {
+    return std::min(first, second);
+}
+
+CachedTruth trace_halves(const fs::path& folder, const ReferenceScene& reference, const TruthRequest& request,
+                         const TruthLabel& label, const std::string& what) {
+    check_truth_request(request.queries, request.settings);
+    std::array<CachedTruth, 2> halves;
+    int samples = request.settings.samples / 2;
+    // A cache may have more rays of one half, where an earlier run was stopped: the other gets as many.
+    for (bool alike = false; !alike;) {
+        for (std::size_t half = 0; half < 2; ++half) {
+            if (halves[half].made_for.settings.samples == samples && !halves[half].truth.visibility.empty())
+                continue;
+            halves[half] = trace_half(folder, reference, request, half, samples, label, what);
+            samples = std::max(samples, halves[half].made_for.settings.samples);
+        }
+        alike = halves[0].made_for.settings.samples == halves[1].made_for.settings.samples;
+    }
+    CachedTruth result;
+    result.origin = origin_of(halves[0].origin, halves[1].origin);
+    result.made_for = halves[0].made_for;
+    result.made_for.settings.halves = true;
+    result.made_for.settings.samples = 2 * samples;
+    result.made_for.settings.seed = request.settings.seed;
+    result.truth = mean_of_halves(std::move(halves[0].truth), std::move(halves[1].truth));
+    return result;
+}
+
+}  // namespace
+
 CachedTruth trace_truth(const fs::path& folder, const ReferenceScene& reference, const TruthRequest& request,
                         const TruthLabel& label, const std::string& what) {
+    if (request.settings.halves) return trace_halves(folder, reference, request, label, what);
     if (!folder.empty()) return TruthCache(folder).trace(reference, request, label, what);
     const CameraFrame frame(request.camera, request.width, request.height);
     return {reference.trace(frame, request.queries, request.settings, what), TruthOrigin::traced, request};

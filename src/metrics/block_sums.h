@@ -1,0 +1,13 @@
+#pragma once
+
+#include "metrics/intervals/block_errors.h"
+#include "metrics/intervals/drawn_sums.h"
+
+#include <vector>
+
+namespace aoscore {
+
+/// The sums of each block, MS-SSIM left out. What the image lacks is NaN.
+std::vector<DrawnSums> sums_of_blocks(const BlockErrors& image);
+
+}  // namespace aoscore

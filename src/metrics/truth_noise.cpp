@@ -1,0 +1,112 @@
+#include "metrics/truth_noise.h"
+
+#include "metrics/block_sums.h"
+#include "metrics/extrapolation.h"
+#include "metrics/metric.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace aoscore {
+namespace {
+
+constexpr double kDeviations = 1.96;  // that hold 95 % of a normal distribution
+/// What is left of an extrapolation, as a part of it.
+constexpr double kLeft = 0.1;
+
+/// An image's sums as a whole, and what half the difference of the halves makes of each block's.
+struct Moved {
+    DrawnSums whole;
+    std::vector<DrawnSums> by_block;
+};
+
+DrawnSums all_of(const std::vector<DrawnSums>& blocks) {
+    DrawnSums all = blocks.front();
+    for (std::size_t b = 1; b < blocks.size(); ++b) all += blocks[b];
+    return all;
+}
+
+DrawnSums half_difference(const DrawnSums& first, const DrawnSums& second) {
+    DrawnSums half;
+    half.squared = (first.squared - second.squared) / 2;
+    half.absolute = (first.absolute - second.absolute) / 2;
+    half.difference = (first.difference - second.difference) / 2;
+    half.ssim = (first.ssim - second.ssim) / 2;
+    half.flip = (first.flip - second.flip) / 2;
+    return half;
+}
+
+Moved moved(const BlockErrors& whole, const BlockErrors& first, const BlockErrors& second) {
+    const std::vector<DrawnSums> a = sums_of_blocks(first), b = sums_of_blocks(second);
+    Moved result{all_of(sums_of_blocks(whole)), {}};
+    for (std::size_t i = 0; i < a.size(); ++i) result.by_block.push_back(half_difference(a[i], b[i]));
+    return result;
+}
+
+/// How much each block moves the metric.
+std::vector<double> movements(const Metric& metric, const Moved& moved) {
+    const double still = metric.resampled(moved.whole);
+    std::vector<double> by_block;
+    for (const DrawnSums& block : moved.by_block) {
+        DrawnSums sums = moved.whole;
+        sums += block;
+        by_block.push_back(metric.resampled(sums) - still);
+    }
+    return by_block;
+}
+
+/// The variance of the sum, where blocks that touch may move together.
+double variance_of_sum(const std::vector<double>& moves, int across, int down) {
+    double alone = 0, together = 0;
+    for (int y = 0; y < down; ++y) {
+        for (int x = 0; x < across; ++x) {
+            const double move = moves[static_cast<std::size_t>(y * across + x)];
+            alone += move * move;
+            for (int v = std::max(y - 1, 0); v <= std::min(y + 1, down - 1); ++v) {
+                for (int u = std::max(x - 1, 0); u <= std::min(x + 1, across - 1); ++u)
+                    together += move * moves[static_cast<std::size_t>(v * across + u)];
+            }
+        }
+    }
+    return std::max(alone, together);
+}
+
+double ms_ssim_variance(const MapSums& whole, const MapSums& first, const MapSums& second) {
+    double variance = 0;
+    for (std::size_t k = 0; k < whole.ms_ssim_influences.size(); ++k) {
+        const double move = *whole.ms_ssim * (first.ms_ssim_influences[k] - second.ms_ssim_influences[k]) / 2;
+        variance += move * move;
+    }
+    return variance;
+}
+
+}  // namespace
+
+std::map<std::string, double> truth_noise(const BlockErrors& whole, const BlockErrors& first,
+                                          const BlockErrors& second) {
+    const Moved sums = moved(whole, first, second);
+    const BlockErrors free_of_noise = extrapolated(whole, first, second);
+    const DrawnSums free_sums = all_of(sums_of_blocks(free_of_noise));
+    const auto half_width = [](double variance, double extrapolation) {
+        return std::hypot(kDeviations * std::sqrt(variance), kLeft * extrapolation);
+    };
+    std::map<std::string, double> noise;
+    for (const Metric& metric : metrics()) {
+        if (metric.noise == Metric::Noise::included || metric.resampled == nullptr) continue;
+        const double value = metric.resampled(sums.whole);
+        if (std::isnan(value)) continue;
+        const double variance = variance_of_sum(movements(metric, sums), whole.across, whole.down);
+        noise[std::string(metric.id)] =
+            half_width(variance, metric.noise == Metric::Noise::extrapolated ? metric.resampled(free_sums) - value
+                                                                             : 0.0);
+    }
+    if (whole.maps.ms_ssim && first.maps.ms_ssim && second.maps.ms_ssim) {
+        noise["ms_ssim"] = half_width(ms_ssim_variance(whole.maps, first.maps, second.maps),
+                                      *free_of_noise.maps.ms_ssim - *whole.maps.ms_ssim);
+    }
+    std::erase_if(noise, [](const auto& entry) { return !std::isfinite(entry.second); });
+    return noise;
+}
+
+}  // namespace aoscore

@@ -1,0 +1,115 @@
+// Against a truth without noise, which only a made-up picture has: what is taken off and extrapolated is right on
+// average, and the stated half widths hold the converged value as often as they say.
+#include "metrics/truth_noise.h"
+
+#include "metrics/evaluate.h"
+#include "metrics/extrapolation.h"
+#include "metrics/analysis/occlusion_masks.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <random>
+#include <string>
+
+namespace aoscore {
+namespace {
+
+constexpr int kWidth = 352, kHeight = 198;
+constexpr int kSeeds = 200;
+
+/// Open ground with contact shadows: slopes, edges, and a part where nothing occludes.
+ImageF smooth_truth() {
+    ImageF image(kWidth, kHeight);
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            const double wave = 0.5 + 0.5 * std::sin(x * 0.07) * std::cos(y * 0.05);
+            const double edge = x % 88 < 12 ? 0.6 : 1.0;
+            image.at(x, y) = y < kHeight / 5 ? 1.0F : static_cast<float>((0.25 + 0.75 * wave) * edge);
+        }
+    }
+    return image;
+}
+
+/// Too bright in the shadows, with a halo beside the edges.
+ImageF test_of(const ImageF& truth) {
+    ImageF image = truth;
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            const double brighter = std::pow(double{truth.at(x, y)}, 0.8);
+            image.at(x, y) = static_cast<float>(x % 88 < 18 ? 0.85 * brighter : brighter);
+        }
+    }
+    return image;
+}
+
+/// A half of the truth as `rays` independent rays a pixel see it.
+ImageF half_of(const ImageF& truth, int rays, std::mt19937_64& random) {
+    ImageF image(kWidth, kHeight);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        std::binomial_distribution<int> open(rays, double{truth.pixels[i]});
+        image.pixels[i] = static_cast<float>(open(random)) / static_cast<float>(rays);
+    }
+    return image;
+}
+
+struct Measured {
+    std::map<std::string, MetricValue> values;
+    std::map<std::string, double> noise;
+};
+
+Measured measure(const ImageF& test, const ImageF& first, const ImageF& second) {
+    ImageF mean = first;
+    for (std::size_t i = 0; i < mean.size(); ++i) mean.pixels[i] = (first.pixels[i] + second.pixels[i]) / 2;
+    Mask valid(kWidth, kHeight, 1);
+    std::array<MapSums, 3> maps;
+    const TruthHalves halves{first, second, &maps[1], &maps[2]};
+    MetricInput input{mean, test, valid};
+    input.maps = &maps[0];
+    input.halves = &halves;
+    Measured result;
+    result.values = evaluate(input);
+    const OcclusionMasks masks = occlusion_masks(input, 0.1);
+    result.noise = truth_noise(block_errors(input, masks), block_errors(against_half(input, 0), masks),
+                               block_errors(against_half(input, 1), masks));
+    return result;
+}
+
+class HalvesOfATruth : public testing::TestWithParam<int> {};
+
+TEST_P(HalvesOfATruth, HoldTheConvergedValueOfEveryMetricAsOftenAsTheySay) {
+    const ImageF truth = smooth_truth(), test = test_of(truth);
+    Mask valid(kWidth, kHeight, 1);
+    const std::map<std::string, MetricValue> converged = evaluate({truth, test, valid});
+    std::map<std::string, int> held;
+    std::map<std::string, double> sum, width;
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+        std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+        const ImageF first = half_of(truth, GetParam(), random), second = half_of(truth, GetParam(), random);
+        const Measured measured = measure(test, first, second);
+        for (const auto& [metric, half_width] : measured.noise) {
+            // Without noise nothing has to be taken off.
+            const std::string exact = metric == "rmse_debiased" ? "rmse" : metric;
+            const double error = *measured.values.at(metric).value - *converged.at(exact).value;
+            held[metric] += std::abs(error) <= half_width;
+            sum[metric] += error / kSeeds;
+            width[metric] += half_width / kSeeds;
+        }
+    }
+    ASSERT_EQ(held.size(), 6U);
+    for (const auto& [metric, count] : held) {
+        const double share = static_cast<double>(count) / kSeeds;
+        RecordProperty(metric, fmt::format("{:.3f}, off by {:.2g} on average, half width {:.2g}", share, sum[metric],
+                                           width[metric]));
+        EXPECT_GE(share, 0.92) << metric << " off by " << sum[metric] << ", half width " << width[metric];
+        EXPECT_LE(share, 0.98) << metric << " off by " << sum[metric] << ", half width " << width[metric];
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(RaysOfAHalf, HalvesOfATruth, testing::Values(32, 128));
+
+}  // namespace
+}  // namespace aoscore
