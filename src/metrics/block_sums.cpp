@@ -15,7 +15,10 @@ DrawnSums& DrawnSums::operator+=(const DrawnSums& other) {
 }
 
 std::vector<DrawnSums> sums_of_blocks(const BlockErrors& image) {
-    std::vector<DrawnSums> blocks(image.counts.size());
+    constexpr double kNotThere = std::numeric_limits<double>::quiet_NaN();
+    DrawnSums empty;
+    empty.ms_ssim = kNotThere;
+    std::vector<DrawnSums> blocks(image.counts.size(), empty);
     const std::pair<double DrawnSums::*, const std::vector<double>*> sums[] = {
         {&DrawnSums::count, &image.counts},
         {&DrawnSums::squared, &image.squared_sums},
@@ -30,7 +33,7 @@ std::vector<DrawnSums> sums_of_blocks(const BlockErrors& image) {
     for (const auto& [sum, values] : sums) {
         for (std::size_t b = 0; b < blocks.size(); ++b) {
             blocks[b].*sum =
-                values->size() == blocks.size() ? (*values)[b] : std::numeric_limits<double>::quiet_NaN();
+                values->size() == blocks.size() ? (*values)[b] : kNotThere;
         }
     }
     return blocks;

@@ -57,6 +57,9 @@ struct Metric {
     /// its value for a truth without noise is extrapolated where the truth has two halves; see extrapolation.h.
     enum class Noise { included, taken_off, extrapolated };
     Noise noise = Noise::included;
+    /// What the extrapolation leaves, as a part of what it took off: always, and for each unit of the noise's mean
+    /// variance. Measured, see truth_noise().
+    double left_always = 0, left_by_variance = 0;
     bool brief = false;     ///< also in tables for readers, whose width is limited
     bool unranked = false;  ///< also measured before the filter and against a method's own truth
     /// The id of the same without the truth's noise, which this one adds to the error of a perfect image; ""

@@ -46,6 +46,8 @@ const std::vector<Metric>& metrics() {
          .over_views = over_views::mean,
          .resampled = [](const DrawnSums& s) { return s.absolute / s.count; },
          .noise = extrapolated,
+         .left_always = 0.2,
+         .left_by_variance = 250,
          .unranked = true},
         {.id = "bias",
          .label = "Bias",
@@ -81,6 +83,7 @@ const std::vector<Metric>& metrics() {
          .over_views = over_views::mean,
          .resampled = [](const DrawnSums& s) { return s.ssim / s.ssim_weight; },
          .noise = extrapolated,
+         .left_by_variance = 1500,
          .brief = true,
          .unranked = true},
         {.id = "max_error",
@@ -103,6 +106,7 @@ const std::vector<Metric>& metrics() {
          .over_views = over_views::mean,
          .resampled = [](const DrawnSums& s) { return s.flip / s.count; },
          .noise = extrapolated,
+         .left_always = 1.2,
          .brief = true},
         {.id = "ms_ssim",
          .label = "MS-SSIM",
@@ -115,7 +119,8 @@ const std::vector<Metric>& metrics() {
          .measure = measure::ms_ssim,
          .over_views = over_views::mean,
          .resampled = [](const DrawnSums& s) { return s.ms_ssim; },
-         .noise = extrapolated},
+         .noise = extrapolated,
+         .left_by_variance = 1500},
     };
     return table;
 }

@@ -2,6 +2,7 @@
 
 #include "metrics/block_sums.h"
 #include "metrics/extrapolation.h"
+#include "metrics/measures.h"
 #include "metrics/metric.h"
 
 #include <algorithm>
@@ -12,9 +13,6 @@ namespace aoscore {
 namespace {
 
 constexpr double kDeviations = 1.96;  // that hold 95 % of a normal distribution
-/// What is left of an extrapolation, as a part of it.
-constexpr double kLeft = 0.1;
-
 /// An image's sums as a whole, and what half the difference of the halves makes of each block's.
 struct Moved {
     DrawnSums whole;
@@ -87,25 +85,27 @@ std::map<std::string, double> truth_noise(const BlockErrors& whole, const BlockE
                                           const BlockErrors& second) {
     const Moved sums = moved(whole, first, second);
     const BlockErrors free_of_noise = extrapolated(whole, first, second);
-    const DrawnSums free_sums = all_of(sums_of_blocks(free_of_noise));
-    const auto half_width = [](double variance, double extrapolation) {
-        return std::hypot(kDeviations * std::sqrt(variance), kLeft * extrapolation);
-    };
+    DrawnSums free_sums = all_of(sums_of_blocks(free_of_noise));
+    DrawnSums noisy_sums = sums.whole;
+    const bool has_ms_ssim = whole.maps.ms_ssim && first.maps.ms_ssim && second.maps.ms_ssim;
+    if (has_ms_ssim) {
+        noisy_sums.ms_ssim = *whole.maps.ms_ssim;
+        free_sums.ms_ssim = *free_of_noise.maps.ms_ssim;
+    }
+    const double noise_variance = sums.whole.variance / sums.whole.count;
     std::map<std::string, double> noise;
     for (const Metric& metric : metrics()) {
         if (metric.noise == Metric::Noise::included || metric.resampled == nullptr) continue;
-        const double value = metric.resampled(sums.whole);
-        if (std::isnan(value)) continue;
-        const double variance = variance_of_sum(movements(metric, sums), whole.across, whole.down);
-        noise[std::string(metric.id)] =
-            half_width(variance, metric.noise == Metric::Noise::extrapolated ? metric.resampled(free_sums) - value
-                                                                             : 0.0);
+        const double value = metric.resampled(noisy_sums);
+        const double variance =
+            metric.measure == measure::ms_ssim && has_ms_ssim
+                ? ms_ssim_variance(whole.maps, first.maps, second.maps)
+                : variance_of_sum(movements(metric, sums), whole.across, whole.down);
+        const double taken_off = metric.noise == Metric::Noise::extrapolated ? metric.resampled(free_sums) - value : 0;
+        const double left = metric.left_always + metric.left_by_variance * noise_variance;
+        const double half_width = std::hypot(kDeviations * std::sqrt(variance), left * taken_off);
+        if (std::isfinite(half_width)) noise[std::string(metric.id)] = half_width;
     }
-    if (whole.maps.ms_ssim && first.maps.ms_ssim && second.maps.ms_ssim) {
-        noise["ms_ssim"] = half_width(ms_ssim_variance(whole.maps, first.maps, second.maps),
-                                      *free_of_noise.maps.ms_ssim - *whole.maps.ms_ssim);
-    }
-    std::erase_if(noise, [](const auto& entry) { return !std::isfinite(entry.second); });
     return noise;
 }
 

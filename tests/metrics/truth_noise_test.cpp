@@ -99,7 +99,7 @@ TEST_P(HalvesOfATruth, HoldTheConvergedValueOfEveryMetricAsOftenAsTheySay) {
             width[metric] += half_width / kSeeds;
         }
     }
-    ASSERT_EQ(held.size(), 6U);
+    ASSERT_EQ(held.size(), 5U) << "all that are measured but MS-SSIM, which takes larger pictures";
     for (const auto& [metric, count] : held) {
         const double share = static_cast<double>(count) / kSeeds;
         RecordProperty(metric, fmt::format("{:.3f}, off by {:.2g} on average, half width {:.2g}", share, sum[metric],
@@ -109,7 +109,7 @@ TEST_P(HalvesOfATruth, HoldTheConvergedValueOfEveryMetricAsOftenAsTheySay) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(RaysOfAHalf, HalvesOfATruth, testing::Values(32, 128));
+INSTANTIATE_TEST_SUITE_P(RaysOfAHalf, HalvesOfATruth, testing::Values(512));
 
 }  // namespace
 }  // namespace aoscore

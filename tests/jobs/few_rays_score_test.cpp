@@ -1,0 +1,101 @@
+// Scores from few rays against those from a truth of 2 x 2048 rays a pixel, on four scenes: whatever the noise, the
+// converged value lies within what is stated.
+#include "metrics/block_errors.h"
+#include "metrics/evaluate.h"
+#include "metrics/extrapolation.h"
+#include "metrics/occlusion_masks.h"
+#include "metrics/truth_noise.h"
+#include "reference/truth.h"
+#include "scene/scene.h"
+#include "screen/screen.h"
+#include "store/truth/truth_cache.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace aoscore {
+namespace {
+
+constexpr int kWidth = 320, kHeight = 180;
+
+struct Measured {
+    std::map<std::string, MetricValue> values;
+    std::map<std::string, double> noise;
+};
+
+class ScoresFromFewRays : public testing::TestWithParam<const char*> {
+  protected:
+    ScoresFromFewRays() {
+        const std::vector<MethodDescriptor> methods = load_methods();
+        MethodRequest request;
+        request.method = &find_method(methods, "gtao");
+        request.parameters = request.method->values("default", {{"radius", radius_m_}});
+        renderer_.set_scene(scene_);
+        renderer_.draw_gbuffer(frame_, needed_gbuffer_inputs(request));
+        image_ = renderer_.run(request).visibility;
+        surface_ = renderer_.read_gbuffer().surface;
+    }
+
+    Measured measure(int samples, std::uint64_t seed = 1) const {
+        TruthRequest request{scene_.digest, frame_.camera(), kWidth, kHeight, {{Falloff::binary, radius_m_, 0}}, {}, {}};
+        request.settings.samples = samples;
+        request.settings.halves = true;
+        request.settings.seed = seed;
+        const Truth truth = trace_truth({}, reference_, request, {}, "few rays").truth;
+        Mask valid = surface_;
+        for (std::size_t i = 0; i < valid.size(); ++i) valid.pixels[i] &= truth.hits.surface.pixels[i];
+        std::array<MapSums, 3> maps;
+        const TruthHalves halves{truth.halves[0][0], truth.halves[0][1], &maps[1], &maps[2]};
+        MetricInput input{truth.visibility[0], image_, valid};
+        input.maps = &maps[0];
+        input.halves = &halves;
+        Measured result;
+        result.values = evaluate(input);
+        const OcclusionMasks masks = occlusion_masks(input, 0.1);
+        result.noise = truth_noise(block_errors(input, masks), block_errors(against_half(input, 0), masks),
+                                   block_errors(against_half(input, 1), masks));
+        return result;
+    }
+
+  private:
+    Scene scene_ = load_scene(GetParam());
+    View view_ = scene_.views.front();
+    double radius_m_ = view_.radius_m.value_or(0.5);
+    CameraFrame frame_{view_.camera, kWidth, kHeight};
+    ReferenceScene reference_{scene_};
+    ScreenRenderer renderer_;
+    ImageF image_;
+    Mask surface_;
+};
+
+TEST_P(ScoresFromFewRays, HoldTheConvergedOnesWithinWhatTheyState) {
+    const Measured converged = measure(2 * 2048);
+    int checked = 0, held = 0;
+    for (const int samples : {16, 32, 64, 128}) {
+        for (const std::uint64_t seed : {1U, 2U, 3U}) {
+            const Measured few = measure(samples, seed);
+            for (const auto& [metric, half_width] : few.noise) {
+                const double error = *few.values.at(metric).value - *converged.values.at(metric).value;
+                printf("CAL %s %d %s %.5f error %.5f half %.5f\n", GetParam(), samples, metric.c_str(), *converged.values.at(metric).value, error, half_width);
+                const double stated = std::hypot(half_width, converged.noise.at(metric));
+                ++checked;
+                held += std::abs(error) <= stated;
+                EXPECT_LE(std::abs(error), 2 * stated)
+                    << metric << " from " << samples << " rays, seed " << seed << ", states " << half_width;
+            }
+        }
+    }
+    EXPECT_EQ(checked, 4 * 3 * 5);
+    EXPECT_GE(held, 0.9 * checked) << held << " of " << checked;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, ScoresFromFewRays, testing::Values("atrium", "yard", "pillar", "sphere"),
+                         [](const auto& test) { return std::string(test.param); });
+
+}  // namespace
+}  // namespace aoscore
