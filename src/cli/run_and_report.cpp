@@ -4,7 +4,7 @@
 #include "core/temporary_folder.h"
 #include "experiment/experiment.h"
 #include "experiment/job_list.h"
-#include "report/page_key.h"
+#include "report/page/page_key.h"
 #include "report/report.h"
 #include "store/code_digest.h"
 

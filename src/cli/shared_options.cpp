@@ -113,12 +113,13 @@ void add_truth_options(CLI::App& app, TruthEffort& effort) {
 void add_score_truth_options(CLI::App& app, TruthEffort& effort) {
     add_truth_options(app, effort);
     const ScoreGoal usual;
-    app.add_option("--score-error", effort.score_error,
-                   fmt::format("Trace until the truth's noise leaves every RMSE within this, 95 % of the time, and "
-                               "every other metric within {:g} times this; the page is written as soon as noise "
-                               "cannot change the ranking, and again at the end [{:g} unless --samples or --error "
-                               "is given]",
-                               ScoreGoal::kOtherMetrics, usual.error))
+    app.add_option(
+           "--score-error", effort.score_error,
+           fmt::format("Trace until the truth's noise leaves every RMSE within this, 95 % of the time, and "
+                       "every other metric within {:g} times this; the page is written as soon as noise "
+                       "cannot change the ranking, and again at the end [{:g} unless --samples or --error "
+                       "is given]",
+                       ScoreGoal::kOtherMetrics, usual.error))
         ->check(CLI::Range(1e-6, 0.5))
         ->excludes("--samples")
         ->excludes("--error");

@@ -30,9 +30,9 @@ void add_radii_option(CLI::App& app, std::vector<double>& radii);
 
 /// How finely the truth is traced.
 struct TruthEffort {
-    std::optional<int> samples;  ///< as the user named them
-    double max_error = 0;        ///< 0, or the standard error that every pixel is traced to
-    double mean_error = 0;       ///< 0, or that of the mean over the picture
+    std::optional<int> samples;         ///< as the user named them
+    double max_error = 0;               ///< 0, or the standard error that every pixel is traced to
+    double mean_error = 0;              ///< 0, or that of the mean over the picture
     std::optional<double> score_error;  ///< as the user named it: ScoreGoal::error
     /// Rays a pixel, the fewest where an error is asked for: those named, else as few as tell an error where
     /// one is asked for, else 64.

@@ -30,17 +30,19 @@ std::vector<Ranked> ranked_values(std::span<const CellRecord> cells) {
         const auto metric = cell.ranked.find(kRankingMetric);
         if (!cell.analysis || metric == cell.ranked.end() || !metric->second.value) continue;
         const auto noise = cell.analysis->truth_noise.find(kRankingMetric);
-        if (noise != cell.analysis->truth_noise.end()) values.push_back({*metric->second.value, noise->second});
+        if (noise != cell.analysis->truth_noise.end())
+            values.push_back({*metric->second.value, noise->second});
     }
     return values;
 }
 
-/// Whether noise cannot change the order. Noise moves two methods alike, so that their difference is surer than
-/// this sum of both says.
+/// Whether noise cannot change the order. Noise moves two methods alike, so that their difference is surer
+/// than this sum of both says.
 bool order_is_decided(std::vector<Ranked> values) {
     std::ranges::sort(values, {}, &Ranked::value);
     for (std::size_t i = 1; i < values.size(); ++i) {
-        if (values[i].value - values[i - 1].value <= values[i].half_width + values[i - 1].half_width) return false;
+        if (values[i].value - values[i - 1].value <= values[i].half_width + values[i - 1].half_width)
+            return false;
     }
     return true;
 }
@@ -66,14 +68,16 @@ ViewRun with_samples(const ViewRun& run, int samples) {
     return more;
 }
 
-void require_in_reach(const ScoreGoal& goal, double excess, int samples, double seconds, const std::string& view) {
+void require_in_reach(const ScoreGoal& goal, double excess, int samples, double seconds,
+                      const std::string& view) {
     const double times = std::pow(excess, 1 / -kSlope);
     if (samples * times <= kMostSamples && seconds * times <= kDay_s) return;
     const double most = std::min(kMostSamples / double{1} / samples, kDay_s / std::max(seconds, 1e-3));
-    throw usage_error(fmt::format("{}: a score error of {:g} takes about {:.3g} rays a pixel and {:.3g} hours", view,
-                                  goal.error, samples * times, seconds * times / 3600),
-                      "--score-error",
-                      fmt::format("{:.2g} or more on this view", goal.error * excess * std::pow(most, kSlope)));
+    throw usage_error(
+        fmt::format("{}: a score error of {:g} takes about {:.3g} rays a pixel and {:.3g} hours", view,
+                    goal.error, samples * times, seconds * times / 3600),
+        "--score-error",
+        fmt::format("{:.2g} or more on this view", goal.error * excess * std::pow(most, kSlope)));
 }
 
 }  // namespace
@@ -91,9 +95,10 @@ ViewOutcome run_to_goal(const ViewRun& run, const ArtifactStore& store) {
     ScoreState state = score_state(outcome.cells, goal);
     for (int samples = run.work.truth.samples; !state.reached; samples *= 2) {
         require_in_reach(goal, state.excess, samples, outcome.view.truth_seconds, run.work.key);
-        log_info(fmt::format("{}: at {} rays a pixel the truth's noise leaves the scores {:.2g} times as wide as "
-                             "asked for; going on to {}",
-                             run.work.key, samples, state.excess, 2 * samples));
+        log_info(
+            fmt::format("{}: at {} rays a pixel the truth's noise leaves the scores {:.2g} times as wide as "
+                        "asked for; going on to {}",
+                        run.work.key, samples, state.excess, 2 * samples));
         ViewOutcome more = run_view(with_samples(run, 2 * samples), store);
         more.rays += outcome.rays;
         more.measured = std::max(more.measured, outcome.measured);

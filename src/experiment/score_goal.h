@@ -12,16 +12,16 @@ namespace aoscore {
 /// How far the truth's noise leaves a view's scores from what a goal asks for.
 struct ScoreState {
     bool reached = false;
-    /// The largest half width of an interval that is too wide, over the one that is allowed; 1 or less where the
-    /// goal is reached.
+    /// The largest half width of an interval that is too wide, over the one that is allowed; 1 or less where
+    /// the goal is reached.
     double excess = 0;
 };
 /// Of the cells that have scores; reached where none has.
 ScoreState score_state(std::span<const CellRecord> cells, const ScoreGoal& goal);
 
-/// Measures a view with more and more rays, each time twice as many, until its goal is reached; what was traced
-/// before is gone on from. Throws usage_error where the goal would take more rays than a pixel can have, or more
-/// than a day, as far as the first rays tell.
+/// Measures a view with more and more rays, each time twice as many, until its goal is reached; what was
+/// traced before is gone on from. Throws usage_error where the goal would take more rays than a pixel can
+/// have, or more than a day, as far as the first rays tell.
 ViewOutcome run_to_goal(const ViewRun& run, const ArtifactStore& store);
 
 }  // namespace aoscore

@@ -3,13 +3,11 @@
 #include "core/error.h"
 #include "jobs/truth_image.h"
 #include "metrics/analysis/analysis.h"
-#include "metrics/analysis/analysis.h"
 #include "metrics/evaluate.h"
 #include "results/record_json.h"
 #include "results/results_members.h"
 
 #include <fmt/format.h>
-
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,7 @@
 #include "metrics/evaluate.h"
 
 #include "core/known_names.h"
-#include "metrics/extrapolation.h"
-#include "metrics/measures/mean_error.h"
+#include "metrics/intervals/extrapolation.h"
 #include "metrics/measures/mean_error.h"
 
 #include <fmt/format.h>

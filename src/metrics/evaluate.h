@@ -8,10 +8,10 @@
 
 namespace aoscore {
 
-/// Metrics of the table by id: those named, or all of them when `ids` is empty. Where the truth has two halves,
-/// those that can be are extrapolated to a truth without noise (Metric::noise). Where a valid pixel is NaN or
-/// infinite, or none is valid, every value is empty with a note that says so (see finite_pixels). Throws
-/// sizes_differ for images of several sizes and usage_error for an unknown id.
+/// Metrics of the table by id: those named, or all of them when `ids` is empty. Where the truth has two
+/// halves, those that can be are extrapolated to a truth without noise (Metric::noise). Where a valid pixel
+/// is NaN or infinite, or none is valid, every value is empty with a note that says so (see finite_pixels).
+/// Throws sizes_differ for images of several sizes and usage_error for an unknown id.
 std::map<std::string, MetricValue> evaluate(const MetricInput& input, std::span<const std::string> ids = {});
 
 /// The row of the table. Throws usage_error that lists the known ids.

@@ -53,12 +53,13 @@ struct Metric {
     /// Of an image whose blocks were drawn again: what its interval is made of. Null where parts of an image
     /// cannot give it.
     double (*resampled)(const DrawnSums&) = nullptr;
-    /// What the truth's noise does to it. `extrapolated`: it moves in proportion to the noise's variance, so that
-    /// its value for a truth without noise is extrapolated where the truth has two halves; see extrapolation.h.
+    /// What the truth's noise does to it. `extrapolated`: it moves in proportion to the noise's variance, so
+    /// that its value for a truth without noise is extrapolated where the truth has two halves; see
+    /// extrapolation.h.
     enum class Noise { included, taken_off, extrapolated };
     Noise noise = Noise::included;
-    /// What the extrapolation leaves, as a part of what it took off: always, and for each unit of the noise's mean
-    /// variance. Measured, see truth_noise().
+    /// What the extrapolation leaves, as a part of what it took off: always, and for each unit of the noise's
+    /// mean variance. Measured, see truth_noise().
     double left_always = 0, left_by_variance = 0;
     bool brief = false;     ///< also in tables for readers, whose width is limited
     bool unranked = false;  ///< also measured before the filter and against a method's own truth

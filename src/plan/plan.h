@@ -42,8 +42,8 @@ struct CellPlan {
 struct ScoreGoal {
     /// Half the width that the truth's noise may give the interval of a ranking's value.
     double error = 0.002;
-    /// Also those of all other metrics that have one, within kOtherMetrics times of it; and passes are timed in
-    /// full. Without it tracing also ends as soon as noise cannot change the order of a ranking.
+    /// Also those of all other metrics that have one, within kOtherMetrics times of it; and passes are timed
+    /// in full. Without it tracing also ends as soon as noise cannot change the order of a ranking.
     bool every_metric = true;
 
     static constexpr double kOtherMetrics = 5;
@@ -57,8 +57,8 @@ struct ViewPlan {
     LoadOptions load;   ///< how it is read, and with which views
     std::string view;   ///< as choose_views() takes it; of several views one after the other
     int width = 1920, height = 1080;
-    double max_error = 0;  ///< 0, or the standard error every truth pixel is traced to
-    int samples = 64;      ///< truth rays a pixel
+    double max_error = 0;                 ///< 0, or the standard error every truth pixel is traced to
+    int samples = 64;                     ///< truth rays a pixel
     std::optional<ScoreGoal> score_goal;  ///< where given, decides the rays in place of the two above
     /// What else the truth is to tell about the ranking's occlusion: by default all that a page shows.
     TruthExtras extras{.causes = true, .one_layer_bound = true, .bent_normals = false};
@@ -112,7 +112,7 @@ struct ExperimentPlan {
     /// An answer as soon as one stands: goals without ScoreGoal::every_metric, and nothing is timed. What was
     /// measured is kept, so that the whole plan goes on from there.
     bool first_answer = false;
-    std::string command;       ///< that makes it again
+    std::string command;                      ///< that makes it again
     std::shared_ptr<const Results> baseline;  ///< an earlier run to be held against; null: none
     std::vector<std::string> warnings;        ///< to be shown with the results
 };

@@ -1,7 +1,7 @@
 #include "reference/halved_truth.h"
 
 #include "core/sampling.h"
-#include "reference/integrator/tile_state.h"
+#include "reference/estimate/open_cone.h"
 
 #include <cmath>
 #include <utility>
@@ -30,6 +30,8 @@ void average_cones(Truth& first, const Truth& second) {
         if (first.hits.surface.pixels[i] != 0)
             first.cone_angle_rad.pixels[i] = static_cast<float>(cone_angle_rad(glm::dvec3(normal)));
     }
+    combine_errors(first.bent_error_rad, second.bent_error_rad);
+    combine_errors(first.cone_error_rad, second.cone_error_rad);
 }
 
 }  // namespace
@@ -48,7 +50,8 @@ Truth mean_of_halves(Truth first, Truth second) {
         average(first.visibility[q], second.visibility[q]);
         combine_errors(first.standard_error[q], second.standard_error[q]);
     }
-    for (std::size_t c = 0; c < kCauses; ++c) average(first.occlusion_by_cause[c], second.occlusion_by_cause[c]);
+    for (std::size_t c = 0; c < kCauses; ++c)
+        average(first.occlusion_by_cause[c], second.occlusion_by_cause[c]);
     average(first.one_layer_bound, second.one_layer_bound);
     average_cones(first, second);
     for (std::size_t i = 0; i < first.sample_counts.size(); ++i)

@@ -82,8 +82,8 @@ struct TruthSettings {
     /// rays agree, many at the edges of shadows. Not together with max_error.
     double mean_error = 0;
     /// The rays of a pixel are two independent sequences of samples / 2 each, as TruthCache traces them: what
-    /// the truth's noise does to any number that is made of the picture then follows from the two halves, without
-    /// bias, see Truth::halves. An even count; not together with an error.
+    /// the truth's noise does to any number that is made of the picture then follows from the two halves,
+    /// without bias, see Truth::halves. An even count; not together with an error.
     bool halves = false;
     std::uint64_t seed = 1;
     bool shading_normals = false;  ///< hemisphere about the smooth normal instead of the geometric one
@@ -133,9 +133,9 @@ struct Truth {
     std::vector<TruthQuery> queries;
     std::vector<ImageF> visibility;      ///< one image a query, in [0,1]; 1 where there is no surface
     std::vector<ImageF> standard_error;  ///< one image a query, > 0 on surfaces; 0 where there is none
-    /// Where the rays are two independent sequences, the visibility by each of them, a pair a query; the mean of
-    /// the two is `visibility`. Half their difference squared is an unbiased estimate of a pixel's variance,
-    /// however few the rays, since neither half knows of the other. Else empty.
+    /// Where the rays are two independent sequences, the visibility by each of them, a pair a query; the mean
+    /// of the two is `visibility`. Half their difference squared is an unbiased estimate of a pixel's
+    /// variance, however few the rays, since neither half knows of the other. Else empty.
     std::vector<std::array<ImageF, 2>> halves;
     /// Occlusion of the first query, 1 - visibility, by Cause: four images that add up to it; empty unless
     /// asked for.

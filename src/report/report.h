@@ -11,8 +11,8 @@ void require_page_parts();
 
 /// Makes one self-contained HTML page, folder/index.html, from folder/results.json and the images beside it
 /// alone. `everything` keeps raw outputs and occlusion by
-/// cause in large pages too. `key`, where there is one, is kept in it (see page_key()). Returns its path. Throws file_error when the results are missing or of another
-/// version.
+/// cause in large pages too. `key`, where there is one, is kept in it (see page_key()). Returns its path.
+/// Throws file_error when the results are missing or of another version.
 std::filesystem::path write_report(const std::filesystem::path& results_folder, bool everything = false,
                                    const std::string& key = {});
 

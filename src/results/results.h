@@ -94,8 +94,8 @@ struct ViewRecord {
     bool halves = false;  ///< the rays are two independent halves, from which noise is taken off the scores
     /// The half width that the truth's noise may give an RMSE, where that decided the rays.
     std::optional<double> score_error;
-    bool final_answer = true;  ///< false where only the ranking was asked for, and the run goes on
-    std::size_t open_pixels = 0;      ///< proven open without tracing a ray
+    bool final_answer = true;     ///< false where only the ranking was asked for, and the run goes on
+    std::size_t open_pixels = 0;  ///< proven open without tracing a ray
     double truth_seconds = 0;
     /// "traced", "resumed" after an interruption, "refined" from fewer rays, or "cached": not traced again.
     std::string truth_origin = "traced";

@@ -2,8 +2,8 @@
 
 #include "core/error.h"
 #include "core/json_text.h"
-#include "jobs/truth_image.h"
 #include "image/image_file.h"
+#include "jobs/truth_image.h"
 
 #include <vector>
 

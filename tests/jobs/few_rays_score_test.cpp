@@ -1,10 +1,10 @@
-// Scores from few rays against those from a truth of 2 x 2048 rays a pixel, on four scenes: whatever the noise, the
-// converged value lies within what is stated.
-#include "metrics/block_errors.h"
+// Scores from few rays against those from a truth of 2 x 2048 rays a pixel, on four scenes: whatever the
+// noise, the converged value lies within what is stated.
+#include "metrics/analysis/occlusion_masks.h"
 #include "metrics/evaluate.h"
-#include "metrics/extrapolation.h"
-#include "metrics/occlusion_masks.h"
-#include "metrics/truth_noise.h"
+#include "metrics/intervals/block_errors.h"
+#include "metrics/intervals/extrapolation.h"
+#include "metrics/intervals/truth_noise.h"
 #include "reference/truth.h"
 #include "scene/scene.h"
 #include "screen/screen.h"
@@ -42,7 +42,8 @@ class ScoresFromFewRays : public testing::TestWithParam<const char*> {
     }
 
     Measured measure(int samples, std::uint64_t seed = 1) const {
-        TruthRequest request{scene_.digest, frame_.camera(), kWidth, kHeight, {{Falloff::binary, radius_m_, 0}}, {}, {}};
+        TruthRequest request{
+            scene_.digest, frame_.camera(), kWidth, kHeight, {{Falloff::binary, radius_m_, 0}}, {}, {}};
         request.settings.samples = samples;
         request.settings.halves = true;
         request.settings.seed = seed;
@@ -81,7 +82,8 @@ TEST_P(ScoresFromFewRays, HoldTheConvergedOnesWithinWhatTheyState) {
             const Measured few = measure(samples, seed);
             for (const auto& [metric, half_width] : few.noise) {
                 const double error = *few.values.at(metric).value - *converged.values.at(metric).value;
-                printf("CAL %s %d %s %.5f error %.5f half %.5f\n", GetParam(), samples, metric.c_str(), *converged.values.at(metric).value, error, half_width);
+                printf("CAL %s %d %s %.5f error %.5f half %.5f\n", GetParam(), samples, metric.c_str(),
+                       *converged.values.at(metric).value, error, half_width);
                 const double stated = std::hypot(half_width, converged.noise.at(metric));
                 ++checked;
                 held += std::abs(error) <= stated;

@@ -1,10 +1,10 @@
-// Against a truth without noise, which only a made-up picture has: what is taken off and extrapolated is right on
-// average, and the stated half widths hold the converged value as often as they say.
-#include "metrics/truth_noise.h"
+// Against a truth without noise, which only a made-up picture has: what is taken off and extrapolated is
+// right on average, and the stated half widths hold the converged value as often as they say.
+#include "metrics/intervals/truth_noise.h"
 
-#include "metrics/evaluate.h"
-#include "metrics/extrapolation.h"
 #include "metrics/analysis/occlusion_masks.h"
+#include "metrics/evaluate.h"
+#include "metrics/intervals/extrapolation.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -102,8 +102,8 @@ TEST_P(HalvesOfATruth, HoldTheConvergedValueOfEveryMetricAsOftenAsTheySay) {
     ASSERT_EQ(held.size(), 5U) << "all that are measured but MS-SSIM, which takes larger pictures";
     for (const auto& [metric, count] : held) {
         const double share = static_cast<double>(count) / kSeeds;
-        RecordProperty(metric, fmt::format("{:.3f}, off by {:.2g} on average, half width {:.2g}", share, sum[metric],
-                                           width[metric]));
+        RecordProperty(metric, fmt::format("{:.3f}, off by {:.2g} on average, half width {:.2g}", share,
+                                           sum[metric], width[metric]));
         EXPECT_GE(share, 0.92) << metric << " off by " << sum[metric] << ", half width " << width[metric];
         EXPECT_LE(share, 0.98) << metric << " off by " << sum[metric] << ", half width " << width[metric];
     }

@@ -1,10 +1,9 @@
 #include "metrics/analysis/analysis.h"
 
 #include "metrics/analysis/tile_pattern.h"
-#include "metrics/extrapolation.h"
+#include "metrics/intervals/extrapolation.h"
+#include "metrics/intervals/truth_noise.h"
 #include "metrics/measures/mean_error.h"
-#include "metrics/analysis/tile_pattern.h"
-#include "metrics/truth_noise.h"
 
 #include <array>
 #include <utility>

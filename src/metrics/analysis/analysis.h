@@ -27,8 +27,8 @@ struct ErrorAnalysis {
     std::vector<Split> splits;                  ///< error by property of the pixel
     ErrorDistribution distribution;
     std::optional<double> tile_pattern;  ///< see tile_pattern()
-    /// How far each metric may lie from its value against a truth without noise, by id (see truth_noise()): half
-    /// the width of an interval that holds it with 95 % confidence. Empty where the truth has no halves.
+    /// How far each metric may lie from its value against a truth without noise, by id (see truth_noise()):
+    /// half the width of an interval that holds it with 95 % confidence. Empty where the truth has no halves.
     std::map<std::string, double> truth_noise;
     BlockErrors blocks;  ///< what the intervals are made of; pairs with those of other tests of the truth
 };

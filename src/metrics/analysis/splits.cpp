@@ -2,7 +2,6 @@
 
 #include "core/threads.h"
 #include "metrics/measures/mean_error.h"
-#include "metrics/measures/mean_error.h"
 #include "metrics/measures/noise.h"
 
 #include <fmt/format.h>
@@ -175,8 +174,7 @@ std::vector<SplitBin> bins_of(const MetricInput& input, const Division& division
         if (sums[b].weight > 0) {
             bin.rmse = std::sqrt(sums[b].squared / sums[b].weight);
             bin.bias = sums[b].signed_sum / sums[b].weight;
-            if (knows_noise(input))
-                bin.noise_rmse = std::sqrt(sums[b].variance / sums[b].weight);
+            if (knows_noise(input)) bin.noise_rmse = std::sqrt(sums[b].variance / sums[b].weight);
         }
         bins.push_back(std::move(bin));
     }

@@ -1,8 +1,6 @@
 #include "metrics/intervals/block_errors.h"
 
 #include "metrics/intervals/block_grid.h"
-#include "metrics/intervals/block_grid.h"
-#include "metrics/measures/mean_error.h"
 #include "metrics/measures/mean_error.h"
 #include "metrics/measures/noise.h"
 

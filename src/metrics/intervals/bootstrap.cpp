@@ -1,8 +1,7 @@
 #include "metrics/intervals/bootstrap.h"
 
 #include "core/error.h"
-#include "metrics/block_sums.h"
-#include "metrics/intervals/drawn_sums.h"
+#include "metrics/intervals/block_sums.h"
 #include "metrics/intervals/drawn_sums.h"
 #include "metrics/intervals/over_views.h"
 #include "metrics/metric.h"

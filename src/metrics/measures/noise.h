@@ -24,14 +24,14 @@ inline bool knows_noise(const MetricInput& input) {
     return input.halves != nullptr || input.standard_error != nullptr;
 }
 
-/// The variance of the truth's noise at pixel `i`, of which only means over many pixels are meant: from its two
-/// halves, where it has them, else its squared standard error. That of the halves is without bias whatever the
-/// rays, a standard error from few rays is not. knows_noise() must hold.
+/// The variance of the truth's noise at pixel `i`, of which only means over many pixels are meant: from its
+/// two halves, where it has them, else its squared standard error. That of the halves is without bias
+/// whatever the rays, a standard error from few rays is not. knows_noise() must hold.
 inline double noise_variance(const MetricInput& input, std::size_t i) {
-    const double noise = input.halves != nullptr ? (double{input.halves->first.pixels[i]} -
-                                                    double{input.halves->second.pixels[i]}) /
-                                                       2
-                                                 : double{input.standard_error->pixels[i]};
+    const double noise =
+        input.halves != nullptr
+            ? (double{input.halves->first.pixels[i]} - double{input.halves->second.pixels[i]}) / 2
+            : double{input.standard_error->pixels[i]};
     return noise * noise;
 }
 

@@ -3,7 +3,7 @@
 #include "report/page/number_text.h"
 #include "report/section.h"
 #include "report/sections/place_name.h"
-#include "report/truth_noise_text.h"
+#include "report/sections/truth_noise_text.h"
 #include "results/ranked_value.h"
 
 #include <fmt/format.h>

@@ -95,8 +95,8 @@ class TruthCache {
     std::filesystem::path folder_;
 };
 
-/// TruthCache::trace() of the cache in `folder`; without a cache where that is empty. With TruthSettings::halves
-/// its two halves, each a truth of its own for the cache, and their mean.
+/// TruthCache::trace() of the cache in `folder`; without a cache where that is empty. With
+/// TruthSettings::halves its two halves, each a truth of its own for the cache, and their mean.
 CachedTruth trace_truth(const std::filesystem::path& folder, const ReferenceScene& reference,
                         const TruthRequest& request, const TruthLabel& label, const std::string& what);
 

@@ -1,4 +1,4 @@
-#include "metrics/extrapolation.h"
+#include "metrics/intervals/extrapolation.h"
 
 #include <cstddef>
 #include <vector>

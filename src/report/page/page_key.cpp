@@ -1,4 +1,4 @@
-#include "report/page_key.h"
+#include "report/page/page_key.h"
 
 #include "core/files.h"
 #include "core/hash.h"

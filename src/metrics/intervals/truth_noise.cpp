@@ -1,7 +1,7 @@
-#include "metrics/truth_noise.h"
+#include "metrics/intervals/truth_noise.h"
 
-#include "metrics/block_sums.h"
-#include "metrics/extrapolation.h"
+#include "metrics/intervals/block_sums.h"
+#include "metrics/intervals/extrapolation.h"
 #include "metrics/measures.h"
 #include "metrics/metric.h"
 
@@ -97,11 +97,11 @@ std::map<std::string, double> truth_noise(const BlockErrors& whole, const BlockE
     for (const Metric& metric : metrics()) {
         if (metric.noise == Metric::Noise::included || metric.resampled == nullptr) continue;
         const double value = metric.resampled(noisy_sums);
-        const double variance =
-            metric.measure == measure::ms_ssim && has_ms_ssim
-                ? ms_ssim_variance(whole.maps, first.maps, second.maps)
-                : variance_of_sum(movements(metric, sums), whole.across, whole.down);
-        const double taken_off = metric.noise == Metric::Noise::extrapolated ? metric.resampled(free_sums) - value : 0;
+        const double variance = metric.measure == measure::ms_ssim && has_ms_ssim
+                                    ? ms_ssim_variance(whole.maps, first.maps, second.maps)
+                                    : variance_of_sum(movements(metric, sums), whole.across, whole.down);
+        const double taken_off =
+            metric.noise == Metric::Noise::extrapolated ? metric.resampled(free_sums) - value : 0;
         const double left = metric.left_always + metric.left_by_variance * noise_variance;
         const double half_width = std::hypot(kDeviations * std::sqrt(variance), left * taken_off);
         if (std::isfinite(half_width)) noise[std::string(metric.id)] = half_width;

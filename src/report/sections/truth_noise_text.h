@@ -6,7 +6,8 @@
 
 namespace aoscore {
 
-/// What the truth's noise leaves of a view's scores, in a sentence; empty where its truth has no halves that tell.
+/// What the truth's noise leaves of a view's scores, in a sentence; empty where its truth has no halves that
+/// tell.
 std::string truth_noise_text(const Results& results, const ViewRecord& view);
 
 /// That a page shows the first answer of a run that goes on, and what in it is final; empty for a final page.

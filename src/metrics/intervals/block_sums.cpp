@@ -1,4 +1,4 @@
-#include "metrics/block_sums.h"
+#include "metrics/intervals/block_sums.h"
 
 #include <limits>
 #include <utility>
@@ -32,8 +32,7 @@ std::vector<DrawnSums> sums_of_blocks(const BlockErrors& image) {
         {&DrawnSums::flip, &image.maps.flip_sums}};
     for (const auto& [sum, values] : sums) {
         for (std::size_t b = 0; b < blocks.size(); ++b) {
-            blocks[b].*sum =
-                values->size() == blocks.size() ? (*values)[b] : kNotThere;
+            blocks[b].*sum = values->size() == blocks.size() ? (*values)[b] : kNotThere;
         }
     }
     return blocks;

@@ -1,4 +1,4 @@
-#include "report/truth_noise_text.h"
+#include "report/sections/truth_noise_text.h"
 
 #include "metrics/roles.h"
 #include "report/page/number_text.h"
@@ -20,15 +20,18 @@ std::string truth_noise_text(const Results& results, const ViewRecord& view) {
         }
     }
     return fmt::format(
-        "The truth of {} has {} rays a pixel in two independent halves: with 95 % confidence its noise moves no "
+        "The truth of {} has {} rays a pixel in two independent halves: with 95 % confidence its noise moves "
+        "no "
         "debiased RMSE by more than {} and no MAE, bias, SSIM, MS-SSIM or FLIP by more than {}.",
         view.key, view.samples, fixed_text(ranking, 4), fixed_text(others, 4));
 }
 
 std::string first_answer_text(const Results& results) {
     if (std::ranges::all_of(results.views, &ViewRecord::final_answer)) return "";
-    return "This page is the first answer of a run that goes on. The debiased RMSE and the order of the ranking are "
-           "final within their intervals. All other numbers become more exact with more rays, and costs are measured "
+    return "This page is the first answer of a run that goes on. The debiased RMSE and the order of the "
+           "ranking are "
+           "final within their intervals. All other numbers become more exact with more rays, and costs are "
+           "measured "
            "last; the run then writes this page again.";
 }
 

@@ -7,11 +7,11 @@
 
 namespace aoscore {
 
-// Noise of the truth moves a smooth function of the picture by c times the noise's variance, and by terms of higher
-// order. The mean of two independent halves has half the variance of either, so that
+// Noise of the truth moves a smooth function of the picture by c times the noise's variance, and by terms of
+// higher order. The mean of two independent halves has half the variance of either, so that
 //     2 f(mean) - (f(first half) + f(second half)) / 2
-// is free of the first term (Lewis Fry Richardson, The Approximate Arithmetical Solution by Finite Differences, 1911;
-// for estimates from samples: Maurice Quenouille, Notes on Bias in Estimation, 1956).
+// is free of the first term (Lewis Fry Richardson, The Approximate Arithmetical Solution by Finite
+// Differences, 1911; for estimates from samples: Maurice Quenouille, Notes on Bias in Estimation, 1956).
 
 /// The same comparison against one half of the truth, 0 or 1, of which nothing is known but the picture.
 MetricInput against_half(const MetricInput& input, std::size_t half);
