@@ -3,6 +3,7 @@
 #include "core/files.h"
 #include "core/output.h"
 #include "metrics/metric.h"
+#include "metrics/signal_metric.h"
 #include "plan/plan.h"
 #include "plan/scene_views.h"
 #include "plan/view_description.h"
@@ -100,6 +101,10 @@ void list_metrics() {
     for (const Metric& metric : metrics()) {
         print_result("{:<16} {}: {}{}\n", metric.id, metric.label, metric.meaning,
                      metric.paper.empty() ? "" : fmt::format(" ({})", metric.paper));
+    }
+    for (const SignalMetric& metric : signal_metrics()) {
+        print_result("{:<16} {}: {} (of {}, with --signals)\n", metric.id, metric.label, metric.meaning,
+                     metric.signal);
     }
 }
 

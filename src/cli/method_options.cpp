@@ -3,16 +3,26 @@
 #include "cli/shared_options.h"
 #include "core/error.h"
 #include "core/known_names.h"
+#include "core/signal.h"
 #include "plan/assignment.h"
 #include "plan/run_modes.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
 
 namespace aoscore {
 namespace {
+
+std::vector<std::string> methods_that_give(const std::string& id) {
+    std::vector<std::string> ids;
+    for (const MethodDescriptor& method : load_methods()) {
+        if (method.gives(id)) ids.push_back(method.id);
+    }
+    return ids;
+}
 
 // The descriptor's choice of modes, where the user made none.
 void add_modes_of(const MethodDescriptor& method, const MethodOptions& options, RunModes& modes,
@@ -32,7 +42,37 @@ void add_modes_of(const MethodDescriptor& method, const MethodOptions& options, 
     }
 }
 
+// Each signal that was asked for goes to the methods that give it.
+void add_signals(const std::vector<MethodDescriptor>& methods, const std::vector<std::string>& signals,
+                 std::vector<CellPlan>& cells, std::vector<std::string>& warnings) {
+    for (const std::string& id : signals) {
+        std::vector<std::string> without;
+        for (const MethodDescriptor& method : methods) {
+            if (!method.gives(id)) without.push_back(method.id);
+        }
+        if (without.size() == methods.size()) {
+            throw usage_error("no chosen method gives it", "--signals " + id,
+                              fmt::format("with one of {}", fmt::join(methods_that_give(id), ", ")));
+        }
+        if (!without.empty()) {
+            warnings.push_back(fmt::format("no {} is scored of {}: not given", id, fmt::join(without, ", ")));
+        }
+        for (CellPlan& cell : cells) {
+            if (find_method(methods, cell.method).gives(id)) cell.signals.push_back(id);
+        }
+    }
+}
+
 }  // namespace
+
+void add_signals_option(CLI::App& app, std::vector<std::string>& signals) {
+    app.add_option("--signals", signals,
+                   fmt::format("Also score these of the methods that give them: {}",
+                               fmt::join(further_signals(), ", ")))
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(one_of(further_signals()));
+}
 
 void add_method_options(CLI::App& app, MethodOptions& options) {
     app.add_option("--preset", options.preset,
@@ -75,6 +115,7 @@ std::vector<CellPlan> plan_cells(const std::vector<MethodDescriptor>& methods,
             cells.push_back(cell);
         }
     }
+    add_signals(methods, options.signals, cells, warnings);
     for (const std::string& text : options.assignments) {
         const Assignment assignment = parse_assignment(text);
         bool taken = false;

@@ -19,16 +19,20 @@ struct MethodOptions {
     bool own_parameters = false;           ///< lengths as descriptors have them, whatever the radius
     RunModes modes;
     std::set<std::string> chosen_modes;  ///< ids of the modes that the user named
+    std::vector<std::string> signals;    ///< beside visibility: each for the methods that give it
 };
 
 /// --preset, --filter, --set, --own-parameters, and one option for each of run_mode_options().
 void add_method_options(CLI::App& app, MethodOptions& options);
 
+/// --signals.
+void add_signals_option(CLI::App& app, std::vector<std::string>& signals);
+
 /// The cells of each method: one for the preset that was asked for, or one for each that its descriptor
 /// names; likewise for the modes of running, and what a descriptor changes there is said in `warnings`. An
 /// assignment goes to the methods that have the parameter, and one of "filter.taps" to those whose filter has
-/// it. Throws usage_error for an assignment that none of them has, file_error for a descriptor's mode that
-/// does not exist.
+/// it. Which methods give none of the signals is said too. Throws usage_error for an assignment that none of
+/// them has, and for a signal that none gives, file_error for a descriptor's mode that does not exist.
 std::vector<CellPlan> plan_cells(const std::vector<MethodDescriptor>& methods,
                                  const std::vector<MethodDescriptor>& filters, const MethodOptions& options,
                                  std::vector<std::string>& warnings);

@@ -3,6 +3,7 @@
 #include "cli/run_and_report.h"
 #include "cli/shared_options.h"
 #include "core/files.h"
+#include "jobs/truth_signals.h"
 #include "plan/plan.h"
 
 #include <fmt/format.h>
@@ -56,6 +57,7 @@ ExitCode run(const ScoreOptions& options, const GlobalOptions& global) {
     if (!options.radii.empty()) view.radius_m = options.radii[0];
     view.cells = plan_cells(chosen_methods(options, plan.warnings), load_filters(), options.method_options,
                             plan.warnings);
+    view.extras |= extras_for(options.method_options.signals);
     for (const std::string& id : planned_views(options.choice.view)) {
         view.view = id;
         shared_view(plan, view);
@@ -77,6 +79,7 @@ CommandEntry add_score_command(CLI::App& program, const GlobalOptions& global) {
         ->delimiter(',')
         ->allow_extra_args(false);
     add_method_options(*app, options->method_options);
+    add_signals_option(*app, options->method_options.signals);
     add_size_option(*app, options->size);
     add_radii_option(*app, options->radii);
     add_score_truth_options(*app, options->effort);

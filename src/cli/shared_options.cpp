@@ -146,9 +146,10 @@ void add_extras_options(CLI::App& app, TruthExtras& extras) {
     app.add_flag(
         "--one-layer-bound", extras.one_layer_bound,
         "Also one_layer.Y: the occlusion that a method could find at most which knows one depth layer");
-    app.add_flag("--bent-normals", extras.bent_normals,
-                 "Also bent.X/Y/Z, the mean open direction in view space, and cone.Y, its cone's half angle "
-                 "in radians");
+    app.add_flag(
+        "--bent-normals", extras.bent_normals,
+        "Also bent.X/Y/Z, the mean open direction in view space, and cone.Y, its cone's half angle in "
+        "radians, with their standard errors SE.bent.Y and SE.cone.Y");
 }
 
 namespace {

@@ -65,7 +65,9 @@ CellRecord described_cell(const ViewRun& run, std::size_t i) {
     record.preset = cell.plan.preset;
     record.setting = setting_text(cell.plan);
     record.filter = cell.filter;
-    record.parameters = cell.request.parameters;
+    const bool visibility_alone = cell.request.signals.empty();
+    record.parameters = visibility_alone ? visibility_values(*cell.request.method, cell.request.parameters)
+                                         : cell.request.parameters;
     record.lengths = cell.lengths;
     for (const auto& [mode, choice] : unusual_modes(cell.plan.modes)) record.parameters[mode] = choice;
     for (const auto& [id, value] : cell.plan.filter_overrides)
@@ -131,6 +133,7 @@ class Assembly {
             record.ranked = score->ranked;
             record.analysis = score->analysis;
             record.raw = score->raw;
+            record.signals = score->signals;
         }
         if (keys.own_score && maker_.own_score(*keys.own_score) != nullptr)
             record.own = *maker_.own_score(*keys.own_score);

@@ -3,6 +3,7 @@
 #include "core/image.h"
 #include "image/pixel_rect.h"
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -58,5 +59,7 @@ std::string encode_png_indexed(const Image<std::uint8_t>& indices,
                                std::span<const std::uint32_t> palette_rgb);
 /// PNG in memory, 8-bit gray.
 std::string encode_png_gray(const Image<std::uint8_t>& gray);
+/// PNG in memory, red, green and blue of 8 bits.
+std::string encode_png_rgb(const Image<std::array<std::uint8_t, 3>>& colours);
 
 }  // namespace aoscore

@@ -13,8 +13,10 @@ namespace aoscore {
 namespace {
 
 struct PngJob {
-    const Image<std::uint8_t>& pixels;
-    std::span<const png_color> palette;  ///< empty: gray
+    const Image<std::uint8_t>& bytes_of_rows;
+    int width;
+    int colour_type;
+    std::span<const png_color> palette;  ///< of indices
     int bits;
     std::string bytes;
     std::string error;
@@ -45,10 +47,9 @@ void ignore(png_structp, png_const_charp) {}
 bool write_png(png_structp png, png_infop info, PngJob& job) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
     png_set_write_fn(png, &job, append, flush);
-    png_set_IHDR(png, info, static_cast<png_uint_32>(job.pixels.width),
-                 static_cast<png_uint_32>(job.pixels.height), job.bits,
-                 job.palette.empty() ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_PALETTE, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(job.width),
+                 static_cast<png_uint_32>(job.bytes_of_rows.height), job.bits, job.colour_type,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     if (!job.palette.empty())
         png_set_PLTE(png, info, job.palette.data(), static_cast<int>(job.palette.size()));
     // Indices have no slope to predict; grays have.
@@ -57,14 +58,13 @@ bool write_png(png_structp png, png_infop info, PngJob& job) {
     png_set_compression_level(png, 6);
     png_write_info(png, info);
     png_set_packing(png);  // Rows come with one byte a pixel, whatever the bits.
-    for (int y = 0; y < job.pixels.height; ++y) png_write_row(png, &job.pixels.at(0, y));
+    for (int y = 0; y < job.bytes_of_rows.height; ++y) png_write_row(png, &job.bytes_of_rows.at(0, y));
     png_write_end(png, info);
     return true;
 }
 
-std::string encode(const Image<std::uint8_t>& pixels, std::span<const png_color> palette, int bits) {
-    if (pixels.empty()) throw internal_error("a PNG without pixels");
-    PngJob job{pixels, palette, bits, {}, {}};
+std::string encode(PngJob job) {
+    if (job.bytes_of_rows.empty()) throw internal_error("a PNG without pixels");
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &job, fail, ignore);
     png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
     const bool written = info != nullptr && write_png(png, info, job);
@@ -92,11 +92,18 @@ std::string encode_png_indexed(const Image<std::uint8_t>& indices,
     }
     int bits = 1;
     while ((std::size_t{1} << bits) < palette.size()) bits *= 2;
-    return encode(indices, palette, bits);
+    return encode({indices, indices.width, PNG_COLOR_TYPE_PALETTE, palette, bits, {}, {}});
 }
 
 std::string encode_png_gray(const Image<std::uint8_t>& gray) {
-    return encode(gray, {}, 8);
+    return encode({gray, gray.width, PNG_COLOR_TYPE_GRAY, {}, 8, {}, {}});
+}
+
+std::string encode_png_rgb(const Image<std::array<std::uint8_t, 3>>& colours) {
+    Image<std::uint8_t> rows(3 * colours.width, colours.height);
+    auto next = rows.pixels.begin();
+    for (const auto& colour : colours.pixels) next = std::ranges::copy(colour, next).out;
+    return encode({rows, colours.width, PNG_COLOR_TYPE_RGB, {}, 8, {}, {}});
 }
 
 }  // namespace aoscore

@@ -33,6 +33,7 @@ class ShaderMethod final : public Requested {
     using Requested::Requested;
 
     std::string_view code() const override { return "image"; }
+    std::vector<std::string> signals() const override { return request().signals; }
     const MethodRequest* timed_request() const override { return &request(); }
     MethodOutput image(const ContestantSources& sources) const override {
         return draw_image(sources.tools.ready_renderer(), request());

@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace aoscore {
 
@@ -38,6 +39,8 @@ class Contestant {
     virtual std::optional<std::set<std::string>> gbuffer_inputs() const { return std::nullopt; }
     /// What it reads of the truth; empty where it does not read the truth.
     virtual std::optional<TruthQuery> truth_query() const { return std::nullopt; }
+    /// Ids of the signals that it gives beside visibility (core/signal.h).
+    virtual std::vector<std::string> signals() const { return {}; }
     /// What is timed, and whose fetches are counted; null for a contestant without a cost.
     virtual const MethodRequest* timed_request() const { return nullptr; }
     /// Whether a filter has made its image of a raw one, which it gives as well.

@@ -2,8 +2,10 @@
 
 #include "core/error.h"
 #include "jobs/truth_image.h"
+#include "jobs/truth_signals.h"
 #include "metrics/analysis/analysis.h"
 #include "metrics/evaluate.h"
+#include "metrics/signal_metric.h"
 #include "results/record_json.h"
 #include "results/results_members.h"
 
@@ -73,6 +75,11 @@ Score score_image(const Truth& truth, const Ground& ground, const MethodOutput& 
         const Mask raw_valid =
             finite_pixels(truth.visibility[0], image.raw, ground.contract.valid, nonfinite);
         score.raw = metrics_against(truth, 0, image.raw, raw_valid);
+    }
+    for (const auto& [id, of_signal] : image.signals) {
+        const TruthSignal known = truth_signal(truth, id);
+        score.signals[id] =
+            evaluate_signal(id, {known.image, of_signal, ground.contract.valid, *known.standard_error_rad});
     }
     return score;
 }

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 
 namespace aoscore {
@@ -19,7 +20,8 @@ struct Score {
     std::size_t nonfinite = 0;  ///< valid pixels that are NaN or infinite: then there are no numbers
     MetricMap ranked;
     std::optional<ErrorAnalysis> analysis;
-    MetricMap raw;  ///< of the image before its filter; empty without one
+    MetricMap raw;                             ///< of the image before its filter; empty without one
+    std::map<std::string, MetricMap> signals;  ///< of those beside visibility that the image has, by id
 
     /// Why there are no numbers; empty where there are.
     std::string error() const;
@@ -31,6 +33,7 @@ void visit_members(Visit& visit, Record& score) {
     visit("ranked", score.ranked);
     visit("analysis", score.analysis);
     visit("raw", score.raw);
+    visit("signals", score.signals);
 }
 
 /// How an image is scored.

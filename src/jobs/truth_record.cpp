@@ -3,6 +3,7 @@
 #include "jobs/image_output.h"
 #include "jobs/masked_mean.h"
 #include "jobs/own_truth.h"
+#include "jobs/truth_signals.h"
 #include "metrics/measures/noise.h"
 #include "reference/integrator/tile.h"
 
@@ -79,6 +80,7 @@ void record_truth(const Truth& truth, const Mask& valid, ViewRecord& view) {
         if (occlusion.empty()) continue;
         view.causes.push_back({std::string(kCauseIds[c]), cause_channel(c), mean_over(occlusion, valid)});
     }
+    view.signals = recorded_signals(truth, valid);
     if (!truth.one_layer_bound.empty()) view.one_layer_channel = kOneLayerChannel;
 }
 

@@ -1,10 +1,12 @@
 #include "jobs/view_files.h"
 
+#include "core/signal.h"
 #include "image/image_file.h"
 #include "jobs/image_output.h"
 #include "jobs/truth_provenance.h"
 
 #include <map>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +26,11 @@ void write_gbuffer_file(const ViewWork& work, const GBufferImages& gbuffer) {
 void write_image_file(const ViewWork& work, const CellWork& cell, const MethodOutput& image) {
     std::vector<ChannelView> channels{{"Y", &image.visibility}};
     if (cell.contestant->is_filtered()) channels.push_back({"raw.Y", &image.raw});
+    for (const auto& [id, planes] : image.signals) {
+        const std::span<const std::string_view> names = signal(id).channels;
+        for (std::size_t i = 0; i < planes.size(); ++i)
+            channels.push_back({std::string(names[i]), &planes[i]});
+    }
     write_exr(work.folder / work.image_file(cell), channels, {{"aoscore:cell", cell.id}});
 }
 

@@ -132,7 +132,15 @@ bool ViewMaker::take_input(const Job& job) {
     const ImageFile kept = read_image(*file);
     const ImageF *visibility = kept.channel("Y"), *raw = kept.channel("raw.Y");
     if (visibility == nullptr) return false;
-    image_.emplace(job.key, MethodOutput{raw != nullptr ? *raw : *visibility, *visibility, {}});
+    MethodOutput output{raw != nullptr ? *raw : *visibility, *visibility, {}, {}};
+    for (const std::string& id : cell(job).contestant->signals()) {
+        for (const std::string_view channel : signal(id).channels) {
+            const ImageF* plane = kept.channel(std::string(channel));
+            if (plane == nullptr) return false;
+            output.signals[id].push_back(*plane);
+        }
+    }
+    image_.emplace(job.key, std::move(output));
     return true;
 }
 

@@ -163,7 +163,8 @@ void add_table_report(ExperimentPlan& plan, const ReportDefinition& report, doub
 
 bool CellPlan::same_as(const CellPlan& other) const {
     return method == other.method && preset == other.preset && overrides == other.overrides &&
-           filter == other.filter && filter_overrides == other.filter_overrides && modes == other.modes;
+           filter == other.filter && filter_overrides == other.filter_overrides && modes == other.modes &&
+           signals == other.signals;
 }
 
 bool has_score_goal(const ExperimentPlan& plan) {
@@ -189,9 +190,7 @@ std::size_t shared_view(ExperimentPlan& plan, ViewPlan view) {
     if (!view.score_goal) found->score_goal.reset();
     if (view.max_error > 0)
         found->max_error = found->max_error > 0 ? std::min(found->max_error, view.max_error) : view.max_error;
-    found->extras.causes |= view.extras.causes;
-    found->extras.one_layer_bound |= view.extras.one_layer_bound;
-    found->extras.bent_normals |= view.extras.bent_normals;
+    found->extras |= view.extras;
     if (view.timing_goal) found->timing_goal = view.timing_goal;
     found->lit |= view.lit;
     return static_cast<std::size_t>(found - plan.views.begin());

@@ -34,6 +34,8 @@ struct CellPlan {
     bool keep_image = true;  ///< write its output
     /// Also time whole lit frames, waited for at their end and after every pass.
     bool whole_frames = false;
+    /// Signals beside visibility that are scored, of those that the method gives (see core/signal.h).
+    std::vector<std::string> signals = {};
     /// Whether both are the same measurement, whatever is kept of it.
     bool same_as(const CellPlan& other) const;
 };

@@ -89,6 +89,7 @@ ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64
     cell.request.method = &method;
     cell.request.parameters = drawn_values(method, plan.preset, plan.overrides, drawn_for_m);
     cell.request.seed = seed;
+    cell.request.signals = plan.signals;
     plan.modes.apply_to(cell.request);
     add_lengths(method, cell.request.parameters, plan.overrides, origin, "", cell.lengths);
     const PresetFilter chosen = filter_of(plan, method);

@@ -59,6 +59,12 @@ struct TruthExtras {
     /// What is open, with directions weighted alike: costs a second set of rays, as many as the first and
     /// uniform over the hemisphere, since cosine-distributed ones weighted by 1 / (2 cos) vary without bound.
     bool bent_normals = false;
+    TruthExtras& operator|=(const TruthExtras& other) {
+        causes |= other.causes;
+        one_layer_bound |= other.one_layer_bound;
+        bent_normals |= other.bent_normals;
+        return *this;
+    }
     bool any() const { return of_hits() || bent_normals; }
     /// Whether where rays hit must be known.
     bool of_hits() const { return causes || one_layer_bound; }

@@ -42,6 +42,7 @@ nlohmann::json cost(const PageSource& source);
 nlohmann::json failures(const PageSource& source);
 nlohmann::json distributions(const PageSource& source);
 nlohmann::json live(const PageSource& source);
+nlohmann::json signals(const PageSource& source);
 nlohmann::json published(const PageSource& source);
 nlohmann::json sweeps(const PageSource& source);
 nlohmann::json claims(const PageSource& source);

@@ -15,6 +15,10 @@ bool has_pictures(const Results& results) {
     return !results.views.empty();
 }
 
+bool has_signals(const Results& results) {
+    return std::ranges::any_of(results.views, [](const ViewRecord& view) { return !view.signals.empty(); });
+}
+
 bool has_claims(const Results& results) {
     return !results.claims.empty();
 }
@@ -35,6 +39,7 @@ const std::vector<Section>& sections() {
         {"cost", "Run time against error", section::cost, pictured, has_pictures},
         {"failures", "Where it fails", section::failures, pictured, has_pictures},
         {"distributions", "Errors in detail", section::distributions, pictured, has_pictures},
+        {"signals", "Bent normals and cones", section::signals, pictured, has_signals},
         {"live", "Live parameters", section::live, pictured, has_pictures},
         {"published", "Published tables beside ours", section::published, pictured, has_pictures},
         {"claims", "Published claims", section::claims, all, has_claims},

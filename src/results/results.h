@@ -41,6 +41,13 @@ struct TruthRecord {
     double noise_floor_rmse = 0;     ///< sqrt of the mean variance: the RMSE a perfect method would show
 };
 
+/// A signal beside visibility that a view's truth holds, in the channels that core/signal.h names.
+struct SignalRecord {
+    std::string id;                      ///< "bent_normal"
+    double mean_standard_error_deg = 0;  ///< of its angle, over the pixels that count
+    std::size_t known_pixels = 0;        ///< valid, and sure enough to count: see metrics/angle_errors.h
+};
+
 /// The part of the ranking's occlusion that has one cause (see comparison by cause in references/README.md).
 struct CauseRecord {
     std::string id;             ///< "outside", "hidden", "grazing", "visible"
@@ -87,6 +94,7 @@ struct ViewRecord {
     std::string gbuffer_file;            ///< EXR: Z, N.X…, Ns.X…; empty when not kept
     std::vector<TruthRecord> truths;     ///< the first is the ranking's
     std::vector<CauseRecord> causes;     ///< of the ranking's occlusion; empty where they were not traced
+    std::vector<SignalRecord> signals;   ///< beside visibility; empty where none was asked for
     std::string one_layer_channel;    ///< of the truth file: what a method that knows one depth layer could
                                       ///< find of the ranking's occlusion; empty where it was not traced
     int samples = 0;                  ///< rays a pixel (the mean where they differ)
@@ -174,8 +182,12 @@ struct CellRecord {
     MetricMap ranked;       ///< against the ranking's truth
     MetricMap own;          ///< against the method's own radius and falloff
     MetricMap raw;          ///< ranked metrics of the unfiltered output; empty without a filter
+    /// Of signals beside visibility, by their ids: metrics against the truth's (see metrics/signal_metric.h).
+    /// Empty where none was asked for, or the method gives none.
+    std::map<std::string, MetricMap> signals;
     std::optional<ErrorAnalysis> analysis;  ///< against the ranking's truth; empty for a failed cell
-    std::string image_file;  ///< EXR: Y (output), raw.Y (before the filter); empty when not kept
+    std::string image_file;  ///< EXR: Y (output), raw.Y (before the filter), channels of its signals; empty
+                             ///< when not kept
 };
 
 /// The method as readers know it, with its setting where it has one: "Alchemy AO, noise none".

@@ -39,6 +39,13 @@ void visit_members(Visit& visit, Record& cause) {
     visit("mean_occlusion", cause.mean_occlusion);
 }
 
+template <class Visit, RecordOf<SignalRecord> Record>
+void visit_members(Visit& visit, Record& signal) {
+    visit("id", signal.id);
+    visit("mean_standard_error_deg", signal.mean_standard_error_deg);
+    visit("known_pixels", signal.known_pixels);
+}
+
 template <class Visit, RecordOf<TruthSavings> Record>
 void visit_members(Visit& visit, Record& savings) {
     visit("most_samples", savings.most_samples);
@@ -80,6 +87,7 @@ void visit_members(Visit& visit, Record& view) {
     visit("gbuffer_file", view.gbuffer_file);
     visit("truths", view.truths);
     visit("causes", view.causes);
+    visit("signals", view.signals);
     visit("one_layer_channel", view.one_layer_channel);
     visit("samples", view.samples);
     visit("max_error", view.max_error);
@@ -154,6 +162,7 @@ void visit_members(Visit& visit, Record& cell) {
     visit("ranked", cell.ranked);
     visit("own", cell.own);
     visit("raw", cell.raw);
+    visit("signals", cell.signals);
     visit("analysis", cell.analysis);
     visit("image_file", cell.image_file);
 }

@@ -119,16 +119,16 @@ nlohmann::json to_json(const StressSettingRecord& setting) {
     return record_json::checked_json(setting, setting.id);
 }
 
-StressSettingRecord stress_setting_from_json(const nlohmann::json& json, const std::string& where) {
-    return record_json::record_from_json<StressSettingRecord>(json, where);
+StressSettingRecord stress_setting_from_json(const nlohmann::json& stored, const std::string& where) {
+    return record_json::record_from_json<StressSettingRecord>(stored, where);
 }
 
 nlohmann::json to_json(const StressCell& cell) {
     return record_json::checked_json(cell, cell.subject);
 }
 
-StressCell stress_cell_from_json(const nlohmann::json& json, const std::string& where) {
-    return record_json::record_from_json<StressCell>(json, where);
+StressCell stress_cell_from_json(const nlohmann::json& stored, const std::string& where) {
+    return record_json::record_from_json<StressCell>(stored, where);
 }
 
 std::vector<StressBreak> first_breaks(const StressAxisRecord& axis, const std::string& subject) {

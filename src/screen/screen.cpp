@@ -124,6 +124,7 @@ MethodOutput ScreenRenderer::run(const MethodRequest& request) {
     }
     cut_off_above_one(output.raw);
     cut_off_above_one(output.visibility);
+    for (const std::string& id : request.signals) output.signals[id] = runner.signal_image(id);
     if (request.lighting != nullptr) {
         runner.draw_lighting(frame);
         output.lit = runner.lit();

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "core/image.h"
+#include "core/signal.h"
 #include "scene/scene.h"
 #include "screen/method/method.h"
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -63,12 +65,16 @@ struct MethodRequest {
     /// Parameters and kernels as uniforms instead of constants: the same picture, slower; for comparison.
     bool uniform_form = false;
     Mirror mirror = Mirror::none;
+    /// Signals beside visibility that the method is to give (see core/signal.h); none costs nothing.
+    std::vector<std::string> signals;
 };
 
+/// What a method gives, by signal: visibility before and after its filter, and those that were asked for.
 struct MethodOutput {
     ImageF raw;            ///< the AO pass, visibility; 1 on background
     ImageF visibility;     ///< after the filter (equals raw without one)
     Image<glm::vec3> lit;  ///< the lighting pass, linear RGB, black on background; empty without one
+    std::map<std::string, SignalImage> signals;  ///< by id, beside visibility; unfiltered
 };
 
 /// The inputs a pass may ask for: "linear_depth", "hardware_depth", "normal_geometric", "normal_smooth",

@@ -2,6 +2,7 @@
 #include "hand_made.h"
 #include "oracle_cases.h"
 #include "oracle_formulas.h"
+#include "relief.h"
 #include "scene/builtin/closed_forms.h"
 #include "support/support.h"
 
@@ -17,67 +18,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kPixel_m = formula::kPixel;
-constexpr double kFloor = -20;
-
-// A surface seen straight from above, and how high its horizon stands over the plane of the shaded point.
-struct Relief {
-    std::string name;
-    Scene scene;
-    int width = 0, height = 0;
-    std::vector<glm::ivec2> pixels;                   // all of them see the same horizon
-    std::function<double(double azimuth)> elevation;  // radians, >= 0
-    bool endless = false;
-};
-
-// A floor before an endless wall `ratio` times as high as it is away. Texel 40 is the first of the floor; 79
-// lies half a pixel short of the wall's distance, as the taps on the wall lie half a pixel behind its edge.
-Relief wall(double ratio, int height) {
-    constexpr int kWallPx = 40, kWidth = 128;
-    constexpr double kDistance = kWallPx * kPixel_m, kEdge = kWidth / 2 * kPixel_m;
-    Relief relief{fmt::format("wall, k = {:g}", ratio),
-                  plane_scene({0, 0, kFloor}, {0, 0, 1}, 50),
-                  kWidth,
-                  height,
-                  {},
-                  {},
-                  true};
-    add_quad(relief.scene, {-50, -50, kFloor + ratio * kDistance}, {50 - kEdge + kWallPx * kPixel_m, 0, 0},
-             {0, 100, 0});
-    for (int y = height / 2 - 4; y < height / 2 + 4; ++y) relief.pixels.emplace_back(2 * kWallPx - 1, y);
-    relief.elevation = [ratio](double azimuth) {
-        return std::atan(ratio * std::max(std::cos(azimuth), 0.0));
-    };
-    return relief;
-}
-
-// The middle of a round pit whose rim is seen at this zenith angle.
-Relief pit(double rim_degrees) {
-    constexpr int kSize = 121, kSegments = 256;
-    constexpr double kRadius = 40 * kPixel_m;
-    const double rim = rim_degrees * kPi / 180, top = kFloor + kRadius / std::tan(rim);
-    Relief relief{fmt::format("pit, rim at {:g}°", rim_degrees),
-                  plane_scene({0, 0, kFloor}, {0, 0, 1}, 50),
-                  kSize,
-                  kSize,
-                  {},
-                  {}};
-    for (int i = 0; i < kSegments; ++i) {
-        const double a = 2 * kPi * i / kSegments, b = 2 * kPi * (i + 1) / kSegments;
-        Mesh mesh;
-        for (const auto& [angle, r] :
-             {std::pair(a, kRadius), std::pair(b, kRadius), std::pair(b, 50.0), std::pair(a, 50.0)}) {
-            mesh.positions.emplace_back(r * std::cos(angle), r * std::sin(angle), top);
-        }
-        mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-        relief.scene.instances.push_back({static_cast<int>(relief.scene.meshes.size()), glm::dmat4(1.0)});
-        relief.scene.meshes.push_back(std::move(mesh));
-    }
-    for (int y = -2; y < 2; ++y) {
-        for (int x = -2; x < 2; ++x) relief.pixels.emplace_back(kSize / 2 + x, kSize / 2 + y);
-    }
-    relief.elevation = [rim](double) { return kPi / 2 - rim; };
-    return relief;
-}
+constexpr double kFloor = Relief::kFloor;
 
 // Beside a sphere that floats over the floor. From above one sees its upper half and takes what lies below
 // for full: in a slice, everything under the upper tangent of the circle that the slice cuts out of the
@@ -169,13 +110,6 @@ double mean_over_azimuths(const Relief& relief, const std::function<double(doubl
     double sum = 0;
     for (int i = 0; i < kCount; ++i) sum += open(relief.elevation(2 * kPi * (i + 0.5) / kCount));
     return sum / kCount;
-}
-
-CameraFrame from_above(int width, int height) {
-    Camera camera = front_camera();
-    camera.projection = Camera::Projection::orthographic;
-    camera.half_height = height * kPixel_m / 2;
-    return CameraFrame(camera, width, height);
 }
 
 class ClosedForms : public ::testing::Test {

@@ -3,6 +3,7 @@
 #include "contract/ao_pass.glsl"
 #include "lib/limits.glsl"
 #include "lib/noise.glsl"
+#include "lib/open_slice.glsl"
 #include "lib/slice.glsl"
 
 float weight(float distance_squared) {
@@ -36,6 +37,26 @@ float with_bounces(float v) {
     return p_bounce_albedo > 0.0 ? max(v, ((v * a + b) * v + c) * v) : v;
 }
 
+#ifdef OPEN_CONE
+void add_open_part(float h0, float h1, ViewSlice slice) {
+    float gamma = slice.normal_angle;
+    if (p_bent_weights == bent_weights_uniform) {
+        add_open_arc(uniform_arc(h1) - uniform_arc(h0), slice);
+    } else {
+        add_open_arc(slice.normal_length * (cosine_arc(h1, gamma) - cosine_arc(h0, gamma)), slice);
+    }
+}
+
+// The published cone is that of the visibility alone: cos α = sqrt(1 - V).
+void write_open_part(float open, vec3 normal) {
+    if (p_bent_weights == bent_weights_uniform) {
+        write_mean_direction(open_sum, open_weight, normal);
+    } else {
+        write_open_cone(open_weight > 0.0 ? open_sum / open_weight : normal, acos(sqrt(1.0 - clamp(open, 0.0, 1.0))));
+    }
+}
+#endif
+
 float visibility(vec2 image_px, vec3 position) {
     vec3 normal = centre_normal_geometric();
     vec3 line_of_sight = view_ray(image_px);
@@ -49,6 +70,12 @@ float visibility(vec2 image_px, vec3 position) {
         float h0 = max(-acos(clamp(cosine0, -1.0, 1.0)), gamma - kHalfPi);
         float h1 = min(acos(clamp(cosine1, -1.0, 1.0)), gamma + kHalfPi);
         sum += slice.normal_length * (slice_arc(h0, gamma) + slice_arc(h1, gamma));
+#ifdef OPEN_CONE
+        add_open_part(h0, h1, slice);
+#endif
     }
+#ifdef OPEN_CONE
+    write_open_part(sum / float(p_slices), normal);
+#endif
     return limited_visibility(with_bounces(sum / float(p_slices)));
 }

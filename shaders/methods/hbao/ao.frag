@@ -6,6 +6,7 @@
 #include "lib/horizon.glsl"
 #include "lib/limits.glsl"
 #include "lib/noise.glsl"
+#include "lib/open_horizon.glsl"
 
 float attenuation(float distance_squared) {
     return p_falloff == falloff_none ? 1.0 : 1.0 - distance_squared / (p_radius * p_radius);
@@ -33,7 +34,8 @@ float visibility(vec2 image_px, vec3 position) {
         vec2 direction = image_direction(i, p_directions, noise.x);
         Slice slice = slice_along(direction, normal, line_of_sight);
         vec3 tangent = p_plane == plane_picture ? printed_tangent(direction, normal) : slice.tangent;
-        float sin_horizon = sin(min(elevation(tangent) + p_bias, kHalfPi));
+        float tangent_angle = min(elevation(tangent) + p_bias, kHalfPi);
+        float sin_horizon = sin(tangent_angle);
 #pragma unroll
         for (int j = 0; j < p_steps; ++j) {
             vec3 tap = tap_position(image_px + direction * (float(j + 1) + noise.y) * step_px);
@@ -47,6 +49,12 @@ float visibility(vec2 image_px, vec3 position) {
             occlusion += rises ? attenuation(distance_squared) * (sin_elevation - sin_horizon) : 0.0;
             sin_horizon = rises ? sin_elevation : sin_horizon;
         }
+#ifdef OPEN_CONE
+        add_horizon(direction, normal, max(asin(clamp(sin_horizon, -1.0, 1.0)) - tangent_angle, 0.0));
+#endif
     }
+#ifdef OPEN_CONE
+    write_horizons(p_directions);
+#endif
     return limited_visibility(1.0 - occlusion / float(p_directions));
 }

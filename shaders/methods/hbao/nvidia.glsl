@@ -15,6 +15,10 @@ vec3 nearer_difference(vec2 image_px, vec3 position, vec2 step) {
 float tangent_of(vec3 v) { return v.z * inversesqrt(max(dot(v.xy, v.xy), 1e-30)); }
 float sine_of(float tangent) { return tangent * inversesqrt(1.0 + tangent * tangent); }
 
+#ifdef OPEN_CONE
+vec3 normal_of(TangentPlane plane) { return normalize(cross(plane.along_y, plane.along_x)); }
+#endif
+
 float biased_tangent(TangentPlane plane, vec2 offset_px) {
     return tangent_of(offset_px.x * plane.along_x + offset_px.y * plane.along_y) + tan(p_bias);
 }
@@ -42,6 +46,9 @@ float nvidia_direction(vec2 image_px, vec3 position, TangentPlane plane, vec2 di
             sum += nvidia_rise(v, horizon, horizon);
         }
     }
+#ifdef OPEN_CONE
+    add_horizon(direction, normal_of(plane), max(atan(horizon) - atan(biased_tangent(plane, step_px)), 0.0));
+#endif
     return sum;
 }
 
@@ -57,6 +64,9 @@ vec2 nvidia_march(float radius_px, float jitter) {
 
 float nvidia_visibility(vec2 image_px, vec3 position) {
     float radius_px = p_radius * pixels_per_metre(-position.z);
+#ifdef OPEN_CONE
+    if (radius_px < 1.0) write_open_cone(centre_normal_geometric(), kHalfPi);
+#endif
     if (radius_px < 1.0) return 1.0;
     vec4 noise = pixel_noise();
     vec2 march = nvidia_march(radius_px, noise.y);
@@ -67,5 +77,8 @@ float nvidia_visibility(vec2 image_px, vec3 position) {
         vec2 direction = image_direction(i, p_directions, noise.x);
         occlusion += nvidia_direction(image_px, position, plane, direction, march, noise.y);
     }
+#ifdef OPEN_CONE
+    write_horizons(p_directions);
+#endif
     return limited_visibility(1.0 - occlusion * p_strength / float(p_directions));
 }

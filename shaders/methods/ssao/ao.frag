@@ -4,6 +4,7 @@
 #include "lib/constants.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
+#include "lib/open_cone.glsl"
 #include "lib/point_test.glsl"
 
 vec3 shading_normal() {
@@ -25,15 +26,26 @@ float surface_z(vec3 point) {
 }
 
 float visibility(vec2 image_px, vec3 position) {
-    mat3 view_from_tangent = basis_toward(shading_normal(), random_direction());
+    vec3 normal = shading_normal();
+    mat3 view_from_tangent = basis_toward(normal, random_direction());
     float occlusion = 0.0;
+#ifdef OPEN_CONE
+    vec3 open_sum = vec3(0.0);
+#endif
 #pragma unroll
     for (int i = 0; i < p_samples; ++i) {
         vec3 point = position + view_from_tangent * k_points[i] * p_radius;
         float z = surface_z(point);
         // |difference| kept from 0: the weight is 1 there.
         float weight = smoothstep(0.0, 1.0, p_radius / max(abs(position.z - z), 1e-20));
-        occlusion += hides(z, point, p_bias) ? weight : 0.0;
+        float hidden = hides(z, point, p_bias) ? weight : 0.0;
+        occlusion += hidden;
+#ifdef OPEN_CONE
+        open_sum += (1.0 - hidden) * normalize(view_from_tangent * k_points[i]);
+#endif
     }
+#ifdef OPEN_CONE
+    write_mean_direction(open_sum, float(p_samples) - occlusion, normal);
+#endif
     return 1.0 - occlusion / float(p_samples);
 }

@@ -3,6 +3,7 @@
 #include "contract/ao_pass.glsl"
 #include "lib/limits.glsl"
 #include "lib/noise.glsl"
+#include "lib/open_slice.glsl"
 #include "lib/slice.glsl"
 
 const int kSectors = 32;
@@ -100,6 +101,18 @@ float open_part(uint hidden, ViewSlice slice) {
     return slice.normal_length * open;
 }
 
+#ifdef OPEN_CONE
+void add_open_sectors(uint hidden, ViewSlice slice) {
+    float first = slice.normal_angle - kHalfPi;
+    vec3 below = uniform_arc(first);
+    for (int i = 0; i < kSectors; ++i) {
+        vec3 above = uniform_arc(first + float(i + 1) * (kPi / float(kSectors)));
+        if ((hidden >> uint(i) & 1u) == 0u) add_open_arc(above - below, slice);
+        below = above;
+    }
+}
+#endif
+
 float visibility(vec2 image_px, vec3 position) {
     vec3 normal = centre_normal_geometric();
     vec3 line_of_sight = view_ray(image_px);
@@ -119,6 +132,12 @@ float visibility(vec2 image_px, vec3 position) {
                      hidden_sectors_by_steps(image_px, position, slice, 1.0, noise.y);
         }
         sum += open_part(hidden, slice);
+#ifdef OPEN_CONE
+        add_open_sectors(hidden, slice);
+#endif
     }
+#ifdef OPEN_CONE
+    write_mean_direction(open_sum, open_weight, normal);
+#endif
     return limited_visibility(sum / float(p_slices));
 }

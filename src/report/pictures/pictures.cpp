@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/threads.h"
+#include "report/pictures/signal_picture.h"
 #include "report/pictures/stored_images.h"
 #include "report/pictures/thumbnail.h"
 
@@ -116,6 +117,10 @@ ViewPictures view_pictures(const ViewRecord& view, const Truth& truth, const Enc
     const ImageF error = pictures.has_standard_error ? truth.standard_error : ImageF(view.width, view.height);
     pictures.standard_error = quantise(only_where(error, truth.valid), 0, 0, kErrorLevels);
     if (encoding.extras) pictures.occlusion = occlusion_pictures(view, truth, folder);
+    for (const SignalRecord& record : view.signals) {
+        pictures.signals[record.id] = signal_picture(
+            signal(record.id), truth.file, stored_path(folder, view.truth_file), kThumbnailWidth_px);
+    }
     if (!view.gbuffer_file.empty()) {
         const fs::path path = stored_path(folder, view.gbuffer_file);
         const ImageFile file = read_image(path);
@@ -142,6 +147,8 @@ CellPictures cell_pictures(const CellRecord& cell, const ViewRecord& view, const
         if (encoding.extras) pictures.raw = quantise(*raw, 0, 1, encoding.visibility_levels);
         pictures.raw_thumbnail = gray_thumbnail(*raw, kThumbnailWidth_px);
     }
+    for (const auto& [id, unused] : cell.signals)
+        pictures.signals[id] = signal_picture(signal(id), file, path, kThumbnailWidth_px);
     return pictures;
 }
 

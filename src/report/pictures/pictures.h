@@ -31,12 +31,14 @@ struct ViewPictures {
     /// ("one_layer"); empty where they were not traced, and where the page would become too large.
     std::map<std::string, QuantisedImage> occlusion;
     Picture truth_thumbnail;
+    std::map<std::string, Picture> signals;  ///< of the truth, beside visibility, by id
 };
 
 struct CellPictures {
     QuantisedImage output;
     QuantisedImage raw;  ///< before the filter; empty without one, and where the page would become too large
     Picture output_thumbnail, raw_thumbnail;
+    std::map<std::string, Picture> signals;  ///< beside visibility, by id
 };
 
 struct Pictures {

@@ -1,5 +1,6 @@
 #include "results/export/export_table.h"
 
+#include "metrics/signal_metric.h"
 #include "results/lengths_text.h"
 
 #include <fmt/format.h>
@@ -60,6 +61,25 @@ std::vector<Part> measure_parts() {
     return parts;
 }
 
+/// The metrics of those signals beside visibility that some cell has.
+std::vector<const SignalMetric*> signal_columns(const Results& results) {
+    std::vector<const SignalMetric*> columns;
+    for (const SignalMetric& metric : signal_metrics()) {
+        const std::string id(metric.signal);
+        const bool some = std::ranges::any_of(
+            results.cells, [&](const CellRecord& cell) { return cell.signals.contains(id); });
+        if (some) columns.push_back(&metric);
+    }
+    return columns;
+}
+
+std::optional<double> value_of(const CellRecord& cell, const SignalMetric& metric) {
+    const auto of_signal = cell.signals.find(std::string(metric.signal));
+    if (of_signal == cell.signals.end()) return std::nullopt;
+    const auto found = of_signal->second.find(std::string(metric.id));
+    return found == of_signal->second.end() ? std::nullopt : found->second.value;
+}
+
 /// Of each view: its radius, and the lengths that every method was drawn with for it.
 std::vector<std::string> radius_notes(const Results& results) {
     std::vector<std::string> notes;
@@ -108,6 +128,11 @@ ExportTable export_table(const Results& results,
     table.document = to_json(results);
     table.name_columns = {"view", "rank", "method", "role", "preset", "setting", "filter"};
     add_measures(table);
+    const std::vector<const SignalMetric*> of_signals = signal_columns(results);
+    for (const SignalMetric* metric : of_signals) {
+        table.columns.push_back({std::string(metric->id), fmt::format("{} ({})", metric->label, metric->unit),
+                                 metric->decimals, true});
+    }
     table.columns.push_back({"rank_best", "", 0, false});
     table.columns.push_back({"rank_worst", "", 0, false});
     table.columns.push_back({"fetches_per_pixel", "Fetches", 1});
@@ -133,6 +158,7 @@ ExportTable export_table(const Results& results,
             {}};
         const auto view = std::ranges::find(results.views, cell.view_key, &ViewRecord::key);
         const bool known = view != results.views.end();
+        for (const SignalMetric* metric : of_signals) row.numbers.push_back(value_of(cell, *metric));
         for (const auto& number :
              {best, worst, cell.fetches_per_pixel, cell.ao.median_ms, cell.blur.median_ms, cell.frame_ms,
               known ? std::optional(view->radius_m) : std::nullopt,

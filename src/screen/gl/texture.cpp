@@ -3,7 +3,6 @@
 #include "core/error.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace aoscore {
 
@@ -48,7 +47,7 @@ void read_texture(GLuint texture, GLenum transfer, void* pixels) {
     gl::check("reading a texture");
 }
 
-gl::Framebuffer make_framebuffer(std::initializer_list<GLuint> textures, int level) {
+gl::Framebuffer make_framebuffer(const std::vector<GLuint>& textures, int level) {
     gl::Framebuffer framebuffer = gl::Framebuffer::create();
     gl::BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
     std::vector<GLenum> buffers;

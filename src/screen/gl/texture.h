@@ -3,6 +3,8 @@
 #include "core/image.h"
 #include "screen/gl/gl_objects.h"
 
+#include <vector>
+
 namespace aoscore {
 
 /// An internal format with the transfer format that fits it.
@@ -24,6 +26,6 @@ gl::Texture make_mipmapped_texture(TextureFormat format, int width, int height, 
 void read_texture(GLuint texture, GLenum transfer, void* pixels);
 
 /// A framebuffer that draws into this level of these textures, in order, and nothing else. It stays bound.
-gl::Framebuffer make_framebuffer(std::initializer_list<GLuint> textures, int level = 0);
+gl::Framebuffer make_framebuffer(const std::vector<GLuint>& textures, int level = 0);
 
 }  // namespace aoscore

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/known_names.h"
+#include "core/signal.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -61,6 +62,11 @@ const Parameter* MethodDescriptor::find_parameter(std::string_view parameter) co
     return find_row(parameters, parameter);
 }
 
+bool MethodDescriptor::gives(std::string_view signal) const {
+    if (signal == kVisibilitySignal) return true;
+    return !passes.empty() && std::ranges::find(passes.back().outputs, signal) != passes.back().outputs.end();
+}
+
 PresetFilter MethodDescriptor::filter_of(const std::string& preset) const {
     const auto own = preset_filters.find(preset);
     return own == preset_filters.end() ? PresetFilter{} : own->second;
@@ -88,6 +94,13 @@ ParameterValues MethodDescriptor::values(std::string_view preset, const Paramete
         }
     }
     return result;
+}
+
+ParameterValues visibility_values(const MethodDescriptor& method, ParameterValues values) {
+    for (const Parameter& p : method.parameters) {
+        if (!p.signal.empty()) values.erase(p.id);
+    }
+    return values;
 }
 
 const MethodDescriptor& find_method(const std::vector<MethodDescriptor>& methods, std::string_view id) {

@@ -20,7 +20,8 @@ struct Parameter {
     std::vector<std::string> choices;  ///< choice: the shader sees the index
     std::string unit;                  ///< "m", "rad", "px", "uv", ""
     std::string meaning;
-    int length_power = 0;  ///< how it scales with the scene: 1 for lengths, 2 for areas, …, 0 for none
+    int length_power = 0;     ///< how it scales with the scene: 1 for lengths, 2 for areas, …, 0 for none
+    std::string signal = {};  ///< the only one that it decides (see core/signal.h); empty: visibility, too
 
     /// Whether a value has this parameter's type and lies in its range.
     bool accepts(const nlohmann::json& value) const;
@@ -86,6 +87,8 @@ struct Pass {
     /// Drawn at 1/scale of the picture's width and height. The next pass reads its result as "coarser" (a
     /// filter's as "visibility"); the last pass has scale 1.
     int scale = 1;
+    /// Signals beside visibility that it writes where they are asked for; of a method's last pass alone.
+    std::vector<std::string> outputs;
 };
 
 /// A method (or filter): a folder of shaders/methods/ (or shaders/filters/) with method.json and GLSL passes.
@@ -118,6 +121,9 @@ struct MethodDescriptor {
     /// The parameter of that id, null when there is none.
     const Parameter* find_parameter(std::string_view parameter) const;
 
+    /// Whether it gives this signal.
+    bool gives(std::string_view signal) const;
+
     /// The filter that follows this preset.
     PresetFilter filter_of(const std::string& preset) const;
 
@@ -125,6 +131,9 @@ struct MethodDescriptor {
     /// an unknown preset or parameter, or a value out of type or range.
     ParameterValues values(std::string_view preset, const ParameterValues& overrides = {}) const;
 };
+
+/// Those of the values that decide visibility.
+ParameterValues visibility_values(const MethodDescriptor& method, ParameterValues values);
 
 /// All methods: those of shaders/methods/ and of `extra_dir` (empty: none), by id. Throws file_error for a
 /// bad descriptor and for an id that exists twice.

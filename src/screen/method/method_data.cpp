@@ -126,8 +126,11 @@ json method_data(const MethodDescriptor& method, std::uint64_t seed) {
                  {"presets", json::object()},
                  {"preset_filters", json::object()},
                  {"absolute_presets", method.absolute_presets}};
-    for (const Parameter& p : method.parameters) data["parameters"].push_back(parameter_data(p));
-    for (const auto& [preset, unused] : method.presets) data["presets"][preset] = method.values(preset);
+    for (const Parameter& p : method.parameters) {
+        if (p.signal.empty()) data["parameters"].push_back(parameter_data(p));
+    }
+    for (const auto& [preset, unused] : method.presets)
+        data["presets"][preset] = visibility_values(method, method.values(preset));
     for (const auto& [preset, own] : method.preset_filters)
         data["preset_filters"][preset] = {{"filter", own.filter}, {"preset", own.preset}};
     const auto processed = std::find_if(method.passes.begin(), method.passes.end(),

@@ -2,6 +2,7 @@
 #include "core/files.h"
 #include "core/known_names.h"
 #include "core/printable.h"
+#include "core/signal.h"
 #include "core/strict_json.h"
 #include "screen/method/kernel.h"
 #include "screen/method/method.h"
@@ -52,6 +53,10 @@ Parameter parse_parameter(const std::string& id, StrictObject object) {
     p.meaning = object.text("meaning");
     p.unit = object.text_or("unit", "");
     p.length_power = object.integer_or("length_power", 0, -6, 6);
+    p.signal = object.text_or("signal", "");
+    const std::vector<std::string> known = further_signals();
+    if (!p.signal.empty() && std::ranges::find(known, p.signal) == known.end())
+        throw unknown_name_in_file(p.signal, known, object.where("signal"));
     if (p.type == Parameter::Type::integer || p.type == Parameter::Type::real) {
         const auto range = object.numbers("range", 2);
         p.lowest = range[0];
@@ -185,6 +190,21 @@ OwnTruth parse_truth(const MethodDescriptor& method, StrictObject object) {
     return truth;
 }
 
+/// The signals that a pass writes beside visibility, which all of them write.
+std::vector<std::string> parse_outputs(const Pass& pass, const fs::path& folder, StrictObject& object) {
+    const std::vector<std::string> outputs = object.texts_or_empty("outputs"), known = further_signals();
+    if (outputs.empty()) return outputs;
+    if (!pass.processor.empty()) throw file_error("is given to a processor's pass", object.where("outputs"));
+    const std::string text = expanded_text(folder / pass.fragment, folder);
+    for (const std::string& output : outputs) {
+        if (std::ranges::find(known, output) == known.end())
+            throw unknown_name_in_file(output, known, object.where("outputs"));
+        if (!mentions(text, "o_" + output))
+            throw file_error("is never written, as o_" + output, object.where("outputs"));
+    }
+    return outputs;
+}
+
 Pass parse_pass(StrictObject object, const fs::path& folder, const std::set<std::string>& inputs) {
     Pass pass;
     pass.processor = object.text_or("processor", "");
@@ -203,6 +223,7 @@ Pass parse_pass(StrictObject object, const fs::path& folder, const std::set<std:
         }
     }
     pass.scale = object.integer_or("scale", 1, 1, 64);
+    pass.outputs = parse_outputs(pass, folder, object);
     object.finish();
     return pass;
 }
@@ -371,6 +392,10 @@ MethodDescriptor load_descriptor(const fs::path& folder, const std::set<std::str
     if (method.passes.empty()) throw file_error("is empty", top.where("passes"), "at least one pass");
     if (method.passes.back().scale != 1)
         throw file_error("the last pass has a scale", top.where("passes"), "scale 1");
+    for (const Pass& pass : method.passes) {
+        if (!pass.outputs.empty() && (is_filter || &pass != &method.passes.back()))
+            throw file_error("only the last pass of a method has outputs", top.where("passes"));
+    }
     if (!is_filter && top.has("truth")) method.truth = parse_truth(method, top.object("truth"));
     if (!is_filter && top.has("scored")) method.scored = parse_scored(method, top.object("scored"));
     top.finish();

@@ -30,6 +30,7 @@ void add_descriptor(Digest& digest, const MethodRequest& request, const MethodDe
         build.border_far = request.border == Border::far;
         build.uniform_form = request.uniform_form;
         build.mirror = request.mirror;
+        if (&method == request.method && &pass == &method.passes.back()) build.signals = request.signals;
         digest.text(pass_source(build, pass).text());
     }
 }

@@ -10,6 +10,7 @@
 #include "screen/trial/shader_trial.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -22,6 +23,13 @@ constexpr float kUnshaded = -1, kLoopsCutShort = -2;
 
 const Processor& processor_of(const Pass& pass) {
     return row_of(processors(), pass.processor, "no processor");
+}
+
+constexpr std::array<float, 4> kOpen = {1, 1, 1, 1}, kUnshadedTarget = {kUnshaded, 0, 0, 0};
+
+/// The format of a texture that holds one of its pixels.
+TextureFormat format_of(const Signal& signal) {
+    return signal.channels.size() == 1 ? kR32F : kRgba32F;
 }
 
 int scaled_size(int size, int scale) {
@@ -59,8 +67,25 @@ void MethodRunner::check_resolution(const MethodRequest& request) const {
     }
 }
 
+void MethodRunner::check_signals(const MethodRequest& request) {
+    for (const std::string& id : request.signals) {
+        if (!request.method->gives(id)) {
+            throw usage_error(
+                fmt::format("does not give the signal {}", id), request.method->id,
+                fmt::format("visibility, {}", fmt::join(request.method->passes.back().outputs, ", ")));
+        }
+    }
+    const bool full =
+        request.resolution == Resolution::full || request.resolution == Resolution::half_gbuffer;
+    if (!request.signals.empty() && !full) {
+        throw usage_error("signals beside visibility are given at full resolution alone", request.method->id,
+                          "full, half-gbuffer");
+    }
+}
+
 std::vector<MethodRunner::Step> MethodRunner::method_steps(const MethodRequest& request) const {
     check_resolution(request);
+    check_signals(request);
     const bool halved = request.resolution == Resolution::half || request.resolution == Resolution::dual;
     std::vector<Step> steps;
     int before = 1;
@@ -72,6 +97,7 @@ std::vector<MethodRunner::Step> MethodRunner::method_steps(const MethodRequest& 
         before = step.build.scale;
         steps.push_back(step);
     }
+    steps.back().build.signals = request.signals;
     if (request.resolution == Resolution::dual) {
         Step fine = steps.back();
         fine.build.scale = 1;
@@ -140,6 +166,7 @@ void MethodRunner::allocate() {
     for (gl::Texture* target : {&raw_, &first_, &second_, &fetches_})
         *target = make_texture(kR32F, width_, height_);
     scaled_.clear();
+    signals_.clear();
     lit_ = gl::Texture();
 }
 
@@ -152,13 +179,22 @@ gl::Texture& MethodRunner::scaled_target(std::size_t step, int scale) {
     return found->second;
 }
 
-// Background pixels keep 1 and, in a second target, 0. The dual mode's fine pass leaves what it does not
-// shade.
-void MethodRunner::draw(const Step& step, std::initializer_list<GLuint> targets,
-                        const InputSettings& settings, GLuint previous) {
+std::vector<MethodRunner::Target> MethodRunner::targets_of(const Step& step, GLuint first) {
+    std::vector<Target> targets{{first, kOpen}};
+    for (const std::string& id : step.build.signals) {
+        gl::Texture& texture = signals_[id];
+        if (!texture) texture = make_texture(format_of(signal(id)), width_, height_);
+        targets.push_back({texture.name(), {0, 0, 0, 0}});
+    }
+    return targets;
+}
+
+// The dual mode's fine pass leaves what it does not shade.
+void MethodRunner::draw(const Step& step, const std::vector<Target>& targets, const InputSettings& settings,
+                        GLuint previous) {
     ++passes_;
     if (step.program == nullptr) {
-        process(step, *targets.begin(), settings);
+        process(step, targets.front().texture, settings);
         return;
     }
     const PassProgram& compiled = *step.program;
@@ -167,12 +203,12 @@ void MethodRunner::draw(const Step& step, std::initializer_list<GLuint> targets,
     for (const std::string& input : compiled.samplers()) {
         textures.push_back(inputs_.texture(input, step.build, settings, previous));
     }
-    const gl::Framebuffer framebuffer = make_framebuffer(targets);
+    std::vector<GLuint> drawn;
+    for (const Target& target : targets) drawn.push_back(target.texture);
+    const gl::Framebuffer framebuffer = make_framebuffer(drawn);
     gl::Viewport(0, 0, scaled_size(width_, step.build.scale), scaled_size(height_, step.build.scale));
-    const std::array<float, 4> open = {1, 1, 1, 1};
-    const std::array<float, 4> unshaded = {kUnshaded, 0, 0, 0};
-    if (!step.build.dual) gl::ClearBufferfv(GL_COLOR, 0, open.data());
-    if (targets.size() > 1) gl::ClearBufferfv(GL_COLOR, 1, unshaded.data());
+    for (std::size_t i = step.build.dual ? 1 : 0; i < targets.size(); ++i)
+        gl::ClearBufferfv(GL_COLOR, static_cast<GLint>(i), targets[i].clear.data());
     compiled.program().use();
     for (std::size_t i = 0; i < textures.size(); ++i) {
         gl::ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
@@ -224,8 +260,7 @@ void MethodRunner::upsample(GLuint coarse, int scale) {
     const ShaderProgram& p = found->second;
     const gl::Framebuffer framebuffer = make_framebuffer({raw_.name()});
     gl::Viewport(0, 0, width_, height_);
-    const std::array<float, 4> open = {1, 1, 1, 1};
-    gl::ClearBufferfv(GL_COLOR, 0, open.data());
+    gl::ClearBufferfv(GL_COLOR, 0, kOpen.data());
     p.use();
     gbuffer_->set_view_uniforms(p);
     gl::ActiveTexture(GL_TEXTURE1);
@@ -258,7 +293,7 @@ void MethodRunner::draw_method(const Frame& frame) {
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const int scale = steps[i].build.scale;
         const GLuint target = scale == 1 ? raw_.name() : scaled_target(i, scale).name();
-        draw(steps[i], {target}, frame.settings, previous);
+        draw(steps[i], targets_of(steps[i], target), frame.settings, previous);
         const bool next_is_fine = i + 1 < steps.size() && steps[i + 1].build.dual;
         if (scale > 1 && (i + 1 == steps.size() || next_is_fine)) upsample(target, scale);
         previous = target;
@@ -278,7 +313,7 @@ void MethodRunner::draw_filter(const Frame& frame) {
     filtered_ = &raw_;
     for (const Step& step : frame.filter) {
         const gl::Texture* target = filtered_ == &first_ ? &second_ : &first_;
-        draw(step, {target->name()}, frame.settings, filtered_->name());
+        draw(step, {{target->name(), kOpen}}, frame.settings, filtered_->name());
         filtered_ = target;
     }
 }
@@ -286,7 +321,7 @@ void MethodRunner::draw_filter(const Frame& frame) {
 void MethodRunner::draw_lighting(const Frame& frame) {
     for (const Step& step : frame.lighting) {
         if (!lit_) lit_ = make_texture(kRgba32F, width_, height_);
-        draw(step, {lit_.name()}, frame.settings, filtered_->name());
+        draw(step, {{lit_.name(), kOpen}}, frame.settings, filtered_->name());
     }
 }
 
@@ -314,7 +349,9 @@ ImageF MethodRunner::count_fetches(const MethodRequest& request) {
     allocate();
     ImageF total(width_, height_, 0.0F);
     GLuint previous = 0;
-    auto steps = method_steps(request);
+    MethodRequest visibility_alone = request;
+    visibility_alone.signals.clear();
+    auto steps = method_steps(visibility_alone);
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const int scale = steps[i].build.scale;
         steps[i].build.count_fetches = true;
@@ -323,12 +360,13 @@ ImageF MethodRunner::count_fetches(const MethodRequest& request) {
         if (steps[i].program == nullptr) {
             const double taps = processor_of(*steps[i].pass).fetches(*steps[i].build.parameters);
             for (float& count : total.pixels) count += static_cast<float>(taps);
-            draw(steps[i], {target}, {request.normals, request.precision}, previous);
+            draw(steps[i], {{target, kOpen}}, {request.normals, request.precision}, previous);
             continue;
         }
         const int width = scaled_size(width_, scale), height = scaled_size(height_, scale);
         const gl::Texture counts = make_texture(kR32F, width, height);
-        draw(steps[i], {target, counts.name()}, {request.normals, request.precision}, previous);
+        draw(steps[i], {{target, kOpen}, {counts.name(), kUnshadedTarget}},
+             {request.normals, request.precision}, previous);
         ImageF counted(width, height);
         read_texture(counts.name(), GL_RED, counted.pixels.data());
         settle_counts(steps[i], {request.normals, request.precision}, counted);
@@ -344,6 +382,20 @@ ImageF MethodRunner::count_fetches(const MethodRequest& request) {
         if (depth.pixels[i] >= gbuffer_->far_depth()) total.pixels[i] = 0;
     }
     return total;
+}
+
+SignalImage MethodRunner::signal_image(const std::string& id) const {
+    const std::size_t planes = signal(id).channels.size();
+    const GLuint texture = signals_.at(id).name();
+    if (planes == 1) return {read(texture)};
+    Image<glm::vec4> texels(width_, height_);
+    read_texture(texture, GL_RGBA, texels.pixels.data());
+    SignalImage image(planes, ImageF(width_, height_));
+    for (std::size_t plane = 0; plane < planes; ++plane) {
+        for (std::size_t i = 0; i < texels.size(); ++i)
+            image[plane].pixels[i] = texels.pixels[i][static_cast<glm::length_t>(plane)];
+    }
+    return image;
 }
 
 Image<glm::vec3> MethodRunner::lit() const {

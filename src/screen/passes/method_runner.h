@@ -6,10 +6,13 @@
 #include "screen/passes/pass_program.h"
 #include "screen/screen.h"
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace aoscore {
@@ -47,6 +50,8 @@ class MethodRunner {
 
     ImageF raw() const { return read(raw_.name()); }
     ImageF filtered() const { return read(filtered_->name()); }
+    /// What the AO pass gave of a signal beside visibility; draw_method() must have drawn it.
+    SignalImage signal_image(const std::string& id) const;
     /// Linear RGB. draw_lighting() must have drawn it since the G-buffer was.
     Image<glm::vec3> lit() const;
 
@@ -59,6 +64,8 @@ class MethodRunner {
   private:
     /// Throws usage_error where the method has no such resolution.
     void check_resolution(const MethodRequest& request) const;
+    /// Throws usage_error where the method does not give them, or not at this resolution.
+    static void check_signals(const MethodRequest& request);
     PassBuild base_build(const MethodRequest& request, const MethodDescriptor& descriptor,
                          const ParameterValues& parameters) const;
     std::vector<Step> method_steps(const MethodRequest& request) const;
@@ -74,8 +81,16 @@ class MethodRunner {
 
     void allocate();
     gl::Texture& scaled_target(std::size_t step, int scale);
-    void draw(const Step& step, std::initializer_list<GLuint> targets, const InputSettings& settings,
+    /// A texture that a pass draws into, and what it holds where nothing is drawn.
+    struct Target {
+        GLuint texture;
+        std::array<float, 4> clear;
+    };
+    /// The first target keeps what it holds in the dual mode's fine pass.
+    void draw(const Step& step, const std::vector<Target>& targets, const InputSettings& settings,
               GLuint previous);
+    /// `first`, and one for each of the step's signals.
+    std::vector<Target> targets_of(const Step& step, GLuint first);
     void process(const Step& step, GLuint target, const InputSettings& settings);
     void upsample(GLuint coarse, int scale);
     /// A one-channel texture of the picture's size.
@@ -94,6 +109,7 @@ class MethodRunner {
     gl::Texture lit_;  // made when a frame is first lit
     const gl::Texture* filtered_ = &raw_;
     std::map<std::pair<std::size_t, int>, gl::Texture> scaled_;
+    std::map<std::string, gl::Texture> signals_;  // by id, made when first asked for
 };
 
 }  // namespace aoscore

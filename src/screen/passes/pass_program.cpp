@@ -2,12 +2,14 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/signal.h"
 #include "screen/method/kernel.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 namespace aoscore {
@@ -109,6 +111,23 @@ std::string macro_block(const PassBuild& build) {
     return text + mirror_macros(build.mirror);
 }
 
+std::string upper_case(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return text;
+}
+
+/// The outputs of the signals beside visibility, which a shader finds by `#ifdef SIGNAL_<ID>`.
+std::string output_block(const PassBuild& build) {
+    std::string text;
+    for (std::size_t i = 0; i < build.signals.size(); ++i) {
+        const std::size_t components = signal(build.signals[i]).channels.size();
+        const std::string type = components == 1 ? "float" : fmt::format("vec{}", components);
+        text += fmt::format("#define SIGNAL_{}\nlayout(location = {}) out {} o_{};\n",
+                            upper_case(build.signals[i]), i + 1, type, build.signals[i]);
+    }
+    return text;
+}
+
 void add_body(ShaderSource& source, const PassBuild& build, const Pass& pass) {
     source.add_block(fmt::format("({}: parameters)", build.method->id), parameter_block(build));
     source.add_block(fmt::format("({}: kernels)", build.method->id), kernel_block(build));
@@ -180,6 +199,7 @@ ShaderSource screen_vertex() {
 ShaderSource pass_source(const PassBuild& build, const Pass& pass) {
     ShaderSource source;
     source.add_block("(program's macros)", macro_block(build));
+    if (!build.signals.empty()) source.add_block("(program's outputs)", output_block(build));
     add_body(source, build, pass);
     return source;
 }

@@ -25,6 +25,7 @@ struct PassBuild {
     bool uniform_form = false;   ///< parameters and kernels as uniforms, not constants
     bool count_fetches = false;  ///< with the second output o_fetches
     Mirror mirror = Mirror::none;
+    std::vector<std::string> signals;  ///< beside visibility, written as o_<id>
 };
 
 /// The macros that a pass is compiled with, by name.

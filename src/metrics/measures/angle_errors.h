@@ -1,0 +1,31 @@
+#pragma once
+
+#include "metrics/signal_metric.h"
+
+#include <vector>
+
+namespace aoscore {
+
+/// Where the truth's standard error is larger than this, its angle is not known: such pixels do not count.
+inline constexpr float kKnownWithin_rad = 0.1745329252F;  // 10 degrees
+
+/// Angles between both directions at every pixel that counts, degrees.
+std::vector<double> direction_errors_deg(const SignalInput& input);
+/// Differences test - truth of an angle in radians at every pixel that counts, degrees.
+std::vector<double> angle_differences_deg(const SignalInput& input);
+
+/// The mean of the sizes of these errors, and the size that 95 % of them do not exceed (the nearest rank);
+/// both say in a note how many pixels were left out because the truth does not know them.
+MetricValue mean_size(const std::vector<double>& errors, const SignalInput& input);
+MetricValue size_at_95_percent(std::vector<double> errors, const SignalInput& input);
+
+/// The functions behind the table in signal_metrics.cpp.
+namespace measure {
+MetricValue bent_angle_mean(const SignalInput& input);
+MetricValue bent_angle_p95(const SignalInput& input);
+MetricValue cone_error_mean(const SignalInput& input);
+MetricValue cone_error_p95(const SignalInput& input);
+MetricValue cone_bias(const SignalInput& input);
+}  // namespace measure
+
+}  // namespace aoscore
