@@ -18,27 +18,46 @@ constexpr int kBandRows = 64;
 constexpr std::size_t kLanes = 4;
 typedef double Lanes __attribute__((vector_size(kLanes * sizeof(double))));
 
-}  // namespace
+enum class Symmetry { even, odd };
 
-AOSCORE_WIDER_WHERE_POSSIBLE
-void weighted_sums(double* sums, std::span<const double* const> from, std::span<const double> kernel,
-                   std::size_t count) {
+/// Adds a weight times the values at `after` and their like (or their negatives) at `before`.
+template <Symmetry kSymmetry, class Value>
+[[gnu::always_inline]] inline void add_pair(Value& sum, double weight, const double* after,
+                                            const double* before) {
+    Value v, w;
+    std::memcpy(&v, after, sizeof v);
+    std::memcpy(&w, before, sizeof w);
+    sum += weight * (kSymmetry == Symmetry::even ? v + w : v - w);
+}
+
+template <Symmetry kSymmetry, class Value>
+[[gnu::always_inline]] inline void begin_with_middle(Value& sum, double weight, const double* middle) {
+    if (kSymmetry == Symmetry::odd) return;
+    Value v;
+    std::memcpy(&v, middle, sizeof v);
+    sum = weight * v;
+}
+
+template <Symmetry kSymmetry>
+[[gnu::always_inline]] inline void symmetric_sums(double* sums, std::span<const double* const> from,
+                                                  std::span<const double> half, std::size_t count) {
+    assert(from.size() + 1 == 2 * half.size());
     constexpr std::size_t kBlock = 4 * kLanes;  // As many sums as stay in registers.
+    const double* const* middle = &from[half.size() - 1];
     std::size_t i = 0;
     for (; i + kBlock <= count; i += kBlock) {
         Lanes a{}, b{}, c{}, d{};
-        for (std::size_t k = 0; k < kernel.size(); ++k) {
-            const double weight = kernel[k];
-            const double* values = from[k] + i;
-            Lanes v;
-            std::memcpy(&v, values, sizeof v);
-            a += weight * v;
-            std::memcpy(&v, values + kLanes, sizeof v);
-            b += weight * v;
-            std::memcpy(&v, values + 2 * kLanes, sizeof v);
-            c += weight * v;
-            std::memcpy(&v, values + 3 * kLanes, sizeof v);
-            d += weight * v;
+        begin_with_middle<kSymmetry>(a, half[0], middle[0] + i);
+        begin_with_middle<kSymmetry>(b, half[0], middle[0] + i + kLanes);
+        begin_with_middle<kSymmetry>(c, half[0], middle[0] + i + 2 * kLanes);
+        begin_with_middle<kSymmetry>(d, half[0], middle[0] + i + 3 * kLanes);
+        for (std::size_t k = 1; k < half.size(); ++k) {
+            const double weight = half[k];
+            const double *after = middle[k] + i, *before = *(middle - k) + i;
+            add_pair<kSymmetry>(a, weight, after, before);
+            add_pair<kSymmetry>(b, weight, after + kLanes, before + kLanes);
+            add_pair<kSymmetry>(c, weight, after + 2 * kLanes, before + 2 * kLanes);
+            add_pair<kSymmetry>(d, weight, after + 3 * kLanes, before + 3 * kLanes);
         }
         std::memcpy(sums + i, &a, sizeof a);
         std::memcpy(sums + i + kLanes, &b, sizeof b);
@@ -47,30 +66,25 @@ void weighted_sums(double* sums, std::span<const double* const> from, std::span<
     }
     for (; i < count; ++i) {
         double sum = 0;
-        for (std::size_t k = 0; k < kernel.size(); ++k) sum += kernel[k] * from[k][i];
+        begin_with_middle<kSymmetry>(sum, half[0], middle[0] + i);
+        for (std::size_t k = 1; k < half.size(); ++k)
+            add_pair<kSymmetry>(sum, half[k], middle[k] + i, *(middle - k) + i);
         sums[i] = sum;
     }
 }
 
-Plane convolve_inside(const Plane& plane, std::span<const double> across, std::span<const double> down) {
-    const int width = plane.width - static_cast<int>(across.size()) + 1;
-    const int height = plane.height - static_cast<int>(down.size()) + 1;
-    assert(width > 0 && height > 0);
-    const auto columns = static_cast<std::size_t>(width);
-    std::vector<const double*> from;
-    Plane rows(width, plane.height);
-    for (int y = 0; y < plane.height; ++y) {
-        from.clear();
-        for (std::size_t k = 0; k < across.size(); ++k) from.push_back(&plane.at(0, y) + k);
-        weighted_sums(&rows.at(0, y), from, across, columns);
-    }
-    Plane result(width, height);
-    for (int y = 0; y < height; ++y) {
-        from.clear();
-        for (std::size_t k = 0; k < down.size(); ++k) from.push_back(&rows.at(0, y + static_cast<int>(k)));
-        weighted_sums(&result.at(0, y), from, down, columns);
-    }
-    return result;
+}  // namespace
+
+AOSCORE_WIDER_WHERE_POSSIBLE
+void even_sums(double* sums, std::span<const double* const> from, std::span<const double> half,
+               std::size_t count) {
+    symmetric_sums<Symmetry::even>(sums, from, half, count);
+}
+
+AOSCORE_WIDER_WHERE_POSSIBLE
+void odd_sums(double* sums, std::span<const double* const> from, std::span<const double> half,
+              std::size_t count) {
+    symmetric_sums<Symmetry::odd>(sums, from, half, count);
 }
 
 std::size_t band_count(int height) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "core/image.h"
-
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -15,18 +13,14 @@
 
 namespace aoscore {
 
-using Plane = Image<double>;
-
-/// The plane convolved with a separable kernel (`across` the columns, `down` the rows, both of odd length),
-/// only where the kernel lies inside: smaller by a kernel's length less one. One thread; meant for bands.
-/// Kernels are given as they lie over the image (correlation), which for symmetric and antisymmetric ones
-/// differs in sign at most.
-Plane convolve_inside(const Plane& plane, std::span<const double> across, std::span<const double> down);
-
-/// sums[i] = sum over k of kernel[k] * from[k][i] for i in [0, count): the same roundings in the same order
-/// on every machine. `from` has a pointer for each weight.
-void weighted_sums(double* sums, std::span<const double* const> from, std::span<const double> kernel,
-                   std::size_t count);
+/// sums[i] = the sum of from[k][i], each times its weight, for i in [0, count). `from` holds 2 n + 1
+/// pointers, of which the one in the middle has the weight half[0], and those k away from it half[k]; for
+/// odd_sums those before it have -half[k], and the middle has none. The same roundings in the same order on
+/// every machine.
+void even_sums(double* sums, std::span<const double* const> from, std::span<const double> half,
+               std::size_t count);
+void odd_sums(double* sums, std::span<const double* const> from, std::span<const double> half,
+              std::size_t count);
 
 /// Calls body(band, first_row, rows) for fixed bands of rows on all cores; returns how many bands there are
 /// for a height, so that sums of bands can be kept and added in order.

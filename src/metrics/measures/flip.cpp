@@ -1,10 +1,11 @@
-#include "core/srgb.h"
 #include "core/threads.h"
 #include "metrics/intervals/block_errors.h"
 #include "metrics/intervals/block_grid.h"
-#include "metrics/measures.h"
-#include "metrics/measures/convolution.h"
+#include "metrics/measures/flip_colour.h"
+#include "metrics/measures/flip_filter.h"
 #include "metrics/measures/mean_error.h"
+#include "metrics/measures.h"
+#include "metrics/measures/power.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,200 +15,156 @@
 #include <vector>
 
 // After Pontus Andersson, Jim Nilsson, Tomas Akenine-Möller, Magnus Oskarsson, Kalle Åström, Mark Fairchild,
-// "FLIP: A Difference Evaluator for Alternating Images", 2020, for gray images. A gray stays gray under the
-// paper's filters: both opponent channels are 0, and all of it can be done on the luminance (its channel Yy
-// is 116 Y - 16).
+// "FLIP: A Difference Evaluator for Alternating Images", 2020, for gray images.
 namespace aoscore {
 namespace {
 
-constexpr double kPixelsPerDegree =
-    67.02;  // The paper's viewing conditions: 0.7 m from a 4K monitor 0.7 m wide.
-constexpr double kColorExponent = 0.7, kFeatureExponent = 0.5;
-constexpr double kColorKnee = 0.4, kColorAtKnee = 0.95;
-constexpr double kFeatureWidth_deg = 0.082;
+constexpr int kMargin_px = FlipFilter::kMargin_px;
+// Low enough for what is kept of a tile's rows to stay in cache, high enough for margins to cost little.
+constexpr int kTileWidth_px = 256, kTileHeight_px = 128;
 
-using Kernel = std::vector<double>;
-
-template <class F>
-Kernel sampled(int radius_px, F value_at) {
-    Kernel kernel;
-    for (int x = -radius_px; x <= radius_px; ++x) kernel.push_back(value_at(x));
-    return kernel;
-}
-
-/// Positive weights scaled to a sum of 1, negative ones to -1.
-Kernel balanced(Kernel kernel) {
-    double positive = 0, negative = 0;
-    for (const double w : kernel) (w > 0 ? positive : negative) += std::abs(w);
-    for (double& w : kernel) {
-        if (w != 0) w /= w > 0 ? positive : negative;
-    }
-    return kernel;
-}
-
-struct Kernels {
-    Kernel contrast;           ///< contrast sensitivity to luminance
-    Kernel blur, edge, point;  ///< a Gaussian and its first and second derivative
-
-    Kernels() {
-        constexpr double kLuminanceSpread = 0.0047,
-                         kWidestSpread = 0.04;  // Table 1; the widest one is blue-yellow's.
-        const double pi2 = std::numbers::pi * std::numbers::pi;
-        const int contrast_radius_px =
-            static_cast<int>(std::ceil(3 * std::sqrt(kWidestSpread / (2 * pi2)) * kPixelsPerDegree));
-        contrast = balanced(sampled(contrast_radius_px, [&](double x) {
-            const double degrees = x / kPixelsPerDegree;
-            return std::exp(-pi2 * degrees * degrees / kLuminanceSpread);
-        }));
-
-        const double sigma_px = 0.5 * kFeatureWidth_deg * kPixelsPerDegree;
-        const int feature_radius_px = static_cast<int>(std::ceil(3 * sigma_px));
-        const auto gaussian = [&](double x) { return std::exp(-x * x / (2 * sigma_px * sigma_px)); };
-        blur = balanced(sampled(feature_radius_px, gaussian));
-        edge = balanced(sampled(feature_radius_px, [&](double x) { return -x * gaussian(x); }));
-        point = balanced(sampled(
-            feature_radius_px, [&](double x) { return (x * x / (sigma_px * sigma_px) - 1) * gaussian(x); }));
-    }
+struct Area {
+    int left, top, width, height;
 };
 
-double lightness(double luminance) {
-    constexpr double kDelta = 6.0 / 29;
-    const double root = luminance > kDelta * kDelta * kDelta ? std::cbrt(luminance)
-                                                             : luminance / (3 * kDelta * kDelta) + 4.0 / 29;
-    return 116 * root - 16;
-}
-
-struct Lab {
-    double l, a, b;
-};
-
-/// CIELAB of a colour given by its luminance and its X and Z relative to white's, with the Hunt effect:
-/// colours fade in the dark.
-Lab hunt_adjusted_lab(double relative_x, double y, double relative_z) {
-    const double l = lightness(y);
-    const double a = 500.0 / 116 * (lightness(relative_x) - l), b = 200.0 / 116 * (l - lightness(relative_z));
-    return {l, 0.01 * l * a, 0.01 * l * b};
-}
-
-/// The largest colour difference there is, from sRGB's green to its blue, to which all are related.
-double largest_color_difference() {
-    constexpr double kWhiteX = 0.9504700, kWhiteZ = 1.0888300;
-    const Lab green = hunt_adjusted_lab(0.3575761 / kWhiteX, 0.7151522, 0.1191920 / kWhiteZ);
-    const Lab blue = hunt_adjusted_lab(0.1804375 / kWhiteX, 0.0721750, 0.9503041 / kWhiteZ);
-    const double hyab = std::abs(green.l - blue.l) + std::hypot(green.a - blue.a, green.b - blue.b);
-    return std::pow(hyab, kColorExponent);
-}
-
-/// In [0,1]: small differences are spread over most of it, the large ones compressed into the rest.
-double color_difference(double truth_luminance, double test_luminance) {
-    static const double largest = largest_color_difference();
-    static const double knee = kColorKnee * largest;
-    const double hyab = std::abs(lightness(std::clamp(truth_luminance, 0.0, 1.0)) -
-                                 lightness(std::clamp(test_luminance, 0.0, 1.0)));
-    const double difference = std::pow(hyab, kColorExponent);
-    return difference < knee ? kColorAtKnee / knee * difference
-                             : kColorAtKnee + (difference - knee) / (largest - knee) * (1 - kColorAtKnee);
-}
-
-struct Rows {
-    int first, count;
-};
-
-/// Those rows with a margin all around, where the outermost pixels of the image are repeated.
-Plane padded(const Plane& image, Rows rows, int margin_x, int margin_y) {
-    Plane result(image.width + 2 * margin_x, rows.count + 2 * margin_y);
-    for (int y = 0; y < result.height; ++y) {
-        const int from_y = std::clamp(rows.first + y - margin_y, 0, image.height - 1);
-        const double* from = &image.at(0, from_y);
-        double* row = &result.at(0, y);
-        std::fill(row, row + margin_x, from[0]);
-        std::copy(from, from + image.width, row + margin_x);
-        std::fill(row + margin_x + image.width, row + result.width, from[image.width - 1]);
+std::vector<Area> tiles_of(int width, int height) {
+    std::vector<Area> tiles;
+    for (int y = 0; y < height; y += kTileHeight_px) {
+        for (int x = 0; x < width; x += kTileWidth_px)
+            tiles.push_back({x, y, std::min(kTileWidth_px, width - x), std::min(kTileHeight_px, height - y)});
     }
-    return result;
+    return tiles;
 }
 
-/// A separable filter over some rows of images that share a mask.
-class MaskedFilter {
+/// The curve of sRGB taken off values in [0,1]; `scratch` is as long.
+void decode_srgb(std::span<double> values, std::span<double> scratch) {
+    for (std::size_t i = 0; i < values.size(); ++i) scratch[i] = (values[i] + 0.055) / 1.055;
+    raise(scratch, 2.4);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = values[i] <= 0.04045 ? values[i] / 12.92 : scratch[i];
+}
+
+/// FLIP's map over a part of the image, one row after the other.
+class Tile {
   public:
-    MaskedFilter(const Plane& valid, Rows rows, const Kernel& across, const Kernel& down)
-        : rows_(rows), across_(across), down_(down), weight_(convolved(valid)) {}
+    Tile(const MetricInput& input, const Area& area)
+        : input_(input),
+          area_(area),
+          truth_(static_cast<std::size_t>(area.width)),
+          test_(truth_),
+          valid_(truth_),
+          row_(static_cast<std::size_t>(area.width + 2 * kMargin_px)),
+          scratch_(row_.size()),
+          map_(static_cast<std::size_t>(area.width)),
+          exponents_(map_.size()),
+          has_invalid_(has_invalid()) {}
 
-    /// Mean of the valid pixels, weighted by the kernel: for smoothing kernels. `image` is 0 where it is
-    /// invalid.
-    Plane mean(const Plane& image) const {
-        Plane result = convolved(image);
-        for (std::size_t i = 0; i < result.size(); ++i) {
-            if (weight_.pixels[i] > 0) result.pixels[i] /= weight_.pixels[i];
+    /// Adds the map over the valid pixels, by block.
+    void add_to(std::vector<double>& sums, const BlockGrid& grid) {
+        for (int y = -kMargin_px; y < area_.height + kMargin_px; ++y) {
+            push_row(std::clamp(area_.top + y, 0, input_.valid.height - 1));
+            if (y < kMargin_px) continue;
+            find_map();
+            add_row(area_.top + y - kMargin_px, sums, grid);
         }
-        return result;
-    }
-
-    /// Response of a kernel whose sum is 0, with the value of the pixel itself in place of every invalid one,
-    /// which therefore has no part in it. `image` is 0 where it is invalid.
-    Plane derivative(const Plane& image) const {
-        Plane result = convolved(image);
-        const double* self = &image.at(0, rows_.first);
-        for (std::size_t i = 0; i < result.size(); ++i) result.pixels[i] -= self[i] * weight_.pixels[i];
-        return result;
     }
 
   private:
-    Plane convolved(const Plane& image) const {
-        const int margin_x = static_cast<int>(across_.size() / 2),
-                  margin_y = static_cast<int>(down_.size() / 2);
-        return convolve_inside(padded(image, rows_, margin_x, margin_y), across_, down_);
+    const std::uint8_t* valid_row(int y) const { return &input_.valid.at(0, y); }
+
+    bool has_invalid() const {
+        const int left = std::max(area_.left - kMargin_px, 0);
+        const int right = std::min(area_.left + area_.width + kMargin_px, input_.valid.width);
+        const int top = std::max(area_.top - kMargin_px, 0);
+        const int bottom = std::min(area_.top + area_.height + kMargin_px, input_.valid.height);
+        for (int y = top; y < bottom; ++y) {
+            const std::uint8_t* row = valid_row(y);
+            if (std::find(row + left, row + right, 0) != row + right) return true;
+        }
+        return false;
     }
 
-    Rows rows_;
-    const Kernel& across_;
-    const Kernel& down_;
-    Plane weight_;
-};
-
-/// Much faster than std::hypot, which guards against overflow.
-double length(double x, double y) {
-    return std::sqrt(x * x + y * y);
-}
-
-/// Differences of edges or of points between the two images: of the length of the derivative in x and y.
-Plane feature_difference(const Plane& truth, const Plane& test, const Plane& valid, Rows rows,
-                         const Kernel& derivative, const Kernel& blur) {
-    const MaskedFilter in_x(valid, rows, derivative, blur), in_y(valid, rows, blur, derivative);
-    const Plane truth_x = in_x.derivative(truth), truth_y = in_y.derivative(truth);
-    const Plane test_x = in_x.derivative(test), test_y = in_y.derivative(test);
-    Plane difference(truth.width, rows.count);
-    for (std::size_t i = 0; i < difference.size(); ++i) {
-        difference.pixels[i] = std::abs(length(truth_x.pixels[i], truth_y.pixels[i]) -
-                                        length(test_x.pixels[i], test_y.pixels[i]));
+    /// The image's row with a margin: beyond the image its outermost pixels are repeated.
+    template <class F>
+    void read_row(F value_at) {
+        const int last = input_.valid.width - 1;
+        for (std::size_t i = 0; i < row_.size(); ++i)
+            row_[i] = value_at(std::clamp(area_.left - kMargin_px + static_cast<int>(i), 0, last));
     }
-    return difference;
-}
 
-/// Sums over the valid pixels of some rows, by block. Images hold luminance, and 0 where they are invalid.
-std::vector<double> difference_sums(const Plane& truth, const Plane& test, const Plane& valid, Rows rows,
-                                    const BlockGrid& grid) {
-    static const Kernels kernels;
-    const MaskedFilter contrast(valid, rows, kernels.contrast, kernels.contrast);
-    const Plane seen_truth = contrast.mean(truth), seen_test = contrast.mean(test);
-    const Plane edges = feature_difference(truth, test, valid, rows, kernels.edge, kernels.blur);
-    const Plane points = feature_difference(truth, test, valid, rows, kernels.point, kernels.blur);
-    const double* self_valid = &valid.at(0, rows.first);
-    const auto difference = [&](std::size_t i) {
-        if (self_valid[i] == 0) return 0.0;
-        const double color = color_difference(seen_truth.pixels[i], seen_test.pixels[i]);
-        const double feature =
-            std::pow(std::max(edges.pixels[i], points.pixels[i]) / std::numbers::sqrt2, kFeatureExponent);
-        return std::pow(color, 1 - feature);
-    };
-    std::vector<double> sums(grid.size());
-    for (int y = 0; y < rows.count; ++y) {
-        grid.for_each_piece(rows.first + y, 0, edges.width, 0, [&](std::size_t block, int from, int to) {
-            for (int x = from; x < to; ++x) sums[block] += difference(edges.index(x, y));
+    void push_row(int y) {
+        const std::uint8_t* valid = valid_row(y);
+        for (auto [image, filter] : {std::pair(&input_.truth, &truth_), std::pair(&input_.test, &test_)}) {
+            const float* values = &image->at(0, y);
+            // Values may be NaN where they are invalid.
+            read_row([&](int x) { return valid[x] == 0 ? 0.0 : std::clamp(double{values[x]}, 0.0, 1.0); });
+            decode_srgb(row_, scratch_);
+            filter->push(row_);
+        }
+        if (!has_invalid_) return;
+        read_row([&](int x) { return valid[x] == 0 ? 0.0 : 1.0; });
+        valid_.push(row_);
+    }
+
+    /// Takes invalid pixels out of what was filtered as 0 there: the mean is over the valid ones, and in a
+    /// derivative the value of the pixel itself stands for an invalid one, which therefore has no part in it.
+    void without_invalid(FlipFilter& image) {
+        using enum FlipFilter::Response;
+        const std::span<double> seen = image[kSeen], weights = valid_[kSeen];
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+            if (weights[i] > 0) seen[i] /= weights[i];
+        }
+        const std::span<double> self = image[kSelf];
+        for (const auto derivative : {kEdgeX, kEdgeY, kPointX, kPointY}) {
+            const std::span<double> values = image[derivative], of_valid = valid_[derivative];
+            for (std::size_t i = 0; i < values.size(); ++i) values[i] -= self[i] * of_valid[i];
+        }
+    }
+
+    /// How much longer the derivative is in one image than in the other.
+    double length_difference(FlipFilter::Response in_x, FlipFilter::Response in_y, std::size_t i) {
+        const auto length = [&](FlipFilter& image) {
+            return std::sqrt(image[in_x][i] * image[in_x][i] + image[in_y][i] * image[in_y][i]);
+        };
+        return std::abs(length(truth_) - length(test_));
+    }
+
+    void find_map() {
+        using enum FlipFilter::Response;
+        truth_.respond();
+        test_.respond();
+        if (has_invalid_) {
+            valid_.respond();
+            without_invalid(truth_);
+            without_invalid(test_);
+        }
+        for (std::size_t i = 0; i < map_.size(); ++i) {
+            const double feature =
+                std::max(length_difference(kEdgeX, kEdgeY, i), length_difference(kPointX, kPointY, i));
+            exponents_[i] = std::max(1 - std::sqrt(feature / std::numbers::sqrt2), 0.0);
+        }
+        std::ranges::copy(truth_[kSeen], map_.begin());
+        flip_color_differences(map_, test_[kSeen]);
+        raise(map_, exponents_);
+    }
+
+    void add_row(int y, std::vector<double>& sums, const BlockGrid& grid) const {
+        const std::uint8_t* valid = valid_row(y);
+        const int right = area_.left + area_.width;
+        grid.for_each_piece(y, area_.left, right, 0, [&](std::size_t block, int from, int to) {
+            for (int x = from; x < to; ++x) {
+                if (valid[x] != 0) sums[block] += map_[static_cast<std::size_t>(x - area_.left)];
+            }
         });
     }
-    return sums;
-}
+
+    const MetricInput& input_;
+    Area area_;
+    FlipFilter truth_, test_, valid_;
+    std::vector<double> row_, scratch_;    ///< with margins
+    std::vector<double> map_, exponents_;  ///< of one row
+    bool has_invalid_;                     ///< here or in the margins
+};
 
 }  // namespace
 
@@ -215,26 +172,15 @@ MetricValue measure::flip(const MetricInput& input) {
     const std::optional<double> mse = mean_squared_error(input);
     if (!mse) return undefined(kNoValidPixel);
     if (!std::isfinite(*mse)) return undefined(kNotFinite);  // Before infinity is clamped to 1.
-    const int width = input.truth.width, height = input.truth.height;
-    Plane truth(width, height), test(width, height), valid(width, height);
-    parallel_for(static_cast<std::size_t>(height), [&](std::size_t y) {
-        for (int x = 0; x < width; ++x) {
-            const std::size_t i = valid.index(x, static_cast<int>(y));
-            if (input.valid.pixels[i] == 0) continue;  // The values may be NaN there.
-            valid.pixels[i] = 1;
-            truth.pixels[i] = linear_from_srgb(std::clamp(double{input.truth.pixels[i]}, 0.0, 1.0));
-            test.pixels[i] = linear_from_srgb(std::clamp(double{input.test.pixels[i]}, 0.0, 1.0));
-        }
-    });
-    const BlockGrid grid(width, height);
-    std::vector<std::vector<double>> bands(band_count(height));
-    for_each_band(height, [&](std::size_t band, int first, int rows) {
-        bands[band] = difference_sums(truth, test, valid, {first, rows}, grid);
-    });
+    const BlockGrid grid(input.truth.width, input.truth.height);
+    const std::vector<Area> tiles = tiles_of(input.truth.width, input.truth.height);
+    std::vector<std::vector<double>> of_tiles(tiles.size(), std::vector<double>(grid.size()));
+    parallel_for(tiles.size(), [&](std::size_t t) { Tile(input, tiles[t]).add_to(of_tiles[t], grid); });
     std::vector<double> sums;
-    for (const std::vector<double>& band : bands) add_sums(sums, band);
+    for (const std::vector<double>& tile : of_tiles) add_sums(sums, tile);
     const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
-    const double count = std::accumulate(valid.pixels.begin(), valid.pixels.end(), 0.0);
+    const auto count = static_cast<double>(
+        std::ranges::count_if(input.valid.pixels, [](std::uint8_t valid) { return valid != 0; }));
     if (input.maps != nullptr) input.maps->flip_sums = std::move(sums);
     return defined(sum / count);
 }

@@ -14,15 +14,17 @@ namespace {
 constexpr int kWindow_px = 2 * kSsimBorder_px + 1;
 constexpr double kC1 = 0.01 * 0.01, kC2 = 0.03 * 0.03;
 
-std::array<double, kWindow_px> gaussian_window() {
-    std::array<double, kWindow_px> window{};
+/// The middle of the window's row and what lies right of it.
+std::array<double, kSsimBorder_px + 1> half_gaussian_window() {
+    std::array<double, kSsimBorder_px + 1> half{};
     double sum = 0;
-    for (int i = 0; i < kWindow_px; ++i) {
-        const double distance = (i - kSsimBorder_px) / 1.5;
-        sum += window[static_cast<std::size_t>(i)] = std::exp(-0.5 * distance * distance);
+    for (std::size_t i = 0; i < half.size(); ++i) {
+        const double distance = static_cast<double>(i) / 1.5;
+        half[i] = std::exp(-0.5 * distance * distance);
+        sum += (i == 0 ? 1 : 2) * half[i];
     }
-    for (double& value : window) value /= sum;
-    return window;
+    for (double& value : half) value /= sum;
+    return half;
 }
 
 /// Sums under the window. That of the weight comes last: where all pixels weigh alike it is 1 and left out.
@@ -94,7 +96,7 @@ class Band {
         std::array<const double*, kWindow_px> from{};
         for (std::size_t m = 0; m < moments_; ++m) {
             for (std::size_t k = 0; k < kWindow_px; ++k) from[k] = &terms_[m * width_ + k];
-            weighted_sums(ring_row(m, y), from, kWindow, inner_);
+            even_sums(ring_row(m, y), from, kHalfWindow, inner_);
         }
     }
 
@@ -102,7 +104,7 @@ class Band {
         std::array<const double*, kWindow_px> from{};
         for (std::size_t m = 0; m < moments_; ++m) {
             for (std::size_t k = 0; k < kWindow_px; ++k) from[k] = ring_row(m, y - 2 * kSsimBorder_px + k);
-            weighted_sums(&sums_[m * inner_], from, kWindow, inner_);
+            even_sums(&sums_[m * inner_], from, kHalfWindow, inner_);
         }
     }
 
@@ -141,7 +143,7 @@ class Band {
         });
     }
 
-    inline static const std::array<double, kWindow_px> kWindow = gaussian_window();
+    inline static const std::array<double, kSsimBorder_px + 1> kHalfWindow = half_gaussian_window();
     const WeightedImages& pair_;
     const BlockGrid& grid_;
     int halvings_;

@@ -1,0 +1,44 @@
+#include "metrics/measures/power.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace aoscore {
+namespace {
+
+std::vector<double> values_of_all_sizes() {
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> exponent(-60, 9);
+    std::vector<double> values{1, 1e-98, 1e9, std::nextafter(1.0, 0.0), std::nextafter(1.0, 2.0)};
+    for (int i = 0; i < 20000; ++i) values.push_back(std::pow(10, exponent(random)));
+    return values;
+}
+
+TEST(Raise, AgreesWithTheLibraryToThirteenDigits) {
+    for (const double exponent : {0.0, 1.0 / 3, 0.5, 0.7, 1.0, 2.4, 3.0}) {
+        const std::vector<double> values = values_of_all_sizes();
+        std::vector<double> raised = values;
+        raise(raised, exponent);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const auto exact = static_cast<double>(
+                powl(static_cast<long double>(values[i]), static_cast<long double>(exponent)));
+            ASSERT_NEAR(raised[i] / exact, 1, 1e-13) << values[i] << " to the power of " << exponent;
+        }
+    }
+}
+
+TEST(Raise, OfZeroIsZeroButForTheExponentZero) {
+    std::vector<double> values(9, 0.0);
+    raise(values, 0.3);
+    EXPECT_EQ(values, std::vector<double>(9, 0.0));
+    const std::vector<double> exponents{0, 0.2, 0};
+    std::vector<double> bases{0, 0, 0.5};
+    raise(bases, exponents);
+    EXPECT_EQ(bases, (std::vector<double>{1, 0, 1}));
+}
+
+}  // namespace
+}  // namespace aoscore
