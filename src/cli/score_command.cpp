@@ -2,14 +2,18 @@
 #include "cli/method_options.h"
 #include "cli/run_and_report.h"
 #include "cli/shared_options.h"
+#include "core/error.h"
 #include "core/files.h"
+#include "core/known_names.h"
 #include "jobs/truth_signals.h"
 #include "plan/plan.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace aoscore {
 namespace {
@@ -22,6 +26,7 @@ struct ScoreOptions {
     std::vector<double> radii;
     TruthEffort effort;
     std::filesystem::path methods_dir;
+    std::vector<std::filesystem::path> contestants;
     std::filesystem::path out;
     OutcomeOptions outcome;
     std::filesystem::path truth_cache;
@@ -34,6 +39,24 @@ std::vector<MethodDescriptor> chosen_methods(const ScoreOptions& options,
     std::vector<MethodDescriptor> chosen;
     for (const std::string& id : options.methods) chosen.push_back(find_method(known, id));
     return chosen;
+}
+
+/// Adds a cell for the images of each folder. No two contestants have one id.
+void add_folders(const ScoreOptions& options, ExperimentPlan& plan, ViewPlan& view) {
+    std::vector<std::string> said;  // already, of the methods that were chosen
+    std::vector<std::string> ids = ids_of(load_asked_methods(options.methods_dir, {}, said));
+    for (const std::filesystem::path& path : options.contestants) {
+        ImageFolder folder = load_image_folder(path);
+        if (std::ranges::find(ids, folder.method.id) != ids.end())
+            throw file_error("is " + folder.method.id + ", as another contestant's",
+                             (path / "contestant.json").string() + ": id", "an id of its own");
+        ids.push_back(folder.method.id);
+        CellPlan cell;
+        cell.method = folder.method.id;
+        cell.own_truth = false;
+        view.cells.push_back(std::move(cell));
+        plan.folders.push_back(std::move(folder));
+    }
 }
 
 ExitCode run(const ScoreOptions& options, const GlobalOptions& global) {
@@ -58,6 +81,7 @@ ExitCode run(const ScoreOptions& options, const GlobalOptions& global) {
     view.cells = plan_cells(chosen_methods(options, plan.warnings), load_filters(), options.method_options,
                             plan.warnings);
     view.extras |= extras_for(options.method_options.signals);
+    if (!options.contestants.empty()) add_folders(options, plan, view);
     for (const std::string& id : planned_views(options.choice.view)) {
         view.view = id;
         shared_view(plan, view);
@@ -84,6 +108,10 @@ CommandEntry add_score_command(CLI::App& program, const GlobalOptions& global) {
     add_radii_option(*app, options->radii);
     add_score_truth_options(*app, options->effort);
     app->add_option("--methods-dir", options->methods_dir, "A folder of methods of your own");
+    app->add_option("--contestant", options->contestants,
+                    "A folder of images that another program has made of the views, with contestant.json: "
+                    "ranked among the methods")
+        ->allow_extra_args(false);
     add_cache_option(*app, options->truth_cache);
     app->add_option("--out", options->out, "Folder of page, results and images [reports/out/score-SCENE]");
     add_outcome_options(*app, options->outcome);

@@ -110,11 +110,11 @@ TruthSettings truth_settings(const ViewPlan& plan, std::uint64_t seed) {
     return settings;
 }
 
-CellWork cell_work(const ResolvedCell& cell, const std::string& view_key, const Registry& registry,
+CellWork cell_work(const ResolvedCell& cell, const PreparedView& view, const Registry& registry,
                    std::optional<double> drawn_for_m) {
     CellWork work;
-    work.id = fmt::format("{}/{}", view_key, cell_name(cell.plan));
-    work.contestant = contestant_of(cell.request);
+    work.id = fmt::format("{}/{}", view.key, cell_name(cell.plan));
+    work.contestant = contestant_on(view.view.id, cell, registry);
     work.timed = cell.request;
     if (cell.plan.own_truth) work.own = cell.own;
     work.keep_image = cell.plan.keep_image;
@@ -138,7 +138,7 @@ ViewWork view_work(const ExperimentPlan& plan, const PreparedView& p, const Regi
                    SceneTools& tools, const std::filesystem::path& folder) {
     const std::optional<double> drawn_for_m = drawn_for(plan, p.radius);
     std::vector<CellWork> cells;
-    for (const ResolvedCell& cell : p.cells) cells.push_back(cell_work(cell, p.key, registry, drawn_for_m));
+    for (const ResolvedCell& cell : p.cells) cells.push_back(cell_work(cell, p, registry, drawn_for_m));
     return {.scene = *p.scene,
             .view = p.view,
             .tools = tools,
@@ -183,6 +183,7 @@ ViewRun view_run(const ExperimentPlan& plan, const PreparedView& p, const Regist
 PlannedRuns::PlannedRuns(const ExperimentPlan& plan, const ArtifactStore& store) : plan_(plan) {
     std::vector<std::string> left_out;  // the plan says which: it names none of them
     registry_ = load_registry(plan.methods_dir, {}, left_out);
+    registry_.folders = plan.folders;
     prepared_ = prepare(plan, registry_, store);
     name_views(prepared_);
 }

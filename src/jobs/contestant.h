@@ -24,7 +24,7 @@ struct ContestantSources {
 /// - ShaderMethod, a folder of shaders/methods/ drawn by the renderer. Passes that no shader can draw are
 ///   computed by a Processor (screen/passes/processors.h), the line sweep among them;
 /// - FewRays, the ray tracer with as few rays as a frame has time for (jobs/few_rays.h);
-/// - FolderImage, an image that another program has left in a folder (jobs/image_folder.h);
+/// - FolderImage, an image that another program has left in a folder (jobs/folder_image.h);
 /// - TrueImage, the truth itself;
 /// - OneLayerBound, the most occlusion that any method could find which knows one depth layer.
 class Contestant {

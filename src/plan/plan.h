@@ -1,5 +1,6 @@
 #pragma once
 
+#include "jobs/folder_image.h"
 #include "jobs/timing.h"
 #include "plan/run_modes.h"
 #include "reference/truth.h"
@@ -108,6 +109,7 @@ struct ExperimentPlan {
     /// publications state, or the user asked for.
     bool own_parameters = false;
     std::filesystem::path methods_dir;  ///< of the user's own methods; empty: none
+    std::vector<ImageFolder> folders;   ///< images of other programs that cells name
     std::filesystem::path
         truth_cache;           ///< folder of the truths and measurements that are kept; empty: none is
     bool keep_gbuffer = true;  ///< write the G-buffer beside the results

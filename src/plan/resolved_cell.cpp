@@ -1,5 +1,6 @@
 #include "plan/resolved_cell.h"
 
+#include "core/known_names.h"
 #include "jobs/few_rays.h"
 #include "jobs/own_truth.h"
 #include "screen/method/lengths.h"
@@ -11,8 +12,12 @@ namespace aoscore {
 
 Registry load_registry(const std::filesystem::path& methods_dir, const std::vector<std::string>& asked,
                        std::vector<std::string>& warnings) {
-    return {load_asked_methods(methods_dir, asked, warnings), load_filters(), load_fixed_pass(),
-            load_lighting(), few_rays_descriptor()};
+    return {load_asked_methods(methods_dir, asked, warnings),
+            load_filters(),
+            load_fixed_pass(),
+            load_lighting(),
+            few_rays_descriptor(),
+            {}};
 }
 
 Registry load_registry() {
@@ -74,12 +79,32 @@ void light(MethodRequest& request, const MethodDescriptor& lighting, std::option
     request.lighting_parameters = drawn_values(lighting, "default", {}, drawn_for_m);
 }
 
+namespace {
+
+const ImageFolder* find_folder(const Registry& registry, const std::string& id) {
+    return find_row(registry.folders, id,
+                    [](const ImageFolder& folder) { return std::string_view(folder.method.id); });
+}
+
+const MethodDescriptor& described(const std::string& id, const Registry& registry) {
+    if (id == kFewRays) return registry.few_rays;
+    const ImageFolder* folder = find_folder(registry, id);
+    return folder != nullptr ? folder->method : find_method(registry.methods, id);
+}
+
+}  // namespace
+
+std::shared_ptr<const Contestant> contestant_on(const std::string& view, const ResolvedCell& cell,
+                                                const Registry& registry) {
+    const ImageFolder* folder = find_folder(registry, cell.plan.method);
+    return folder != nullptr ? folder_image(*folder, view) : contestant_of(cell.request);
+}
+
 ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64_t seed,
                      std::optional<double> drawn_for_m) {
     ResolvedCell cell;
     cell.plan = plan;
-    const MethodDescriptor& method =
-        plan.method == kFewRays ? registry.few_rays : find_method(registry.methods, plan.method);
+    const MethodDescriptor& method = described(plan.method, registry);
     // An absolute preset keeps its filter's lengths as well.
     const bool absolute = method.absolute_presets.contains(plan.preset);
     if (absolute) drawn_for_m.reset();
@@ -88,6 +113,8 @@ ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64
                                        : LengthRecord::kOwn;
     cell.request.method = &method;
     cell.request.parameters = drawn_values(method, plan.preset, plan.overrides, drawn_for_m);
+    if (const ImageFolder* folder = find_folder(registry, plan.method))
+        cell.request.parameters = folder->stated;
     cell.request.seed = seed;
     cell.request.signals = plan.signals;
     plan.modes.apply_to(cell.request);

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "jobs/contestant.h"
 #include "plan/plan.h"
 #include "reference/truth.h"
 #include "screen/screen.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +19,7 @@ struct Registry {
     MethodDescriptor fixed_pass;
     MethodDescriptor lighting;
     MethodDescriptor few_rays;
+    std::vector<ImageFolder> folders = {};
 };
 /// Methods as load_asked_methods() has them.
 Registry load_registry(const std::filesystem::path& methods_dir, const std::vector<std::string>& asked,
@@ -57,5 +60,9 @@ PresetFilter filter_of(const CellPlan& plan, const MethodDescriptor& method);
 /// `registry` must outlive the result.
 ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64_t seed,
                      std::optional<double> drawn_for_m);
+
+/// What is scored of the cell on the view of this id.
+std::shared_ptr<const Contestant> contestant_on(const std::string& view, const ResolvedCell& cell,
+                                                const Registry& registry);
 
 }  // namespace aoscore
