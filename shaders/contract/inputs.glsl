@@ -4,18 +4,7 @@
 #include "contract/mirror.glsl"
 #include "contract/view.glsl"
 
-uniform sampler2D u_linear_depth;      // metres, positive; u_far on background
-uniform sampler2D u_hardware_depth;    // window depth in [0,1]
-uniform sampler2D u_normal_geometric;  // view space, unit, turned to the camera
-uniform sampler2D u_normal_smooth;     // the same, interpolated
-uniform sampler2D u_normal_from_depth;           // view space, unit, from differences of depth
-uniform sampler2D u_normal_from_depth_accurate;  // the same, from the better side of each pixel
-uniform sampler2D u_depth_mips;        // linear depth in 6 levels; the descriptor's depth_mips says how they are made
-uniform sampler2D u_albedo;            // linear RGB
-uniform sampler2D u_noise_4x4;         // four numbers in [0,1) a texel, each a permutation of (i + ½)/16
-uniform uint u_seed;                   // of the run
-
-uniform sampler2D u_coarser;           // visibility of the pass before, at 1/COARSER_SCALE
+uniform uint u_seed;  // of the run
 
 #if COUNT_FETCHES
 float tap_count = 0.0;
@@ -32,13 +21,9 @@ vec4 picture_texel(sampler2D picture, vec2 texel) { return textureLod(picture, (
 ivec2 drawn_texel() { return ivec2(gl_FragCoord.xy); }
 vec2 texel_centre(ivec2 texel) { return vec2(texel) + 0.5; }
 ivec2 centre_texel() { return min(drawn_texel() * SCALE + SCALE / 2, ivec2(u_size_px) - 1); }
-float centre_linear_depth() { return picture_texel(u_linear_depth, vec2(centre_texel())).r; }
-vec3 centre_normal_geometric() { return picture_texel(u_normal_geometric, vec2(centre_texel())).xyz; }
-vec3 centre_normal_smooth() { return picture_texel(u_normal_smooth, vec2(centre_texel())).xyz; }
-vec3 centre_normal_from_depth() { return picture_texel(u_normal_from_depth, vec2(centre_texel())).xyz; }
-vec3 centre_normal_from_depth_accurate() {
-    return picture_texel(u_normal_from_depth_accurate, vec2(centre_texel())).xyz;
-}
+
+#include "contract/channels.glsl"  // generated from the tables of src/image/channels.cpp
+
 // The texel whose noise is this one's.
 ivec2 noise_texel() { return mirrored_texel(drawn_texel(), (ivec2(u_size_px) + SCALE - 1) / SCALE); }
 vec4 tiled_noise() { return texelFetch(u_noise_4x4, noise_texel() & 3, 0); }

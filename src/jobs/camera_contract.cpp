@@ -51,10 +51,10 @@ class EdgeFinder {
     const PrimaryHits& hits_;
 };
 
-bool same_surface(const CameraFrame& frame, const PrimaryHits& hits, const GBufferImages& gbuffer, int x,
+bool same_surface(const CameraFrame& frame, const PrimaryHits& hits, const ImageF& drawn_depth_m, int x,
                   int y, double float_tolerance_m) {
     const auto traced = static_cast<double>(hits.depth.at(x, y));
-    const auto drawn = static_cast<double>(gbuffer.linear_depth.at(x, y));
+    const auto drawn = static_cast<double>(drawn_depth_m.at(x, y));
     const glm::dvec3 offset =
         frame.view_position(x + 0.5, y + 0.5, drawn) - frame.view_position(x + 0.5, y + 0.5, traced);
     const double plane_distance = std::abs(glm::dot(offset, glm::dvec3(hits.normal.at(x, y))));
@@ -79,6 +79,7 @@ CameraContract check_camera_contract(const CameraFrame& frame, const PrimaryHits
     CameraContract contract;
     contract.valid = Mask(frame.width(), frame.height());
     const EdgeFinder edges(frame, hits);
+    const ImageF& drawn_depth_m = gbuffer.linear_depth();
     for (int y = 0; y < frame.height(); ++y) {
         for (int x = 0; x < frame.width(); ++x) {
             const bool traced = hits.surface.at(x, y) != 0, drawn = gbuffer.surface.at(x, y) != 0;
@@ -87,7 +88,7 @@ CameraContract check_camera_contract(const CameraFrame& frame, const PrimaryHits
             const bool edge = edges.is_edge(x, y);
             contract.edges += edge;
             if (traced && drawn &&
-                same_surface(frame, hits, gbuffer, x, y, kFloatTolerance * scene_extent_m)) {
+                same_surface(frame, hits, drawn_depth_m, x, y, kFloatTolerance * scene_extent_m)) {
                 contract.valid.at(x, y) = 1;
                 ++contract.valid_count;
             } else {

@@ -1,14 +1,15 @@
 #include "jobs/image_output.h"
 
+#include "image/channels.h"
 #include "image/image_file.h"
 #include "jobs/own_truth.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <array>
 #include <cmath>
 #include <list>
+#include <string_view>
 #include <vector>
 
 namespace aoscore {
@@ -26,12 +27,12 @@ ImageF component(const Image<glm::vec3>& image, int axis) {
     return result;
 }
 
-void add_vectors(const Image<glm::vec3>& image, const std::array<const char*, 3>& names,
+void add_vectors(const Image<glm::vec3>& image, const std::vector<std::string_view>& names,
                  std::vector<ChannelView>& channels, std::list<ImageF>& planes) {
     if (image.empty()) return;
     for (int axis = 0; axis < 3; ++axis) {
         planes.push_back(component(image, axis));
-        channels.push_back({names[static_cast<std::size_t>(axis)], &planes.back()});
+        channels.push_back({std::string(names[static_cast<std::size_t>(axis)]), &planes.back()});
     }
 }
 
@@ -89,11 +90,11 @@ void write_truth(const std::filesystem::path& path, const Truth& truth, const Ma
 
 Image<glm::vec3> view_positions(const GBufferImages& gbuffer, const CameraFrame& frame) {
     Image<glm::vec3> result(frame.width(), frame.height());
+    const ImageF& depth_m = gbuffer.linear_depth();
     for (int y = 0; y < result.height; ++y) {
         for (int x = 0; x < result.width; ++x) {
             if (gbuffer.surface.at(x, y) == 0) continue;
-            result.at(x, y) =
-                frame.view_position(x + 0.5, y + 0.5, static_cast<double>(gbuffer.linear_depth.at(x, y)));
+            result.at(x, y) = frame.view_position(x + 0.5, y + 0.5, static_cast<double>(depth_m.at(x, y)));
         }
     }
     return result;
@@ -117,14 +118,13 @@ void write_gbuffer(const std::filesystem::path& path, const GBufferImages& gbuff
                    const Image<glm::vec3>& positions_m,
                    const std::map<std::string, std::string>& attributes) {
     const ImageF mask = as_float(gbuffer.surface);
-    std::vector<ChannelView> channels{{"Y", &gbuffer.linear_depth},
-                                      {"Z", &gbuffer.linear_depth},
-                                      {"depth.Z", &gbuffer.hardware_depth},
-                                      {"mask.Y", &mask}};
+    std::vector<ChannelView> channels{{"Y", &gbuffer.linear_depth()}, {"mask.Y", &mask}};
     std::list<ImageF> planes;  // a list: its elements stay where they are
-    add_vectors(gbuffer.normal_geometric, {"N.X", "N.Y", "N.Z"}, channels, planes);
-    add_vectors(gbuffer.normal_smooth, {"Ns.X", "Ns.Y", "Ns.Z"}, channels, planes);
-    add_vectors(gbuffer.albedo, {"albedo.R", "albedo.G", "albedo.B"}, channels, planes);
+    for (const Channel& channel : gbuffer_channels()) {
+        const ImageF& number = gbuffer.number(channel.id);
+        if (!number.empty()) channels.push_back({std::string(channel.exr_names[0]), &number});
+        add_vectors(gbuffer.vector(channel.id), channel.exr_names, channels, planes);
+    }
     add_vectors(positions_m, {"P.X", "P.Y", "P.Z"}, channels, planes);
     write_exr(path, channels, attributes);
 }

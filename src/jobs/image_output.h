@@ -32,10 +32,8 @@ std::map<std::string, std::string> camera_attributes(const CameraFrame& frame, c
 /// View-space positions of what was drawn, metres; 0 where nothing was.
 Image<glm::vec3> view_positions(const GBufferImages& gbuffer, const CameraFrame& frame);
 
-/// A G-buffer as EXR: `Z` view depth in metres, `depth.Z` window depth, `N.X/Y/Z` geometric and `Ns.X/Y/Z`
-/// smooth view-space normals, `P.X/Y/Z` view-space positions
-/// in metres, `albedo.R/G/B`, `mask.Y`, and `Y` equal to Z for viewers. What was not drawn is
-/// left out.
+/// A G-buffer as EXR: its channels by the names of image/channels.h, `P.X/Y/Z` view-space positions in
+/// metres, `mask.Y`, and `Y` equal to Z for viewers. What was not drawn is left out.
 void write_gbuffer(const std::filesystem::path& path, const GBufferImages& gbuffer,
                    const Image<glm::vec3>& positions_m, const std::map<std::string, std::string>& attributes);
 

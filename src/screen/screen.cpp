@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "screen/gbuffer/gbuffer.h"
 #include "screen/gbuffer/scene_geometry.h"
-#include "screen/gl/osmesa_context.h"
+#include "screen/gl/context.h"
 #include "screen/passes/method_runner.h"
 
 #include <chrono>
@@ -35,60 +35,53 @@ void cut_off_above_one(ImageF& image) {
 }  // namespace
 
 struct ScreenRenderer::Impl {
-    GlContext context;
+    std::unique_ptr<GlContext> context = new_gl_context();
     std::optional<SceneGeometry> geometry;
     GBuffer gbuffer;
     std::optional<MethodRunner> runner;
     std::uint64_t gbuffers_drawn = 0;
-    std::optional<CameraFrame> frame;  // of the G-buffer that was drawn last
-    std::set<std::string> inputs;
 
-    Impl() {
-        gl::load_functions();
-        runner.emplace(gbuffer);
-    }
+    Impl() { runner.emplace(gbuffer); }
 
     MethodRunner& ready_runner() {
-        context.make_current();
+        context->make_current();
         if (!gbuffer.drawn()) throw internal_error("no G-buffer was drawn", "ScreenRenderer");
         return *runner;
     }
 
-    void draw_gbuffer_again() { gbuffer.draw(*geometry, *frame, inputs); }
+    void draw_gbuffer_again() { gbuffer.draw(*geometry, Capture(gbuffer.capture())); }
 };
 
 ScreenRenderer::ScreenRenderer() : impl_(std::make_unique<Impl>()) {}
 
 ScreenRenderer::~ScreenRenderer() {
     // Objects are deleted in their own context.
-    impl_->context.make_current();
+    impl_->context->make_current();
 }
 
 std::string ScreenRenderer::renderer() const {
-    impl_->context.make_current();
+    impl_->context->make_current();
     return gl_text(GL_RENDERER);
 }
 
 std::string ScreenRenderer::version() const {
-    impl_->context.make_current();
+    impl_->context->make_current();
     return gl_text(GL_VERSION);
 }
 
 void ScreenRenderer::set_scene(const Scene& scene) {
-    impl_->context.make_current();
+    impl_->context->make_current();
     impl_->geometry.emplace(scene);
 }
 
-double ScreenRenderer::draw_gbuffer(const CameraFrame& frame, const std::set<std::string>& inputs) {
-    impl_->context.make_current();
+double ScreenRenderer::draw_gbuffer(const Capture& capture) {
+    impl_->context->make_current();
     if (!impl_->geometry) throw internal_error("no scene was set", "ScreenRenderer");
     impl_->runner->forget_derived();
     ++impl_->gbuffers_drawn;
     const Clock clock;
-    impl_->gbuffer.draw(*impl_->geometry, frame, inputs);
+    impl_->gbuffer.draw(*impl_->geometry, capture);
     gl::Finish();
-    impl_->frame = frame;
-    impl_->inputs = inputs;
     return clock.milliseconds();
 }
 
@@ -100,9 +93,9 @@ double ScreenRenderer::time_gbuffer() {
     return clock.milliseconds();
 }
 
-GBufferImages ScreenRenderer::read_gbuffer() {
+GBufferImages ScreenRenderer::read_gbuffer(const CaptureIndex& index) {
     impl_->ready_runner();
-    return impl_->gbuffer.read();
+    return impl_->gbuffer.read(index);
 }
 
 std::string ScreenRenderer::gbuffer_digest() {

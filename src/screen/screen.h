@@ -3,26 +3,33 @@
 #include "core/image.h"
 #include "core/signal.h"
 #include "scene/scene.h"
+#include "screen/gbuffer/capture.h"
 #include "screen/method/method.h"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace aoscore {
 
-/// The rasterised inputs as the methods see them, read back. Row 0 at the top.
+/// One picture of a G-buffer as the methods see it, read back. Row 0 at the top.
 struct GBufferImages {
-    Mask surface;                       ///< 1 where something was drawn
-    ImageF linear_depth;                ///< view depth -z, metres; far plane's where nothing was drawn
-    ImageF hardware_depth;              ///< OpenGL window depth in [0,1]
-    Image<glm::vec3> normal_geometric;  ///< view space, unit, turned to the camera
-    Image<glm::vec3> normal_smooth;     ///< view space, unit, on the geometric normal's side
-    Image<glm::vec3> albedo;            ///< linear
+    Mask surface;  ///< 1 where something was drawn
+    /// By channel (image/channels.h): those of one value, and those of three. Only what was drawn.
+    std::map<std::string, ImageF, std::less<>> numbers;
+    std::map<std::string, Image<glm::vec3>, std::less<>> vectors;
+
+    /// Empty where that channel was not drawn.
+    const ImageF& number(std::string_view channel) const;
+    const Image<glm::vec3>& vector(std::string_view channel) const;
+    /// View depth -z, metres; the far plane's where nothing was drawn.
+    const ImageF& linear_depth() const { return number("linear_depth"); }
 };
 
 /// What a tap outside of the picture reads: the background's depth (nothing is known, nothing occludes), or
@@ -77,11 +84,9 @@ struct MethodOutput {
     std::map<std::string, SignalImage> signals;  ///< by id, beside visibility; unfiltered
 };
 
-/// The inputs a pass may ask for: "linear_depth", "hardware_depth", "normal_geometric", "normal_smooth",
-/// "albedo".
+/// The ids of the G-buffer's channels (image/channels.h).
 const std::set<std::string>& gbuffer_inputs();
-/// What a method's pass may ask for: the G-buffer's, what is computed from it ("depth_mips",
-/// "normal_from_depth", "normal_from_depth_accurate") and what the program generates ("noise_4x4").
+/// What a method's pass may ask for: the G-buffer's channels and what is made from them.
 const std::set<std::string>& method_inputs();
 /// What a filter's pass may ask for: a method's inputs and "visibility", the picture to be filtered.
 const std::set<std::string>& filter_inputs();
@@ -101,13 +106,17 @@ class ScreenRenderer {
 
     /// Uploads geometry and cut-out textures.
     void set_scene(const Scene& scene);
-    /// Draws the G-buffer: linear and hardware depth always, of the rest only what `inputs` names
-    /// (gbuffer_inputs()). All requests after it use it. Returns milliseconds to glFinish.
-    double draw_gbuffer(const CameraFrame& frame, const std::set<std::string>& inputs);
+    /// Draws the G-buffer: the capture's channels, and depth always. All requests after it use it. Returns
+    /// milliseconds to glFinish.
+    double draw_gbuffer(const Capture& capture);
+    /// One frame, one layer, one eye.
+    double draw_gbuffer(const CameraFrame& frame, const std::set<std::string>& channels) {
+        return draw_gbuffer(Capture(frame, channels));
+    }
     /// The G-buffer that was drawn last, drawn again for the clock. Milliseconds to glFinish.
     double time_gbuffer();
-    /// What was drawn; images that were not asked for are empty.
-    GBufferImages read_gbuffer();
+    /// One picture of what was drawn.
+    GBufferImages read_gbuffer(const CaptureIndex& index = {});
     /// Digest of all G-buffer textures' bytes: equal before and after a method ran.
     std::string gbuffer_digest();
 

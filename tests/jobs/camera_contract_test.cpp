@@ -46,12 +46,12 @@ PrimaryHits hits_of(const DepthOf& depth) {
 GBufferImages gbuffer_of(const DepthOf& depth) {
     GBufferImages gbuffer;
     gbuffer.surface = Mask(kWidth, kHeight);
-    gbuffer.linear_depth = ImageF(kWidth, kHeight, 1000);
+    ImageF& depth_m = gbuffer.numbers["linear_depth"] = ImageF(kWidth, kHeight, 1000);
     for (int y = 0; y < kHeight; ++y) {
         for (int x = 0; x < kWidth; ++x) {
             if (depth(x + 0.5, y + 0.5) <= 0) continue;
             gbuffer.surface.at(x, y) = 1;
-            gbuffer.linear_depth.at(x, y) = static_cast<float>(depth(x + 0.5, y + 0.5));
+            depth_m.at(x, y) = static_cast<float>(depth(x + 0.5, y + 0.5));
         }
     }
     return gbuffer;

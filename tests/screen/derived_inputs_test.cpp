@@ -119,7 +119,7 @@ TEST(DepthMips, OfTheRotatedGridHoldDepthsOfThePicture) {
             bool found = false;
             for (int j = y / 8 * 8; j < y / 8 * 8 + 8; ++j) {
                 for (int i = x / 8 * 8; i < x / 8 * 8 + 8; ++i)
-                    found = found || std::abs(images.linear_depth.at(i, j) - depth) < 1e-4F;
+                    found = found || std::abs(images.linear_depth().at(i, j) - depth) < 1e-4F;
             }
             ASSERT_TRUE(found) << x << " " << y;
         }

@@ -91,7 +91,7 @@ TEST(UsersMethod, OfTwoTextFilesAppearsAndRuns) {
     for (int y = 0; y < 90; ++y) {
         for (int x = 0; x < 159; ++x) {
             if (images.surface.at(x, y) == 0) continue;
-            const bool edge = images.linear_depth.at(x, y) - images.linear_depth.at(x + 1, y) > 0.1F;
+            const bool edge = images.linear_depth().at(x, y) - images.linear_depth().at(x + 1, y) > 0.1F;
             ASSERT_EQ(result.at(x, y), edge ? 0.0F : 1.0F);
         }
     }

@@ -38,7 +38,7 @@ bool hides(const Picture& picture, const glm::dvec3& point, const glm::dvec3& no
     const double x = std::floor(image.x), y = std::floor(image.y);
     if (x < 0 || y < 0 || x >= picture.frame.width() || y >= picture.frame.height()) return false;
     const auto depth =
-        static_cast<double>(picture.images.linear_depth.at(static_cast<int>(x), static_cast<int>(y)));
+        static_cast<double>(picture.images.linear_depth().at(static_cast<int>(x), static_cast<int>(y)));
     const glm::dvec3 tap = picture.frame.view_position(x + 0.5, y + 0.5, depth);
     if (tap.z <= point.z) return false;
     return glm::dot(tap, normal) >= 0 || glm::dot(tap - point, normal) > 0;
@@ -78,8 +78,9 @@ TEST_P(EdgeOn, RayMarchGivesWhatAFinerPictureGives) {
     for (int y = 0; y < kSize; ++y) {
         for (int x = 0; x < kSize; ++x) {
             if (picture.images.surface.at(x, y) == 0 || (7 * x + 13 * y) % 61 != 0) continue;
-            const double depth = static_cast<double>(picture.images.linear_depth.at(x, y));
-            const glm::dvec3 normal = glm::normalize(glm::dvec3(picture.images.normal_geometric.at(x, y)));
+            const double depth = static_cast<double>(picture.images.linear_depth().at(x, y));
+            const glm::dvec3 normal =
+                glm::normalize(glm::dvec3(picture.images.vector("normal_geometric").at(x, y)));
             const double expected =
                 ray_march(fine, picture.frame.view_position(x + 0.5, y + 0.5, depth), normal);
             squares += std::pow(static_cast<double>(shader.at(x, y)) - expected, 2);

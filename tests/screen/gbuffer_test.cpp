@@ -38,15 +38,15 @@ PlaneErrors plane_errors(const Camera& camera, const glm::dvec3& centre, const g
             if (images.surface.at(x, y) == 0) continue;
             ++errors.surface;
             const double expected = plane_depth(frame, x, y, centre, normal);
-            const double got = static_cast<double>(images.linear_depth.at(x, y));
+            const double got = static_cast<double>(images.linear_depth().at(x, y));
             const glm::dvec3 facing =
                 glm::dot(normal, frame.ray(x + 0.5, y + 0.5).direction) > 0 ? -view_normal : view_normal;
             errors.depth = std::max(errors.depth, std::abs(got - expected) / frame.pixel_footprint(expected));
-            errors.normal =
-                std::max(errors.normal, glm::length(glm::dvec3(images.normal_geometric.at(x, y)) - facing));
-            EXPECT_EQ(images.normal_geometric.at(x, y), images.normal_smooth.at(x, y));
-            EXPECT_NEAR(static_cast<double>(images.hardware_depth.at(x, y)), frame.window_depth(expected),
-                        1e-5);
+            errors.normal = std::max(
+                errors.normal, glm::length(glm::dvec3(images.vector("normal_geometric").at(x, y)) - facing));
+            EXPECT_EQ(images.vector("normal_geometric").at(x, y), images.vector("normal_smooth").at(x, y));
+            EXPECT_NEAR(static_cast<double>(images.number("hardware_depth").at(x, y)),
+                        frame.window_depth(expected), 1e-5);
         }
     }
     return errors;
@@ -101,7 +101,7 @@ TEST(GBuffer, MirroredAndFlattenedInstancesFaceTheCamera) {
         ScreenRenderer renderer;
         renderer.set_scene(scene);
         renderer.draw_gbuffer(CameraFrame(front_camera(), 32, 32), {"normal_geometric"});
-        const glm::vec3 n = renderer.read_gbuffer().normal_geometric.at(16, 16);
+        const glm::vec3 n = renderer.read_gbuffer().vector("normal_geometric").at(16, 16);
         const glm::dvec3 expected =
             matrix == mirrored ? glm::normalize(glm::dvec3(-0.5, 0, 1)) : glm::dvec3(0, 0, 1);
         EXPECT_LT(glm::length(glm::dvec3(n) - expected), 1e-6);
@@ -114,13 +114,13 @@ TEST(GBuffer, BackgroundHasTheFarPlanesDepthAndNoSurface) {
     const CameraFrame frame(corner_camera(), 160, 90);
     renderer.draw_gbuffer(frame, {});
     const GBufferImages images = renderer.read_gbuffer();
-    EXPECT_TRUE(images.normal_geometric.empty());
+    EXPECT_TRUE(images.vector("normal_geometric").empty());
     std::size_t background = 0;
     for (std::size_t i = 0; i < images.surface.size(); ++i) {
         if (images.surface.pixels[i] != 0) continue;
         ++background;
-        EXPECT_EQ(images.linear_depth.pixels[i], 30.0F);
-        EXPECT_EQ(images.hardware_depth.pixels[i], 1.0F);
+        EXPECT_EQ(images.linear_depth().pixels[i], 30.0F);
+        EXPECT_EQ(images.number("hardware_depth").pixels[i], 1.0F);
     }
     EXPECT_GT(background, 100U);
     EXPECT_LT(background, images.surface.size() / 2);

@@ -73,7 +73,7 @@ TEST_F(Lighting, OfATiltedPlaneIsPhongsModel) {
     for (const glm::ivec2 pixel :
          {glm::ivec2(48, 27), glm::ivec2(5, 5), glm::ivec2(90, 10), glm::ivec2(20, 50)}) {
         const glm::dvec3 position = frame.view_position(
-            pixel.x + 0.5, pixel.y + 0.5, static_cast<double>(images.linear_depth.at(pixel.x, pixel.y)));
+            pixel.x + 0.5, pixel.y + 0.5, static_cast<double>(images.linear_depth().at(pixel.x, pixel.y)));
         const auto visibility = static_cast<double>(output.visibility.at(pixel.x, pixel.y));
         const glm::dvec3 expected = lit_by_hand(position, normal, albedo, visibility);
         const glm::dvec3 got(output.lit.at(pixel.x, pixel.y));

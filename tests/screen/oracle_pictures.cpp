@@ -54,8 +54,8 @@ ImageF mean_over_seeds(ScreenRenderer& renderer, const std::vector<MethodDescrip
 
 oracle::Point point_at(const CameraFrame& frame, const GBufferImages& images, int x, int y) {
     oracle::Point point;
-    point.p = frame.view_position(x + 0.5, y + 0.5, static_cast<double>(images.linear_depth.at(x, y)));
-    point.n = glm::normalize(glm::dvec3(images.normal_geometric.at(x, y)));
+    point.p = frame.view_position(x + 0.5, y + 0.5, static_cast<double>(images.linear_depth().at(x, y)));
+    point.n = glm::normalize(glm::dvec3(images.vector("normal_geometric").at(x, y)));
     return point;
 }
 

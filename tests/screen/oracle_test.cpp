@@ -57,8 +57,8 @@ TEST_P(Estimator, AgreesWithItsPapersFormulaInDoublePrecision) {
     for (const glm::ivec2& pixel : kPixels) {
         Point point;
         point.p = frame.view_position(pixel.x + 0.5, pixel.y + 0.5,
-                                      static_cast<double>(images.linear_depth.at(pixel.x, pixel.y)));
-        point.n = glm::normalize(dvec3(images.normal_geometric.at(pixel.x, pixel.y)));
+                                      static_cast<double>(images.linear_depth().at(pixel.x, pixel.y)));
+        point.n = glm::normalize(dvec3(images.vector("normal_geometric").at(pixel.x, pixel.y)));
         const double expected = c.expected(field, point),
                      got = static_cast<double>(mean.at(pixel.x, pixel.y));
         std::printf("%-22s (%d, %d): read %.4f, expected %.4f\n", c.name, pixel.x, pixel.y, got, expected);

@@ -74,7 +74,7 @@ TEST_P(EveryPrecision, RoundsDepthNoFurtherThanItsFormatSays) {
         for (std::size_t i = 0; i < shown.size(); ++i) {
             if (exact.surface.pixels[i] == 0) continue;
             ++surface;
-            const double depth = static_cast<double>(exact.linear_depth.pixels[i]);
+            const double depth = static_cast<double>(exact.linear_depth().pixels[i]);
             ASSERT_NEAR(static_cast<double>(shown.pixels[i]) / kShownPerMetre, depth,
                         allowed_error(format.precision, camera, depth))
                 << format.id << ", pixel " << i;

@@ -14,28 +14,30 @@ using glm::dvec2;
 using glm::dvec3;
 using glm::dvec4;
 
-Picture::Picture(const CameraFrame& frame, GBufferImages images)
-    : images_(std::move(images)),
+Picture::Picture(const CameraFrame& frame, const GBufferImages& images)
+    : surface_(images.surface),
+      depth_(images.linear_depth()),
+      normal_(images.vector("normal_geometric")),
+      smooth_(images.vector("normal_smooth")),
       near_(frame.camera().near),
       far_(frame.camera().far),
       tan_x_(std::tan(frame.camera().fovy_rad / 2) * frame.width() / frame.height()),
       tan_y_(std::tan(frame.camera().fovy_rad / 2)) {}
 
 double Picture::depth(int x, int y) const {
-    return static_cast<double>(
-        images_.linear_depth.at(std::clamp(x, 0, width() - 1), std::clamp(y, 0, height() - 1)));
+    return static_cast<double>(depth_.at(std::clamp(x, 0, width() - 1), std::clamp(y, 0, height() - 1)));
 }
 
 bool Picture::surface(int x, int y) const {
-    return images_.surface.at(std::clamp(x, 0, width() - 1), std::clamp(y, 0, height() - 1)) != 0;
+    return surface_.at(std::clamp(x, 0, width() - 1), std::clamp(y, 0, height() - 1)) != 0;
 }
 
 dvec3 Picture::normal(int x, int y) const {
-    return dvec3(images_.normal_geometric.at(std::clamp(x, 0, width() - 1), std::clamp(y, 0, height() - 1)));
+    return dvec3(normal_.at(std::clamp(x, 0, width() - 1), std::clamp(y, 0, height() - 1)));
 }
 
 dvec3 Picture::smooth_normal(int x, int y) const {
-    return dvec3(images_.normal_smooth.at(std::clamp(x, 0, width() - 1), std::clamp(y, 0, height() - 1)));
+    return dvec3(smooth_.at(std::clamp(x, 0, width() - 1), std::clamp(y, 0, height() - 1)));
 }
 
 dvec3 Picture::point(double x, double y, double depth) const {

@@ -18,10 +18,10 @@ namespace aoscore::testing::published {
 /// and looks down -z.
 class Picture {
   public:
-    Picture(const CameraFrame& frame, GBufferImages images);
+    Picture(const CameraFrame& frame, const GBufferImages& images);
 
-    int width() const { return images_.linear_depth.width; }
-    int height() const { return images_.linear_depth.height; }
+    int width() const { return depth_.width; }
+    int height() const { return depth_.height; }
     double near() const { return near_; }
     double far() const { return far_; }
 
@@ -46,7 +46,9 @@ class Picture {
     glm::dvec3 normal_from_depth(int x, int y) const;
 
   private:
-    GBufferImages images_;
+    Mask surface_;
+    ImageF depth_;
+    Image<glm::vec3> normal_, smooth_;
     double near_, far_, tan_x_, tan_y_;
 };
 

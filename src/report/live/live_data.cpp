@@ -3,9 +3,11 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/json_text.h"
+#include "core/known_names.h"
 #include "core/printable.h"
 #include "core/strict_json.h"
 #include "core/threads.h"
+#include "image/channels.h"
 #include "metrics/roles.h"
 #include "report/live/live_index.h"
 #include "report/live/live_packing.h"
@@ -25,27 +27,10 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// A G-buffer input that the page can hold, and where it lies in the view's file.
-struct HeldInput {
-    const char* name;
-    const char* kind;
-    std::vector<std::string> channels;
-};
-const std::vector<HeldInput>& held_inputs() {
-    static const std::vector<HeldInput> table = {{"linear_depth", "floats", {"Z"}},
-                                                 {"hardware_depth", "floats", {"depth.Z"}},
-                                                 {"normal_geometric", "normals", {"N.X", "N.Y", "N.Z"}},
-                                                 {"normal_smooth", "normals", {"Ns.X", "Ns.Y", "Ns.Z"}}};
-    return table;
-}
-
-/// What is made from depth or by the program itself, in the page as in the run.
-const std::set<std::string> kMadeInputs = {
-    "noise_4x4", "depth_mips", "normal_from_depth", "normal_from_depth_accurate", "coarser", "visibility"};
-
-std::string pack(const HeldInput& input, const ImageFile& file, const fs::path& path) {
+std::string pack(const Channel& input, const ImageFile& file, const fs::path& path) {
     std::vector<const ImageF*> planes;
-    for (const std::string& name : input.channels) planes.push_back(&channel_of(file, path, name));
+    for (const std::string_view name : input.exr_names)
+        planes.push_back(&channel_of(file, path, std::string(name)));
     if (planes.size() == 1) return pack_floats(*planes[0]);
     Image<glm::vec3> vectors(file.width, file.height);
     for (std::size_t i = 0; i < vectors.size(); ++i) {
@@ -69,10 +54,9 @@ std::string refusal(const json& method) {
                            method.at("processor").get<std::string>());
     }
     for (const std::string& input : inputs_of(method)) {
-        const bool held = std::any_of(held_inputs().begin(), held_inputs().end(),
-                                      [&](const HeldInput& h) { return input == h.name; });
-        if (!held && !kMadeInputs.contains(input))
-            return fmt::format("reads the input {}, which the page does not hold", input);
+        const Channel* channel = find_row(gbuffer_channels(), input);
+        const bool held = channel != nullptr ? channel->on_page : find_row(made_inputs(), input) != nullptr;
+        if (!held) return fmt::format("reads the input {}, which the page does not hold", input);
     }
     return {};
 }
@@ -117,20 +101,20 @@ void add_view(json& data, const ViewRecord& view, const Results& results) {
 }
 
 /// The inputs that some method or filter reads.
-std::vector<const HeldInput*> wanted_inputs(const json& index) {
+std::vector<const Channel*> wanted_inputs(const json& index) {
     std::set<std::string> names;
     for (const char* list : {"methods", "filters"}) {
         for (const json& one : index.at(list)) names.merge(inputs_of(one));
     }
-    std::vector<const HeldInput*> wanted;
-    for (const HeldInput& input : held_inputs()) {
-        if (names.contains(input.name)) wanted.push_back(&input);
+    std::vector<const Channel*> wanted;
+    for (const Channel& channel : gbuffer_channels()) {
+        if (channel.on_page && names.contains(std::string(channel.id))) wanted.push_back(&channel);
     }
     return wanted;
 }
 
 void pack_views(LiveData& data, const Results& results, const fs::path& folder) {
-    const std::vector<const HeldInput*> wanted = wanted_inputs(data.index);
+    const std::vector<const Channel*> wanted = wanted_inputs(data.index);
     for (const ViewRecord& view : results.views) {
         json& views = data.index.at("views");
         if (!views.contains(view.key)) {
@@ -142,9 +126,10 @@ void pack_views(LiveData& data, const Results& results, const fs::path& folder) 
         const fs::path path = stored_path(folder, view.gbuffer_file);
         const ImageFile file = read_image(path);
         const std::size_t first = data.blocks.size();
-        for (const HeldInput* input : wanted) {
-            const std::string name = fmt::format("live {} {}", view.key, input->name);
-            of_view["inputs"][input->name] = {{"kind", input->kind}, {"data", name}};
+        for (const Channel* input : wanted) {
+            const std::string name = fmt::format("live {} {}", view.key, input->id);
+            of_view["inputs"][std::string(input->id)] = {
+                {"kind", input->form == ChannelForm::number ? "floats" : "normals"}, {"data", name}};
             data.blocks.emplace_back(name, "");
         }
         parallel_for(wanted.size(),

@@ -3,36 +3,30 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/hash.h"
+#include "core/known_names.h"
 #include "scene/cofactors.h"
+#include "screen/gbuffer/channel_glsl.h"
 #include "screen/gl/texture.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/type_ptr.hpp>
 
-#include <array>
+#include <span>
 
 namespace aoscore {
 namespace {
 
-struct InputFormat {
-    const char* name;
-    TextureFormat format;
-    glm::vec4 clear;
-};
-// Colour inputs in the order of their attachments. A normal of the background faces the camera, so that a
-// method which reads one stays finite.
-const std::array<InputFormat, 4> kColourInputs = {{
-    {"linear_depth", kR32F, glm::vec4(0)},
-    {"normal_geometric", kRgba32F, glm::vec4(0, 0, 1, 0)},
-    {"normal_smooth", kRgba32F, glm::vec4(0, 0, 1, 0)},
-    {"albedo", kRgba32F, glm::vec4(0, 0, 0, 0)},
-}};
+bool is_depth_buffer(const Channel& channel) {
+    return channel.glsl_value.empty();
+}
 
-const InputFormat& colour_input(const std::string& name) {
-    for (const InputFormat& input : kColourInputs) {
-        if (name == input.name) return input;
-    }
-    throw internal_error("no such G-buffer input: " + name, "screen/gbuffer.cpp");
+bool is_drawn(const Channel& channel, const Capture& capture) {
+    return channel.always_drawn || capture.channels.contains(std::string(channel.id));
+}
+
+TextureFormat format_of(const Channel& channel) {
+    if (is_depth_buffer(channel)) return kDepth32F;
+    return channel.form == ChannelForm::number ? kR32F : kRgba32F;
 }
 
 // Normals transform by the cofactor matrix, which exists for flattened instances too. Its sign does not
@@ -51,78 +45,24 @@ GLint wrap_mode(Texture::Wrap wrap) {
     return static_cast<GLint>(wrap);
 }
 
-Image<glm::vec3> read_normals(const gl::Texture& texture, int width, int height) {
-    Image<glm::vec3> image(width, height);
-    read_texture(texture.name(), GL_RGB, image.pixels.data());
+template <class Pixel>
+Image<Pixel> read_pixels(const gl::Texture& texture, GLenum transfer, const ViewUniforms& view) {
+    Image<Pixel> image(view.width, view.height);
+    read_texture(texture.name(), transfer, image.pixels.data());
     return image;
 }
 
-}  // namespace
+struct MeshPlace {
+    const SceneGeometry& geometry;
+    const SceneGeometry::Draw& draw;
+    const glm::dmat4& view_from_scene;
+};
 
-const std::set<std::string>& gbuffer_inputs() {
-    static const std::set<std::string> all = {"linear_depth", "hardware_depth", "normal_geometric",
-                                              "normal_smooth", "albedo"};
-    return all;
-}
-
-void GBuffer::allocate(const std::set<std::string>& inputs) {
-    textures_.clear();
-    outputs_.clear();
-    framebuffer_ = gl::Framebuffer::create();
-    gl::BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-    for (const InputFormat& input : kColourInputs) {
-        if (std::string(input.name) != "linear_depth" && !inputs.contains(input.name)) continue;
-        gl::Texture texture = make_texture(input.format, view_.width, view_.height);
-        gl::FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(outputs_.size()),
-                                 GL_TEXTURE_2D, texture.name(), 0);
-        outputs_.emplace_back(input.name);
-        textures_.emplace(input.name, std::move(texture));
-    }
-    gl::Texture depth = make_texture(kDepth32F, view_.width, view_.height);
-    gl::FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth.name(), 0);
-    textures_.emplace("hardware_depth", std::move(depth));
-    std::vector<GLenum> buffers;
-    for (std::size_t i = 0; i < outputs_.size(); ++i)
-        buffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
-    gl::DrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
-    if (gl::CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-        throw internal_error("the G-buffer's framebuffer is incomplete", "OpenGL");
-    }
-}
-
-const ShaderProgram& GBuffer::program(bool cutout) {
-    std::string macros = fmt::format("#define ORTHOGRAPHIC {}\n", view_.orthographic ? 1 : 0);
-    if (cutout) macros += "#define CUTOUT\n";
-    for (std::size_t i = 0; i < outputs_.size(); ++i) {
-        std::string name = "OUTPUT_";
-        for (const char c : outputs_[i])
-            name += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-        macros += fmt::format("#define {} {}\n", name, i);
-    }
-    const auto found = programs_.find(macros);
-    if (found != programs_.end()) return found->second;
-    const auto folder = home_dir() / "shaders" / "gbuffer";
-    ShaderSource vertex, fragment;
-    vertex.add_block("(G-buffer's macros)", macros);
-    vertex.add_file(folder / "scene.vert", folder);
-    fragment.add_block("(G-buffer's macros)", macros);
-    fragment.add_file(folder / "scene.frag", folder);
-    return programs_.emplace(macros, ShaderProgram("G-buffer", vertex, fragment)).first->second;
-}
-
-void GBuffer::set_view_uniforms(const ShaderProgram& p) const {
-    gl::Uniform2f(p.location("u_size_px"), static_cast<float>(view_.width), static_cast<float>(view_.height));
-    gl::Uniform2f(p.location("u_pixel_size"), static_cast<float>(view_.pixel_size.x),
-                  static_cast<float>(view_.pixel_size.y));
-    gl::Uniform1f(p.location("u_near"), static_cast<float>(view_.near));
-    gl::Uniform1f(p.location("u_far"), static_cast<float>(view_.far));
-}
-
-void GBuffer::draw_mesh(const SceneGeometry& geometry, const SceneGeometry::Draw& draw,
-                        const ShaderProgram& p) const {
-    const SceneGeometry::Range& range = geometry.ranges()[static_cast<std::size_t>(draw.range)];
+void draw_mesh(const MeshPlace& place, const ShaderProgram& p) {
+    const SceneGeometry& geometry = place.geometry;
+    const SceneGeometry::Range& range = geometry.ranges()[static_cast<std::size_t>(place.draw.range)];
     const Material& material = geometry.materials()[static_cast<std::size_t>(range.material)];
-    const glm::dmat4 view_from_mesh = view_from_scene_ * draw.scene_from_mesh;
+    const glm::dmat4 view_from_mesh = place.view_from_scene * place.draw.scene_from_mesh;
     gl::UniformMatrix4fv(p.location("u_view_from_mesh"), 1, GL_FALSE,
                          glm::value_ptr(glm::mat4(view_from_mesh)));
     gl::UniformMatrix3fv(p.location("u_normal_from_mesh"), 1, GL_FALSE,
@@ -141,30 +81,119 @@ void GBuffer::draw_mesh(const SceneGeometry& geometry, const SceneGeometry::Draw
                                static_cast<const char*>(nullptr) + range.index_offset, range.base_vertex);
 }
 
-void GBuffer::draw(const SceneGeometry& geometry, const CameraFrame& frame,
-                   const std::set<std::string>& inputs) {
-    for (const std::string& input : inputs) {
-        if (!gbuffer_inputs().contains(input))
-            throw internal_error("no such G-buffer input: " + input, "draw_gbuffer");
-    }
-    frame_ = frame;
-    view_ = ViewUniforms(frame);
-    view_from_scene_ = frame.view_from_world();
-    clip_from_view_ = frame.clip_from_view();
-    clip_from_view_[1] *= -1.0;  // row 0 at the top
-    allocate(inputs);
+}  // namespace
 
-    gl::Viewport(0, 0, view_.width, view_.height);
+const ImageF& GBufferImages::number(std::string_view channel) const {
+    static const ImageF none;
+    const auto found = numbers.find(channel);
+    return found == numbers.end() ? none : found->second;
+}
+
+const Image<glm::vec3>& GBufferImages::vector(std::string_view channel) const {
+    static const Image<glm::vec3> none;
+    const auto found = vectors.find(channel);
+    return found == vectors.end() ? none : found->second;
+}
+
+const std::set<std::string>& gbuffer_inputs() {
+    static const std::set<std::string> all = [] {
+        std::set<std::string> ids;
+        for (const Channel& channel : gbuffer_channels()) ids.emplace(channel.id);
+        return ids;
+    }();
+    return all;
+}
+
+void GBuffer::allocate(Picture& made) {
+    framebuffer_ = gl::Framebuffer::create();
+    gl::BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    std::vector<GLenum> buffers;
+    for (const Channel& channel : gbuffer_channels()) {
+        if (!is_drawn(channel, *capture_)) continue;
+        gl::Texture texture = make_texture(format_of(channel), made.view.width, made.view.height);
+        GLenum place = GL_DEPTH_ATTACHMENT;
+        if (!is_depth_buffer(channel)) {
+            place = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(buffers.size());
+            buffers.push_back(place);
+        }
+        gl::FramebufferTexture2D(GL_FRAMEBUFFER, place, GL_TEXTURE_2D, texture.name(), 0);
+        made.textures.emplace(channel.id, std::move(texture));
+    }
+    gl::DrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
+    if (gl::CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+        throw internal_error("the G-buffer's framebuffer is incomplete", "OpenGL");
+    }
+}
+
+const ShaderProgram& GBuffer::program(bool orthographic, bool cutout, bool peeled) {
+    std::string macros = fmt::format("#define ORTHOGRAPHIC {}\n", orthographic ? 1 : 0);
+    if (cutout) macros += "#define CUTOUT\n";
+    if (peeled) macros += "#define PEELED\n";
+    for (std::size_t i = 0; i < outputs_.size(); ++i)
+        macros += fmt::format("#define {} {}\n", output_macro(outputs_[i]->id), i);
+    const auto found = programs_.find(macros);
+    if (found != programs_.end()) return found->second;
+    const auto folder = home_dir() / "shaders" / "gbuffer";
+    ShaderSource vertex, fragment;
+    vertex.add_block("(G-buffer's macros)", macros);
+    vertex.add_file(folder / "scene.vert", folder);
+    fragment.add_block("(G-buffer's macros)", macros);
+    fragment.add_file(folder / "scene.frag", folder);
+    return programs_.emplace(macros, ShaderProgram("G-buffer", vertex, fragment)).first->second;
+}
+
+void GBuffer::set_view_uniforms(const ShaderProgram& p, const CaptureIndex& index) const {
+    picture(index).view.set(p);
+}
+
+void GBuffer::clear(const Picture& cleared) const {
     for (std::size_t i = 0; i < outputs_.size(); ++i) {
-        const glm::vec4 clear = outputs_[i] == "linear_depth" ? glm::vec4(static_cast<float>(view_.far))
-                                                              : colour_input(outputs_[i]).clear;
-        gl::ClearBufferfv(GL_COLOR, static_cast<GLint>(i), glm::value_ptr(clear));
+        const Channel& channel = *outputs_[i];
+        const glm::vec4 value = channel.background_is_far ? glm::vec4(static_cast<float>(cleared.view.far))
+                                                          : glm::make_vec4(channel.background.data());
+        gl::ClearBufferfv(GL_COLOR, static_cast<GLint>(i), glm::value_ptr(value));
     }
     const float farthest = 1.0F;
     gl::ClearBufferfv(GL_DEPTH, 0, &farthest);
+}
+
+void GBuffer::draw(const SceneGeometry& geometry, const Capture& capture) {
+    for (const std::string& channel : capture.channels) {
+        if (find_row(gbuffer_channels(), channel) == nullptr)
+            throw internal_error("no such channel of the G-buffer: " + channel, "draw_gbuffer");
+    }
+    capture_ = capture;
+    pictures_.clear();
+    outputs_.clear();
+    for (const Channel& channel : gbuffer_channels()) {
+        if (is_drawn(channel, capture) && !is_depth_buffer(channel)) outputs_.push_back(&channel);
+    }
+    for (const CameraFrame& frame : capture.cameras) {
+        GLuint before = 0;
+        for (int layer = 0; layer < capture.layers; ++layer) {
+            Picture& picture = pictures_.emplace_back(Picture{ViewUniforms(frame), {}});
+            if (picture.view.width != width() || picture.view.height != height())
+                throw internal_error("the cameras of a capture are of several sizes", "draw_gbuffer");
+            allocate(picture);
+            draw_picture(geometry, frame, picture, before);
+            before = picture.textures.find("hardware_depth")->second.name();
+        }
+    }
+    gl::check("drawing the G-buffer");
+}
+
+void GBuffer::draw_picture(const SceneGeometry& geometry, const CameraFrame& frame, const Picture& drawn,
+                           GLuint before) {
+    const glm::dmat4 view_from_scene = frame.view_from_world();
+    glm::dmat4 clip_from_view = frame.clip_from_view();
+    clip_from_view[1] *= -1.0;  // row 0 at the top
+    gl::Viewport(0, 0, drawn.view.width, drawn.view.height);
+    clear(drawn);
     gl::Enable(GL_DEPTH_TEST);
     gl::DepthFunc(GL_LESS);
     gl::BindVertexArray(geometry.vertex_array());
+    gl::ActiveTexture(GL_TEXTURE2);
+    gl::BindTexture(GL_TEXTURE_2D, before);
     gl::ActiveTexture(GL_TEXTURE1);
     gl::BindTexture(GL_TEXTURE_BUFFER, geometry.triangle_normals());
     gl::ActiveTexture(GL_TEXTURE0);
@@ -173,57 +202,60 @@ void GBuffer::draw(const SceneGeometry& geometry, const CameraFrame& frame,
     for (const SceneGeometry::Draw& draw : geometry.draws()) {
         const auto& range = geometry.ranges()[static_cast<std::size_t>(draw.range)];
         const bool cutout = geometry.materials()[static_cast<std::size_t>(range.material)].is_cutout();
-        const ShaderProgram& wanted = program(cutout);
+        const ShaderProgram& wanted = program(drawn.view.orthographic, cutout, before != 0);
         if (current != &wanted) {
             current = &wanted;
             current->use();
-            set_view_uniforms(*current);
+            drawn.view.set(*current);
             gl::UniformMatrix4fv(current->location("u_clip_from_view"), 1, GL_FALSE,
-                                 glm::value_ptr(glm::mat4(clip_from_view_)));
+                                 glm::value_ptr(glm::mat4(clip_from_view)));
             gl::Uniform1i(current->location("u_base_color_texture"), 0);
             gl::Uniform1i(current->location("u_triangle_normals"), 1);
+            gl::Uniform1i(current->location("u_layer_before"), 2);
         }
-        draw_mesh(geometry, draw, *current);
+        draw_mesh({geometry, draw, view_from_scene}, *current);
     }
     gl::BindVertexArray(0);
     gl::Disable(GL_DEPTH_TEST);
     gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
-    gl::check("drawing the G-buffer");
 }
 
-GLuint GBuffer::texture(const std::string& input) const {
-    const auto found = textures_.find(input);
-    return found == textures_.end() ? 0 : found->second.name();
+GLuint GBuffer::texture(std::string_view channel, const CaptureIndex& index) const {
+    const Picture& asked = picture(index);
+    const auto found = asked.textures.find(channel);
+    return found == asked.textures.end() ? 0 : found->second.name();
 }
 
-GBufferImages GBuffer::read() const {
+GBufferImages GBuffer::read(const CaptureIndex& index) const {
+    const Picture& asked = picture(index);
     GBufferImages images;
-    images.linear_depth = ImageF(view_.width, view_.height);
-    read_texture(texture("linear_depth"), GL_RED, images.linear_depth.pixels.data());
-    images.hardware_depth = ImageF(view_.width, view_.height);
-    read_texture(texture("hardware_depth"), GL_DEPTH_COMPONENT, images.hardware_depth.pixels.data());
-    images.surface = Mask(view_.width, view_.height);
-    for (std::size_t i = 0; i < images.surface.size(); ++i) {
-        images.surface.pixels[i] = images.linear_depth.pixels[i] < static_cast<float>(view_.far) ? 1 : 0;
+    for (const Channel& channel : gbuffer_channels()) {
+        const auto found = asked.textures.find(channel.id);
+        if (found == asked.textures.end()) continue;
+        const std::string id(channel.id);
+        if (channel.form == ChannelForm::number)
+            images.numbers[id] = read_pixels<float>(found->second, format_of(channel).transfer, asked.view);
+        else
+            images.vectors[id] = read_pixels<glm::vec3>(found->second, GL_RGB, asked.view);
     }
-    for (const auto& [name, target] :
-         {std::pair("normal_geometric", &images.normal_geometric),
-          std::pair("normal_smooth", &images.normal_smooth), std::pair("albedo", &images.albedo)}) {
-        const auto found = textures_.find(name);
-        if (found != textures_.end()) *target = read_normals(found->second, view_.width, view_.height);
-    }
+    const ImageF& depth = images.linear_depth();
+    images.surface = Mask(depth.width, depth.height);
+    for (std::size_t i = 0; i < images.surface.size(); ++i)
+        images.surface.pixels[i] = depth.pixels[i] < far_depth(index) ? 1 : 0;
     return images;
 }
 
 std::string GBuffer::digest() const {
     Digest digest;
-    for (const auto& [name, texture] : textures_) {
-        const bool depth = name == "hardware_depth";
-        const bool single = depth || name == "linear_depth";
-        std::vector<float> values(static_cast<std::size_t>(view_.width) *
-                                  static_cast<std::size_t>(view_.height) * (single ? 1 : 4));
-        read_texture(texture.name(), depth ? GL_DEPTH_COMPONENT : single ? GL_RED : GL_RGBA, values.data());
-        digest.text(name).array(std::span<const float>(values));
+    for (const Picture& drawn : pictures_) {
+        for (const auto& [name, texture] : drawn.textures) {
+            const TextureFormat format = format_of(*find_row(gbuffer_channels(), name));
+            const std::size_t values = format.transfer == GL_RGBA ? 4 : 1;
+            std::vector<float> all(static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()) *
+                                   values);
+            read_texture(texture.name(), format.transfer, all.data());
+            digest.text(name).array(std::span<const float>(all));
+        }
     }
     return digest.hex();
 }

@@ -1,56 +1,70 @@
 #pragma once
 
 #include "core/image.h"
+#include "image/channels.h"
 #include "scene/camera.h"
+#include "screen/gbuffer/capture.h"
 #include "screen/gbuffer/scene_geometry.h"
 #include "screen/gbuffer/view_uniforms.h"
 #include "screen/gl/shader_program.h"
 #include "screen/screen.h"
 
+#include <functional>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace aoscore {
 
 /// The textures that methods read, drawn from a scene's triangles. Row 0 of every texture is the picture's
-/// top row.
+/// top row. What asks for no picture by its index means the first one.
 class GBuffer {
   public:
-    /// Draws linear and hardware depth, and what `inputs` names beside them; drops what it does not name.
-    void draw(const SceneGeometry& geometry, const CameraFrame& frame, const std::set<std::string>& inputs);
+    /// Draws a capture in place of the one before. Layers behind the first are peeled off (Everitt,
+    /// Interactive Order-Independent Transparency, 2001): each holds what lies behind the layer in front of
+    /// it. Throws internal_error for a channel that is none, and for cameras of several sizes.
+    void draw(const SceneGeometry& geometry, const Capture& capture);
 
-    bool drawn() const { return !textures_.empty(); }
-    int width() const { return view_.width; }
-    int height() const { return view_.height; }
+    bool drawn() const { return !pictures_.empty(); }
+    int width() const { return pictures_.front().view.width; }
+    int height() const { return pictures_.front().view.height; }
     /// The background's linear depth.
-    float far_depth() const { return static_cast<float>(view_.far); }
-    /// The texture of that input, 0 when it was not drawn.
-    GLuint texture(const std::string& input) const;
+    float far_depth(const CaptureIndex& index = {}) const {
+        return static_cast<float>(picture(index).view.far);
+    }
+    /// The texture of that channel, 0 when it was not drawn.
+    GLuint texture(std::string_view channel, const CaptureIndex& index = {}) const;
 
-    GBufferImages read() const;
+    GBufferImages read(const CaptureIndex& index = {}) const;
+    /// Of all pictures.
     std::string digest() const;
 
     /// The camera's uniforms of shaders/contract/view.glsl, for this G-buffer or any pass over it.
-    void set_view_uniforms(const ShaderProgram& program) const;
-    const CameraFrame& frame() const { return *frame_; }
+    void set_view_uniforms(const ShaderProgram& program, const CaptureIndex& index = {}) const;
+    const Capture& capture() const { return *capture_; }
+    const CameraFrame& frame(const CaptureIndex& index = {}) const { return capture_->camera(index); }
     /// ORTHOGRAPHIC of shaders/contract/view.glsl.
-    bool orthographic() const { return view_.orthographic; }
+    bool orthographic() const { return pictures_.front().view.orthographic; }
 
   private:
-    void allocate(const std::set<std::string>& inputs);
-    const ShaderProgram& program(bool cutout);
-    void draw_mesh(const SceneGeometry& geometry, const SceneGeometry::Draw& draw,
-                   const ShaderProgram& program) const;
+    struct Picture {
+        ViewUniforms view;
+        std::map<std::string, gl::Texture, std::less<>> textures;
+    };
+    const Picture& picture(const CaptureIndex& index) const { return pictures_[capture_->place(index)]; }
+    /// Makes the textures of a picture, and draws into them from here on.
+    void allocate(Picture& made);
+    void clear(const Picture& cleared) const;
+    /// `before`: the window depth of the layer in front, 0 for the first.
+    void draw_picture(const SceneGeometry& geometry, const CameraFrame& frame, const Picture& drawn,
+                      GLuint before);
+    const ShaderProgram& program(bool orthographic, bool cutout, bool peeled);
 
-    std::optional<CameraFrame> frame_;
-    ViewUniforms view_;
-    glm::dmat4 view_from_scene_{1.0}, clip_from_view_{1.0};
-
-    std::vector<std::string> outputs_;  // colour attachments in order
-    std::map<std::string, gl::Texture> textures_;
+    std::optional<Capture> capture_;
+    std::vector<const Channel*> outputs_;  // colour attachments in order
+    std::vector<Picture> pictures_;        // by Capture::place()
     gl::Framebuffer framebuffer_;
     std::map<std::string, ShaderProgram> programs_;  // by macros
 };

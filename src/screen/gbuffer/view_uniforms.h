@@ -4,6 +4,8 @@
 
 namespace aoscore {
 
+class ShaderProgram;
+
 /// What shaders/contract/view.glsl is given of a camera.
 struct ViewUniforms {
     int width = 0, height = 0;  ///< u_size_px
@@ -13,6 +15,9 @@ struct ViewUniforms {
 
     ViewUniforms() = default;
     explicit ViewUniforms(const CameraFrame& frame);
+
+    /// Of a program that is in use.
+    void set(const ShaderProgram& program) const;
 };
 
 }  // namespace aoscore

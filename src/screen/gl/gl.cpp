@@ -1,7 +1,7 @@
 #include "screen/gl/gl.h"
 
 #include "core/error.h"
-#include "screen/gl/osmesa_context.h"
+#include "screen/gl/context.h"
 
 #include <fmt/format.h>
 
@@ -11,9 +11,9 @@ namespace aoscore::gl {
 AOSCORE_GL_FUNCTIONS(AOSCORE_GL_DEFINE)
 #undef AOSCORE_GL_DEFINE
 
-void load_functions() {
-#define AOSCORE_GL_LOAD(UPPER, Name)                                              \
-    Name = reinterpret_cast<PFNGL##UPPER##PROC>(GlContext::function("gl" #Name)); \
+void load_functions(const GlContext& context) {
+#define AOSCORE_GL_LOAD(UPPER, Name)                                           \
+    Name = reinterpret_cast<PFNGL##UPPER##PROC>(context.function("gl" #Name)); \
     if (Name == nullptr) throw internal_error("the function gl" #Name " is missing", "OpenGL");
     AOSCORE_GL_FUNCTIONS(AOSCORE_GL_LOAD)
 #undef AOSCORE_GL_LOAD

@@ -67,14 +67,19 @@
     X(VERTEXATTRIBPOINTER, VertexAttribPointer)         \
     X(VIEWPORT, Viewport)
 
+namespace aoscore {
+class GlContext;
+}
+
 namespace aoscore::gl {
 
 #define AOSCORE_GL_DECLARE(UPPER, Name) extern PFNGL##UPPER##PROC Name;
 AOSCORE_GL_FUNCTIONS(AOSCORE_GL_DECLARE)
 #undef AOSCORE_GL_DECLARE
 
-/// Fills the pointers above. A context must be current. Throws internal_error naming a missing function.
-void load_functions();
+/// Fills the pointers above from this context, which must be current. Throws internal_error naming a missing
+/// function.
+void load_functions(const GlContext& context);
 
 /// Throws internal_error when an OpenGL call since the last check failed; `doing` says what was done.
 void check(const char* doing);

@@ -45,7 +45,7 @@ void require_addresses() {
 
 }  // namespace
 
-struct GlContext::State {
+struct OsmesaContext::State {
     OSMesaContext context = nullptr;
     std::array<std::uint8_t, kWindowSize * kWindowSize * 4> window{};
 
@@ -56,7 +56,7 @@ struct GlContext::State {
     }
 };
 
-GlContext::GlContext() : state_(std::make_unique<State>()) {
+OsmesaContext::OsmesaContext() : state_(std::make_unique<State>()) {
     limit_rasteriser_threads();
     require_addresses();
     const std::array<int, 13> attributes = {OSMESA_FORMAT,
@@ -78,9 +78,9 @@ GlContext::GlContext() : state_(std::make_unique<State>()) {
     make_current();
 }
 
-GlContext::~GlContext() = default;
+OsmesaContext::~OsmesaContext() = default;
 
-void GlContext::make_current() {
+void OsmesaContext::make_current() {
     if (OSMesaGetCurrentContext() == state_->context) return;
     if (OSMesaMakeCurrent(state_->context, state_->window.data(), GL_UNSIGNED_BYTE, kWindowSize,
                           kWindowSize) == GL_FALSE) {
@@ -88,7 +88,7 @@ void GlContext::make_current() {
     }
 }
 
-GlContext::Function GlContext::function(const char* name) {
+GlContext::Function OsmesaContext::function(const char* name) const {
     return OSMesaGetProcAddress(name);
 }
 

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/signal.h"
+#include "image/channels.h"
 #include "screen/method/kernel.h"
 
 #include <fmt/format.h>
@@ -151,8 +152,9 @@ bool is_sampler(GLenum type) {
 const std::set<std::string>& method_inputs() {
     static const std::set<std::string> all = [] {
         std::set<std::string> inputs = gbuffer_inputs();
-        inputs.insert(
-            {"coarser", "noise_4x4", "depth_mips", "normal_from_depth", "normal_from_depth_accurate"});
+        for (const MadeInput& made : made_inputs()) {
+            if (!made.filters_only) inputs.emplace(made.id);
+        }
         return inputs;
     }();
     return all;
@@ -161,7 +163,7 @@ const std::set<std::string>& method_inputs() {
 const std::set<std::string>& filter_inputs() {
     static const std::set<std::string> all = [] {
         std::set<std::string> inputs = method_inputs();
-        inputs.insert("visibility");
+        for (const MadeInput& made : made_inputs()) inputs.emplace(made.id);
         return inputs;
     }();
     return all;

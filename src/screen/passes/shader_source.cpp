@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "screen/gbuffer/channel_glsl.h"
 #include "screen/method/method_files.h"
 
 #include <fmt/format.h>
@@ -114,11 +115,17 @@ void ShaderSource::add_file(const fs::path& file, const fs::path& folder) {
             const std::size_t next = add_unrolled(part, i + 1);
             if (next > i + 1) i = next - 1;
         } else if (line.size() <= kLongestInclude && std::regex_match(line, match, include)) {
-            add_file(find_include(match[1], folder, fmt::format("{}:{}", file.string(), i + 1)), folder);
+            add_include(match[1], folder, fmt::format("{}:{}", file.string(), i + 1));
         } else {
             add_line(part, i);
         }
     }
+}
+
+void ShaderSource::add_include(const std::string& name, const fs::path& folder, const std::string& where) {
+    const std::optional<std::string> generated = generated_include(name);
+    if (!generated) return add_file(find_include(name, folder, where), folder);
+    if (entered_.insert(name).second) add_block(fmt::format("({}, generated)", name), *generated);
 }
 
 std::string ShaderSource::explain(std::string_view log) const {

@@ -26,7 +26,8 @@ class ShaderSource {
     void add_block(std::string name, std::string_view text);
 
     /// Appends a file with its includes. `#include "lib/noise.glsl"` is looked for in `folder` first, then in
-    /// the program's shaders/; each file enters once. Throws file_error for one that is missing.
+    /// the program's shaders/, unless generated_include() knows it; each enters once. Throws file_error for
+    /// one that is missing.
     void add_file(const std::filesystem::path& file, const std::filesystem::path& folder);
 
     const std::string& text() const { return text_; }
@@ -44,6 +45,7 @@ class ShaderSource {
         std::size_t part = 0;
         std::size_t line = 0;  // counted from 1
     };
+    void add_include(const std::string& name, const std::filesystem::path& folder, const std::string& where);
     std::size_t add_part(std::string name, std::string_view text);
     void add_line(std::size_t part, std::size_t index);
     void add_text(const std::string& line, Origin origin);

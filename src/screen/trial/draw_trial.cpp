@@ -1,7 +1,7 @@
 #include "screen/trial/draw_trial.h"
 
+#include "screen/gl/context.h"
 #include "screen/gl/gl_objects.h"
-#include "screen/gl/osmesa_context.h"
 #include "screen/gl/texture.h"
 
 namespace aoscore {
@@ -26,8 +26,7 @@ bool links(const gl::Program& program) {
 }  // namespace
 
 void draw_trial(const std::string& vertex, const std::string& fragment) {
-    GlContext context;
-    gl::load_functions();
+    const std::unique_ptr<GlContext> context = new_gl_context();
     const gl::Program program = gl::Program::create();
     const gl::VertexShader vertex_shader = gl::VertexShader::create();
     const gl::FragmentShader fragment_shader = gl::FragmentShader::create();
