@@ -73,7 +73,7 @@ class TrueImage final : public OfTruth {
     std::string digest(bool) const override { return "true"; }
     MethodOutput image(const ContestantSources& sources) const override {
         const ImageF& visibility = true_visibility(*sources.truth, *truth_query());
-        return {visibility, visibility, {}};
+        return {visibility, visibility, {}, {}};
     }
 };
 
@@ -84,7 +84,7 @@ class OneLayerBound final : public OfTruth {
     std::string digest(bool) const override { return "one layer"; }
     MethodOutput image(const ContestantSources& sources) const override {
         const ImageF visibility = one_layer_visibility(*sources.truth);
-        return {visibility, visibility, {}};
+        return {visibility, visibility, {}, {}};
     }
 };
 

@@ -86,7 +86,7 @@ class FolderImage final : public Contestant {
         for (std::size_t i = 0; i < image.size(); ++i) {
             if (read.mask.pixels[i] == 0) image.pixels[i] = std::numeric_limits<float>::quiet_NaN();
         }
-        return {image, image, {}};
+        return {image, image, {}, {}};
     }
 
   private:
