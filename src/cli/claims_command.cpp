@@ -26,7 +26,6 @@ ExitCode run(const ClaimsOptions& options, const GlobalOptions& global) {
     plan.command = global.command_line;
     plan.keep_gbuffer = false;
     plan.claim_scale = options.scale;
-    plan.own_parameters = true;
     plan_claims(plan, lists);
     for (const ClaimList& list : lists) {
         for (const Claim& claim : list.claims) plan.claim_ids.push_back(claim.id);

@@ -24,21 +24,18 @@ std::vector<std::string> methods_that_give(const std::string& id) {
     return ids;
 }
 
-// The descriptor's choice of modes, where the user made none.
-void add_modes_of(const MethodDescriptor& method, const MethodOptions& options, RunModes& modes,
+// What the user chose goes before what the descriptor says for scores.
+void choose_modes(const MethodDescriptor& method, const MethodOptions& options, RunModes& modes,
                   std::vector<std::string>& warnings) {
-    for (const auto& [id, choice] : method.scored.modes) {
-        const RunModeOption* mode = find_row(run_mode_options(), id);
-        if (mode == nullptr ||
-            std::find(mode->choices.begin(), mode->choices.end(), choice) == mode->choices.end()) {
-            throw file_error(fmt::format("{} {} is no mode of running", id, choice),
-                             (method.folder / "method.json").string() + ": scored.modes");
+    for (const RunModeOption& mode : run_mode_options()) {
+        const auto scored = method.scored.modes.find(std::string(mode.id));
+        if (options.chosen_modes.contains(std::string(mode.id))) {
+            mode.choose(modes, mode.chosen(options.modes));
+        } else if (scored != method.scored.modes.end()) {
+            warnings.push_back(
+                fmt::format("{} is drawn with {} {}, as its descriptor says for scores (--{} {} overrides)",
+                            method.id, mode.id, scored->second, mode.id, mode.choices.front()));
         }
-        if (options.chosen_modes.contains(id)) continue;
-        mode->choose(modes, choice);
-        warnings.push_back(
-            fmt::format("{} is drawn with {} {}, as its descriptor says for scores (--{} {} overrides)",
-                        method.id, id, choice, id, mode->choices.front()));
     }
 }
 
@@ -104,15 +101,17 @@ std::vector<CellPlan> plan_cells(const std::vector<MethodDescriptor>& methods,
                                  std::vector<std::string>& warnings) {
     std::vector<CellPlan> cells;
     for (const MethodDescriptor& method : methods) {
-        CellPlan cell;
-        cell.method = method.id;
-        if (!options.filter.empty()) cell.filter = options.filter;
-        cell.modes = options.modes;
-        add_modes_of(method, options, cell.modes, warnings);
-        const std::vector<std::string> asked{options.preset};
-        for (const std::string& preset : options.preset.empty() ? method.scored.presets : asked) {
-            cell.preset = preset;
-            cells.push_back(cell);
+        std::vector<CellPlan> scored = scored_cells(method);
+        if (!options.preset.empty()) {
+            scored.resize(1);
+            scored.front().preset = options.preset;
+        }
+        RunModes modes = scored.front().modes;
+        choose_modes(method, options, modes, warnings);
+        for (CellPlan& cell : scored) {
+            cell.modes = modes;
+            if (!options.filter.empty()) cell.filter = options.filter;
+            cells.push_back(std::move(cell));
         }
     }
     add_signals(methods, options.signals, cells, warnings);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <set>
 
 namespace aoscore {
@@ -16,6 +17,8 @@ namespace {
 struct RunOptions {
     std::vector<std::string> reports;
     bool all = false;
+    bool exact = false;
+    std::optional<double> score_error;
     double scale = 1;
     std::filesystem::path out;
     OutcomeOptions outcome;
@@ -26,10 +29,16 @@ ExitCode run(const RunOptions& options, const GlobalOptions& global) {
     std::vector<std::string> ids = options.reports;
     if (ids.empty()) {
         for (const ReportDefinition& report : list_reports()) {
-            if (options.all || report.kind == ReportDefinition::Kind::table) ids.push_back(report.id);
+            if (options.all || report.kind != ReportDefinition::Kind::sweep) ids.push_back(report.id);
         }
     }
     ExperimentPlan plan = plan_reports(ids, options.scale);
+    for (ViewPlan& view : plan.views) {
+        const bool measures_a_study = view.timing_goal || view.own_parameters;
+        if (options.exact || measures_a_study) continue;
+        view.score_goal.emplace();
+        view.score_goal->error = options.score_error.value_or(view.score_goal->error);
+    }
     plan.seed = global.seed;
     plan.command = global.command_line;
     plan.truth_cache = options.truth_cache;
@@ -44,8 +53,14 @@ CommandEntry add_run_command(CLI::App& program, const GlobalOptions& global) {
     CLI::App* app = program.add_subcommand(
         "run", "Rebuild published tables and sweeps: truth, methods, page (the main job)");
     const auto options = std::make_shared<RunOptions>();
-    app->add_option("report", options->reports, "Reports to rebuild (see list reports) [all tables]");
+    app->add_option("report", options->reports,
+                    "Reports to rebuild (see list reports) [all tables, and the ranking of today's methods]");
     app->add_flag("--all", options->all, "All reports, the sweeps too");
+    app->add_flag(
+        "--exact", options->exact,
+        "Trace tables to the error that their definitions state, instead of as few rays as their scores "
+        "need");
+    add_score_error_option(*app, options->score_error)->excludes("--exact");
     app->add_option("--scale", options->scale, "Makes every picture this many times as wide and high")
         ->check(CLI::Range(0.05, 8.0))
         ->capture_default_str();

@@ -67,7 +67,6 @@ ExitCode run(const ScoreOptions& options, const GlobalOptions& global) {
     plan.seed = global.seed;
     plan.methods_dir = options.methods_dir;
     plan.command = global.command_line;
-    plan.own_parameters = options.method_options.own_parameters;
     plan.truth_cache = options.truth_cache;
     ViewPlan view;
     view.scene = options.choice.scene;
@@ -76,6 +75,7 @@ ExitCode run(const ScoreOptions& options, const GlobalOptions& global) {
     view.height = options.size.height;
     view.samples = options.effort.least_samples();
     view.max_error = options.effort.max_error;
+    view.own_parameters = options.method_options.own_parameters;
     view.score_goal = score_goal(options.effort);
     if (!options.radii.empty()) view.radius_m = options.radii[0];
     view.cells = plan_cells(chosen_methods(options, plan.warnings), load_filters(), options.method_options,

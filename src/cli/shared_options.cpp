@@ -110,19 +110,20 @@ void add_truth_options(CLI::App& app, TruthEffort& effort) {
         ->check(CLI::Range(1e-4, 0.5));
 }
 
+CLI::Option* add_score_error_option(CLI::App& app, std::optional<double>& error) {
+    return app
+        .add_option(
+            "--score-error", error,
+            fmt::format("Trace until the truth's noise leaves every debiased RMSE within this, 95 % of the "
+                        "time, and every other metric within {:g} times this; the page is written as soon as "
+                        "noise cannot change the ranking, and again at the end [{:g}]",
+                        ScoreGoal::kOtherMetrics, ScoreGoal().error))
+        ->check(CLI::Range(1e-6, 0.5));
+}
+
 void add_score_truth_options(CLI::App& app, TruthEffort& effort) {
     add_truth_options(app, effort);
-    const ScoreGoal usual;
-    app.add_option(
-           "--score-error", effort.score_error,
-           fmt::format("Trace until the truth's noise leaves every RMSE within this, 95 % of the time, and "
-                       "every other metric within {:g} times this; the page is written as soon as noise "
-                       "cannot change the ranking, and again at the end [{:g} unless --samples or --error "
-                       "is given]",
-                       ScoreGoal::kOtherMetrics, usual.error))
-        ->check(CLI::Range(1e-6, 0.5))
-        ->excludes("--samples")
-        ->excludes("--error");
+    add_score_error_option(app, effort.score_error)->excludes("--samples")->excludes("--error");
 }
 
 std::optional<ScoreGoal> score_goal(const TruthEffort& effort) {

@@ -41,7 +41,10 @@ struct TruthEffort {
 /// --samples N and --error E.
 void add_truth_options(CLI::App& app, TruthEffort& effort);
 
-/// The same, and --score-error E, which decides the rays where neither of the two is given.
+/// --score-error E.
+CLI::Option* add_score_error_option(CLI::App& app, std::optional<double>& error);
+/// The options of add_truth_options(), and --score-error E, which decides the rays where neither of the two
+/// is given.
 void add_score_truth_options(CLI::App& app, TruthEffort& effort);
 /// The goal that decides the rays of a view; none where the user named rays or an error.
 std::optional<ScoreGoal> score_goal(const TruthEffort& effort);

@@ -64,13 +64,13 @@ ExitCode run(const SweepOptions& options, const GlobalOptions& global) {
     plan.truth_cache = options.truth_cache;
     plan.methods_dir = options.methods_dir;
     plan.command = global.command_line;
-    plan.own_parameters = options.method_options.own_parameters;
     plan.keep_gbuffer = options.keep_images;
     ViewPlan view;
     view.width = options.size.width;
     view.height = options.size.height;
     view.samples = options.effort.least_samples();
     view.max_error = options.effort.max_error;
+    view.own_parameters = options.method_options.own_parameters;
     if (!options.radii.empty()) view.radius_m = options.radii[0];
     view.extras = {};  // they say more of one picture than curves can show
     view.timing_goal = TimingGoal();

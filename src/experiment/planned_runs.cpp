@@ -15,7 +15,7 @@ namespace aoscore {
 namespace {
 
 /// The radius that lengths are drawn for; empty where the plan wants them as descriptors have them.
-std::optional<double> drawn_for(const ExperimentPlan& plan, const RankingRadius& radius) {
+std::optional<double> drawn_for(const ViewPlan& plan, const RankingRadius& radius) {
     return plan.own_parameters ? std::nullopt : std::optional(radius.metres);
 }
 
@@ -58,7 +58,7 @@ std::vector<PreparedView> prepare(const ExperimentPlan& plan, const Registry& re
             PreparedView p{&wanted, i, {}, scene, view, radii.of(wanted.radius_m, view), {}};
             if (p.radius.automatic) log_warning(scene->id + ": " + radius_warning(p.radius, view));
             for (const CellPlan& cell : wanted.cells)
-                p.cells.push_back(resolve(cell, registry, plan.seed, drawn_for(plan, p.radius)));
+                p.cells.push_back(resolve(cell, registry, plan.seed, drawn_for(*p.plan, p.radius)));
             prepared.push_back(std::move(p));
         }
     }
@@ -136,7 +136,7 @@ MethodRequest fixed_pass_request(const Registry& registry, bool lit, std::uint64
 /// All that one view's jobs are laid out from.
 ViewWork view_work(const ExperimentPlan& plan, const PreparedView& p, const Registry& registry,
                    SceneTools& tools, const std::filesystem::path& folder) {
-    const std::optional<double> drawn_for_m = drawn_for(plan, p.radius);
+    const std::optional<double> drawn_for_m = drawn_for(*p.plan, p.radius);
     std::vector<CellWork> cells;
     for (const ResolvedCell& cell : p.cells) cells.push_back(cell_work(cell, p, registry, drawn_for_m));
     return {.scene = *p.scene,
@@ -166,7 +166,7 @@ ViewRun view_run(const ExperimentPlan& plan, const PreparedView& p, const Regist
                  SceneTools& tools, const std::filesystem::path& folder) {
     ViewRun run{.plan = *p.plan,
                 .radius = p.radius,
-                .drawn_for_m = drawn_for(plan, p.radius),
+                .drawn_for_m = drawn_for(*p.plan, p.radius),
                 .cells = p.cells,
                 .work = view_work(plan, p, registry, tools, folder),
                 .jobs = {}};

@@ -7,11 +7,15 @@
 #include "core/source_reference.h"
 #include "core/strict_json.h"
 #include "plan/claims/claim.h"
+#include "plan/resolved_cell.h"
+#include "plan/run_modes.h"
 #include "plan/sweep.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -55,7 +59,7 @@ CellPlan read_row(StrictObject row) {
 
 bool same_picture(const ViewPlan& a, const ViewPlan& b) {
     return a.scene == b.scene && a.load == b.load && a.view == b.view && a.width == b.width &&
-           a.height == b.height && a.radius_m == b.radius_m;
+           a.height == b.height && a.radius_m == b.radius_m && a.own_parameters == b.own_parameters;
 }
 
 void set_size(ViewPlan& view, ImageSize size, double scale) {
@@ -109,6 +113,7 @@ void add_sweep_report(ExperimentPlan& plan, const ReportDefinition& report, doub
     view.samples = object.integer("samples", 1, 1 << 20);
     view.radius_m = object.number("radius_m", kSmallestRadius_m, kLargestRadius_m);
     view.extras = {};
+    view.own_parameters = true;
     view.timing_goal = TimingGoal();
     view.lit = true;
     const Registry registry = load_registry();
@@ -159,7 +164,56 @@ void add_table_report(ExperimentPlan& plan, const ReportDefinition& report, doub
     plan.tables.push_back(std::move(table));
 }
 
+void add_ranking_report(ExperimentPlan& plan, const ReportDefinition& report, double scale) {
+    const nlohmann::json definition = parse_json_file(report.file);
+    StrictObject object = StrictObject::of_file(definition, report.file.filename().string());
+    for (const char* key : {"id", "kind", "title"}) object.text(key);
+    ViewPlan view;
+    view.scene = object.text("scene");
+    set_size(view, read_image_size(object), scale);
+    view.radius_m = object.number("radius_m", kSmallestRadius_m, kLargestRadius_m);
+    const std::vector<MethodDescriptor> methods = load_methods();
+    std::vector<CellPlan> cells;
+    for (const std::string& id : object.texts_or_empty("methods")) {
+        for (CellPlan& cell : scored_cells(find_method(methods, id))) cells.push_back(std::move(cell));
+    }
+    const std::vector<std::string> views = object.texts_or_empty("views");
+    object.finish();
+    for (const std::string& id : views) {
+        view.view = id;
+        const std::size_t index = shared_view(plan, view);
+        for (const CellPlan& cell : cells) shared_cell(plan.views[index], cell);
+    }
+}
+
 }  // namespace
+
+namespace {
+
+// In the order of ReportDefinition::Kind.
+constexpr std::array<std::string_view, 3> kKindIds{"table", "ranking", "sweep"};
+constexpr std::array kAdders{add_table_report, add_ranking_report, add_sweep_report};
+
+}  // namespace
+
+std::vector<CellPlan> scored_cells(const MethodDescriptor& method) {
+    CellPlan cell;
+    cell.method = method.id;
+    for (const auto& [id, choice] : method.scored.modes) {
+        const RunModeOption* mode = find_row(run_mode_options(), id);
+        if (mode == nullptr || std::ranges::find(mode->choices, choice) == mode->choices.end()) {
+            throw file_error(fmt::format("{} {} is no mode of running", id, choice),
+                             (method.folder / "method.json").string() + ": scored.modes");
+        }
+        mode->choose(cell.modes, choice);
+    }
+    std::vector<CellPlan> cells;
+    for (const std::string& preset : method.scored.presets) {
+        cell.preset = preset;
+        cells.push_back(cell);
+    }
+    return cells;
+}
 
 bool CellPlan::same_as(const CellPlan& other) const {
     return method == other.method && preset == other.preset && overrides == other.overrides &&
@@ -224,10 +278,13 @@ std::vector<ReportDefinition> list_reports() {
         }
         report.title = object.text("title");
         const std::string kind = object.text_or("kind", "table");
-        if (kind != "table" && kind != "sweep")
-            throw file_error("is " + kind, object.where("kind"), "table, sweep");
-        report.kind = kind == "sweep" ? ReportDefinition::Kind::sweep : ReportDefinition::Kind::table;
-        report.source = source_reference(object.object("source"));
+        const auto known = std::ranges::find(kKindIds, kind);
+        if (known == kKindIds.end())
+            throw file_error("is " + kind, object.where("kind"),
+                             fmt::format("{}", fmt::join(kKindIds, ", ")));
+        report.kind = static_cast<ReportDefinition::Kind>(known - kKindIds.begin());
+        if (report.kind != ReportDefinition::Kind::ranking)
+            report.source = source_reference(object.object("source"));
         report.file = entry.path();
         reports.push_back(std::move(report));
     }
@@ -239,13 +296,9 @@ ExperimentPlan plan_reports(const std::vector<std::string>& report_ids, double s
     const std::vector<ReportDefinition> known = list_reports();
     ExperimentPlan plan;
     plan.claim_scale = scale;
-    plan.own_parameters = true;
     for (const std::string& id : report_ids) {
         const ReportDefinition& report = row_of(known, id, "no report", "run");
-        if (report.kind == ReportDefinition::Kind::sweep)
-            add_sweep_report(plan, report, scale);
-        else
-            add_table_report(plan, report, scale);
+        kAdders[static_cast<std::size_t>(report.kind)](plan, report, scale);
     }
     return plan;
 }

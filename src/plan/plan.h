@@ -66,6 +66,9 @@ struct ViewPlan {
     /// What else the truth is to tell about the ranking's occlusion: by default all that a page shows.
     TruthExtras extras{.causes = true, .one_layer_bound = true, .bent_normals = false};
     std::optional<double> radius_m;  ///< of the ranking; empty: the view's own, else one automatic
+    /// Methods have the lengths of their descriptors, instead of being drawn for the view's radius: what
+    /// publications state, or the user asked for.
+    bool own_parameters = false;
     std::vector<CellPlan> cells;
     /// Timed until the median's interval is this narrow, where it is asked for.
     std::optional<TimingGoal> timing_goal;
@@ -105,9 +108,6 @@ struct ExperimentPlan {
     std::vector<std::string> claim_ids;  ///< to be judged from what this run measures
     double claim_scale = 1;              ///< of the claims' views, as they were planned
     std::uint64_t seed = 1;
-    /// Methods have the lengths of their descriptors, instead of being drawn for each view's radius: what
-    /// publications state, or the user asked for.
-    bool own_parameters = false;
     std::filesystem::path methods_dir;  ///< of the user's own methods; empty: none
     std::vector<ImageFolder> folders;   ///< images of other programs that cells name
     std::filesystem::path
@@ -131,23 +131,27 @@ std::size_t shared_view(ExperimentPlan& plan, ViewPlan view);
 /// The index of the same cell, added when there is none yet; what either keeps is kept.
 std::size_t shared_cell(ViewPlan& view, CellPlan cell);
 
+/// A method as a score draws it where nobody says how: with each preset that its descriptor names for scores,
+/// in its modes. Throws file_error where these are none.
+std::vector<CellPlan> scored_cells(const MethodDescriptor& method);
+
 /// A report definition: one file of reports/.
 struct ReportDefinition {
-    enum class Kind { table, sweep };
+    enum class Kind { table, ranking, sweep };
     Kind kind = Kind::table;
     std::string id;
     std::string title;
-    std::string source;  ///< author, title, year
+    std::string source;  ///< author, title, year; empty for a ranking
     std::filesystem::path file;
 };
 /// All of reports/*.json, by id.
 std::vector<ReportDefinition> list_reports();
 
 /// Merges the definitions of these reports into one plan: a view that several tables show is traced once, a
-/// cell that several rows name is run once. Pictures are made `scale` times as wide and high as the
-/// definitions say. A sweep also measures what the claims that it lists ask for, in pictures of their own
-/// size. Methods keep their own lengths, as published. Throws usage_error for an unknown id (listing the
-/// known ones), file_error for a bad definition.
+/// cell that several rows name is run once. A ranking adds methods to a scene's views, as `score` draws them.
+/// Pictures are made `scale` times as wide and high as the definitions say. A sweep also measures what the
+/// claims that it lists ask for, in pictures of their own size. In both, methods keep their own lengths, as
+/// published. Throws usage_error for an unknown id (listing the known ones), file_error for a bad definition.
 ExperimentPlan plan_reports(const std::vector<std::string>& report_ids, double scale = 1);
 
 }  // namespace aoscore

@@ -281,6 +281,7 @@ void plan_claims(ExperimentPlan& plan, const std::vector<ClaimList>& lists) {
                 const Timed needs = find_quantity(check.quantity, "claims").needs;
                 for (const ClaimCell& cell : check.cells) {
                     ViewPlan view = list.views.at(cell.view);
+                    view.own_parameters = true;
                     view.lit = needs != Timed::passes;
                     CellPlan asked = cell.plan;
                     asked.whole_frames = needs == Timed::whole_frames;
