@@ -85,7 +85,7 @@ TEST_F(Signals, ChangeNoBitOfTheVisibilityAndAreZeroOnBackground) {
                     const Signal& row = signal(id);
                     for (const ImageF& plane : image) {
                         const double value(plane.pixels[i]);
-                        if (surface.pixels[i] == 0) ASSERT_EQ(value, 0) << method->id << " " << id;
+                        ASSERT_TRUE(surface.pixels[i] != 0 || value == 0) << method->id << " " << id;
                         ASSERT_TRUE(value >= row.low - 1e-5 && value <= row.high + 1e-5)
                             << method->id << "/" << preset << " " << id << ": " << value;
                     }
@@ -242,9 +242,9 @@ TEST_F(Signals, OfAnOpenPlaneAreItsNormalAndTheHemisphere) {
         renderer_.draw_gbuffer(CameraFrame(front_camera(), 64, 36), gbuffer_inputs());
         for (const MethodDescriptor* method : giving()) {
             ParameterValues settings;
-            for (const auto& [id, value] : {std::pair("slices", 64), std::pair("samples", 256)}) {
-                if (method->find_parameter(id) != nullptr) settings[id] = value;
-            }
+            if (method->find_parameter("slices") != nullptr) settings["slices"] = 64;
+            // A texel's one depth stands for a slope: without a bias, points of SSAO hide behind it.
+            if (method->find_parameter("samples") != nullptr) settings = {{"samples", 256}, {"bias", 0.05}};
             const Cone cone = cone_at(renderer_.run(request(method->id, settings)), 32, 18);
             EXPECT_LT(angle_between(cone.bent_normal, normal), 0.03) << method->id << " at " << tilt;
             EXPECT_NEAR(cone.half_angle, kPi / 2, 0.06) << method->id << " at " << tilt;
