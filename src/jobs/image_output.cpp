@@ -1,8 +1,10 @@
 #include "jobs/image_output.h"
 
+#include "core/signal.h"
 #include "image/channels.h"
 #include "image/image_file.h"
 #include "jobs/own_truth.h"
+#include "jobs/truth_signals.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
@@ -10,6 +12,7 @@
 #include <cmath>
 #include <list>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace aoscore {
@@ -43,11 +46,14 @@ void add_extras(const Truth& truth, std::vector<ChannelView>& channels, std::lis
         if (!occlusion.empty()) channels.push_back({cause_channel(c), &occlusion});
     }
     if (!truth.one_layer_bound.empty()) channels.push_back({kOneLayerChannel, &truth.one_layer_bound});
-    add_vectors(truth.bent_normal, {"bent.X", "bent.Y", "bent.Z"}, channels, planes);
-    if (truth.bent_normal.empty()) return;
-    channels.push_back({"SE.bent.Y", &truth.bent_error_rad});
-    channels.push_back({"cone.Y", &truth.cone_angle_rad});
-    channels.push_back({"SE.cone.Y", &truth.cone_error_rad});
+    for (const std::string& id : held_signals(truth)) {
+        TruthSignal held = truth_signal(truth, id);
+        for (std::size_t i = 0; i < held.image.size(); ++i) {
+            planes.push_back(std::move(held.image[i]));
+            channels.push_back({std::string(signal(id).channels[i]), &planes.back()});
+        }
+        channels.push_back({std::string(signal(id).error_channel), held.standard_error_rad});
+    }
 }
 
 /// As EXR's attributes have it: 16 numbers, row by row, for points that are row vectors.

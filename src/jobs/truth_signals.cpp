@@ -58,6 +58,14 @@ TruthExtras extras_for(std::span<const std::string> signals) {
     return extras;
 }
 
+std::vector<std::string> held_signals(const Truth& truth) {
+    std::vector<std::string> ids;
+    for (const Row& row : kRows) {
+        if (!(truth.*row.standard_error_rad).empty()) ids.emplace_back(row.id);
+    }
+    return ids;
+}
+
 TruthSignal truth_signal(const Truth& truth, std::string_view id) {
     const Row& row = row_of(kRows, id, "no signal of the truth");
     const ImageF& standard_error = truth.*row.standard_error_rad;
@@ -67,9 +75,8 @@ TruthSignal truth_signal(const Truth& truth, std::string_view id) {
 
 std::vector<SignalRecord> recorded_signals(const Truth& truth, const Mask& valid) {
     std::vector<SignalRecord> records;
-    for (const Row& row : kRows) {
-        if (!(truth.*row.standard_error_rad).empty()) records.push_back(recorded(row, truth, valid));
-    }
+    for (const std::string& id : held_signals(truth))
+        records.push_back(recorded(*find_row(kRows, id), truth, valid));
     return records;
 }
 

@@ -14,6 +14,9 @@ namespace aoscore {
 /// What the truth must gather for these signals.
 TruthExtras extras_for(std::span<const std::string> signals);
 
+/// Those beside visibility that the truth was asked for.
+std::vector<std::string> held_signals(const Truth& truth);
+
 /// A signal beside visibility as the truth has it.
 struct TruthSignal {
     SignalImage image;
