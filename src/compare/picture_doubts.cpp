@@ -1,8 +1,9 @@
 #include "compare/picture_doubts.h"
 
-#include "core/srgb.h"
+#include "core/threads.h"
 #include "image/image_frame.h"
 #include "metrics/analysis/likeness.h"
+#include "metrics/measures/srgb_values.h"
 
 #include <fmt/format.h>
 
@@ -10,6 +11,8 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace aoscore {
 namespace {
@@ -90,14 +93,24 @@ class Doubts {
         return result;
     }
 
-    static ImageF changed(ImageF image, const std::function<double(double)>& change) {
-        for (float& value : image.pixels)
-            value = static_cast<float>(change(std::clamp(static_cast<double>(value), 0.0, 1.0)));
+    /// The picture with its values, clamped to [0,1], changed row by row; NaN stays.
+    static ImageF changed(ImageF image, const std::function<void(std::span<double>)>& change) {
+        const auto width = static_cast<std::size_t>(image.width);
+        parallel_for(static_cast<std::size_t>(image.height), [&](std::size_t y) {
+            const std::span<float> row(&image.at(0, static_cast<int>(y)), width);
+            std::vector<double> values(row.begin(), row.end());
+            for (double& value : values) value = std::clamp(value, 0.0, 1.0);
+            change(values);
+            for (std::size_t x = 0; x < width; ++x) {
+                if (!std::isnan(row[x])) row[x] = static_cast<float>(values[x]);
+            }
+        });
         return image;
     }
-    static ImageF inverted_of(ImageF image) {
-        return changed(std::move(image), [](double value) { return 1 - value; });
+    static void invert(std::span<double> values) {
+        for (double& value : values) value = 1 - value;
     }
+    static ImageF inverted_of(ImageF image) { return changed(std::move(image), invert); }
 
     Variant best_orientation(const Variant& given) {
         struct Turn {
@@ -132,16 +145,19 @@ class Doubts {
     /// Whether the file's numbers follow the truth better with the curve of sRGB taken off, or put back.
     void add_coding(const Variant& given, bool holds_occlusion) {
         const bool decoded = reading_.srgb_floats || (test_.integers && reading_.coding == Coding::srgb);
-        const auto with = [&](double (*curve)(double)) {
-            return variant(
-                changed(given.test, [&](double v) { return holds_occlusion ? 1 - curve(1 - v) : curve(v); }),
-                given.valid);
+        const auto with = [&](void (*curve)(std::span<double>)) {
+            const auto change = [&](std::span<double> values) {
+                if (holds_occlusion) invert(values);
+                curve(values);
+                if (holds_occlusion) invert(values);
+            };
+            return variant(changed(given.test, change), given.valid);
         };
         const auto better = [&](const Variant& other) {
             return other.likeness && other.likeness->rmse < given.likeness->rmse &&
                    other.likeness->unexplained() < kCodedGain * given.likeness->unexplained();
         };
-        const Variant brighter = with(srgb_from_linear), darker = with(linear_from_srgb);
+        const Variant brighter = with(put_srgb_on), darker = with(take_srgb_off);
         if (better(darker)) {
             say("the picture seems to be sRGB-coded{} (correlation {:.3f} with the curve taken off, as read "
                 "{:.3f}): try {}",

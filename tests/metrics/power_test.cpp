@@ -1,5 +1,8 @@
 #include "metrics/measures/power.h"
 
+#include "core/srgb.h"
+#include "metrics/measures/srgb_values.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,6 +41,22 @@ TEST(Raise, OfZeroIsZeroButForTheExponentZero) {
     std::vector<double> bases{0, 0, 0.5};
     raise(bases, exponents);
     EXPECT_EQ(bases, (std::vector<double>{1, 0, 1}));
+}
+
+TEST(SrgbValues, FollowTheCurveOfOneValue) {
+    std::vector<double> coded;
+    for (int i = 0; i <= 5000; ++i) coded.push_back(i / 5000.0);
+    for (const double knee : {0.04045, 0.0031308}) {
+        for (const double beside : {0.0, 1.0}) coded.push_back(std::nextafter(knee, beside));
+        coded.push_back(knee);
+    }
+    std::vector<double> off = coded, on = coded;
+    take_srgb_off(off);
+    put_srgb_on(on);
+    for (std::size_t i = 0; i < coded.size(); ++i) {
+        EXPECT_NEAR(off[i], linear_from_srgb(coded[i]), 1e-14) << coded[i];
+        EXPECT_NEAR(on[i], srgb_from_linear(coded[i]), 1e-14) << coded[i];
+    }
 }
 
 }  // namespace

@@ -1,11 +1,12 @@
 #include "core/threads.h"
 #include "metrics/intervals/block_errors.h"
 #include "metrics/intervals/block_grid.h"
+#include "metrics/measures.h"
 #include "metrics/measures/flip_colour.h"
 #include "metrics/measures/flip_filter.h"
 #include "metrics/measures/mean_error.h"
-#include "metrics/measures.h"
 #include "metrics/measures/power.h"
+#include "metrics/measures/srgb_values.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,14 +37,6 @@ std::vector<Area> tiles_of(int width, int height) {
     return tiles;
 }
 
-/// The curve of sRGB taken off values in [0,1]; `scratch` is as long.
-void decode_srgb(std::span<double> values, std::span<double> scratch) {
-    for (std::size_t i = 0; i < values.size(); ++i) scratch[i] = (values[i] + 0.055) / 1.055;
-    raise(scratch, 2.4);
-    for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = values[i] <= 0.04045 ? values[i] / 12.92 : scratch[i];
-}
-
 /// FLIP's map over a part of the image, one row after the other.
 class Tile {
   public:
@@ -54,7 +47,6 @@ class Tile {
           test_(truth_),
           valid_(truth_),
           row_(static_cast<std::size_t>(area.width + 2 * kMargin_px)),
-          scratch_(row_.size()),
           map_(static_cast<std::size_t>(area.width)),
           exponents_(map_.size()),
           has_invalid_(has_invalid()) {}
@@ -98,7 +90,7 @@ class Tile {
             const float* values = &image->at(0, y);
             // Values may be NaN where they are invalid.
             read_row([&](int x) { return valid[x] == 0 ? 0.0 : std::clamp(double{values[x]}, 0.0, 1.0); });
-            decode_srgb(row_, scratch_);
+            take_srgb_off(row_);
             filter->push(row_);
         }
         if (!has_invalid_) return;
@@ -161,7 +153,7 @@ class Tile {
     const MetricInput& input_;
     Area area_;
     FlipFilter truth_, test_, valid_;
-    std::vector<double> row_, scratch_;    ///< with margins
+    std::vector<double> row_;              ///< with margins
     std::vector<double> map_, exponents_;  ///< of one row
     bool has_invalid_;                     ///< here or in the margins
 };

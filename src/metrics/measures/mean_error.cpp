@@ -39,28 +39,19 @@ bool has_valid_pixel(const MetricInput& input) {
     return std::ranges::any_of(input.valid.pixels, [](std::uint8_t valid) { return valid != 0; });
 }
 
-std::optional<double> mean_over_valid(const MetricInput& input, const std::function<double(double)>& term) {
-    require_one_size(input);
-    struct Row {
-        double sum = 0;
-        std::size_t count = 0;
-    };
-    std::vector<Row> rows(static_cast<std::size_t>(input.truth.height));
-    parallel_for(rows.size(), [&](std::size_t y) {
-        for (int x = 0; x < input.truth.width; ++x) {
-            const std::size_t i = input.truth.index(x, static_cast<int>(y));
-            if (input.valid.pixels[i] == 0) continue;
-            rows[y].sum += term(double{input.test.pixels[i]} - double{input.truth.pixels[i]});
-            ++rows[y].count;
-        }
-    });
-    Row all;
-    for (const Row& row : rows) {
-        all.sum += row.sum;
-        all.count += row.count;
+std::optional<double> PixelSum::mean() const {
+    return count > 0 ? std::optional(sum / static_cast<double>(count)) : std::nullopt;
+}
+
+PixelSum sum_of_rows(int height, const std::function<PixelSum(int)>& row) {
+    std::vector<PixelSum> rows(static_cast<std::size_t>(height));
+    parallel_for(rows.size(), [&](std::size_t y) { rows[y] = row(static_cast<int>(y)); });
+    PixelSum all;
+    for (const PixelSum& each : rows) {
+        all.sum += each.sum;
+        all.count += each.count;
     }
-    if (all.count == 0) return std::nullopt;
-    return all.sum / static_cast<double>(all.count);
+    return all;
 }
 
 std::optional<double> mean_squared_error(const MetricInput& input) {

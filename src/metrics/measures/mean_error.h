@@ -2,6 +2,7 @@
 
 #include "metrics/metric.h"
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -22,9 +23,32 @@ void require_one_size(const MetricInput& input);
 /// Whether any pixel counts. Throws sizes_differ unless all images have one size.
 bool has_valid_pixel(const MetricInput& input);
 
-/// Mean of term(test - truth) over the valid pixels; empty without any. Rows are summed on all cores, their
-/// sums in order.
-std::optional<double> mean_over_valid(const MetricInput& input, const std::function<double(double)>& term);
+/// A sum over valid pixels, and how many they are.
+struct PixelSum {
+    double sum = 0;
+    std::size_t count = 0;
+    /// Empty without a pixel.
+    std::optional<double> mean() const;
+};
+/// Sums row(y) for every row of the image, on all cores; rows are added in order.
+PixelSum sum_of_rows(int height, const std::function<PixelSum(int y)>& row);
+
+/// Mean of term(test - truth) over the valid pixels; empty without any.
+template <class Term>
+std::optional<double> mean_over_valid(const MetricInput& input, Term term) {
+    require_one_size(input);
+    const auto row = [&](int y) {
+        PixelSum all;
+        const std::size_t first = input.valid.index(0, y);
+        for (std::size_t i = first; i < first + static_cast<std::size_t>(input.valid.width); ++i) {
+            if (input.valid.pixels[i] == 0) continue;
+            all.sum += term(double{input.test.pixels[i]} - double{input.truth.pixels[i]});
+            ++all.count;
+        }
+        return all;
+    };
+    return sum_of_rows(input.valid.height, row).mean();
+}
 std::optional<double> mean_squared_error(const MetricInput& input);
 
 }  // namespace aoscore
