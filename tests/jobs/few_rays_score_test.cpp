@@ -82,8 +82,6 @@ TEST_P(ScoresFromFewRays, HoldTheConvergedOnesWithinWhatTheyState) {
             const Measured few = measure(samples, seed);
             for (const auto& [metric, half_width] : few.noise) {
                 const double error = *few.values.at(metric).value - *converged.values.at(metric).value;
-                printf("CAL %s %d %s %.5f error %.5f half %.5f\n", GetParam(), samples, metric.c_str(),
-                       *converged.values.at(metric).value, error, half_width);
                 const double stated = std::hypot(half_width, converged.noise.at(metric));
                 ++checked;
                 held += std::abs(error) <= stated;
