@@ -21,6 +21,7 @@ struct ReferenceOptions {
     ImageSize size;
     std::vector<double> radii;
     TruthEffort effort;
+    bool halves = false;
     bool shading_normals = false;
     TruthExtras extras;
     std::filesystem::path out;
@@ -41,6 +42,7 @@ ExitCode run(const ReferenceOptions& options, const GlobalOptions& global) {
     settings.samples = options.effort.least_samples();
     settings.max_error = options.effort.max_error;
     settings.mean_error = options.effort.mean_error;
+    settings.halves = options.halves;
     settings.seed = global.seed;
     settings.shading_normals = options.shading_normals;
     settings.extras = options.extras;
@@ -74,6 +76,11 @@ CommandEntry add_reference_command(CLI::App& program, const GlobalOptions& globa
                     "Trace until the mean standard error over the picture is about this, for the fewest rays")
         ->check(CLI::Range(1e-4, 0.5))
         ->excludes("--error");
+    app->add_flag(
+           "--halves", options->halves,
+           "Trace two independent halves of the rays, as scores with --score-error do, and write their mean")
+        ->excludes("--error")
+        ->excludes("--mean-error");
     app->add_flag("--shading-normals", options->shading_normals, "Hemisphere about the smooth normal");
     add_extras_options(*app, options->extras);
     add_cache_option(*app, options->truth_cache);

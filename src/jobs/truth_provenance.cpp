@@ -49,6 +49,7 @@ std::map<std::string, std::string> truth_provenance(const Scene& scene, const Ca
             {"aoscore:least_samples", fmt::format("{}", made_for.settings.samples)},
             {"aoscore:max_error", fmt::format("{}", made_for.settings.max_error)},
             {"aoscore:mean_error", fmt::format("{}", made_for.settings.mean_error)},
+            {"aoscore:halves", made_for.settings.halves ? "yes" : "no"},
             {"aoscore:shading_normals", made_for.settings.shading_normals ? "yes" : "no"},
             {"aoscore:integrator", integrator_id()},
             {"aoscore:version", std::string(version())},
@@ -70,6 +71,7 @@ std::string reference_command(const Scene& scene, const View& view, const TruthR
                                       traced.height, fmt::join(radii, ","), settings.samples);
     if (settings.max_error > 0) command += fmt::format(" --error {}", settings.max_error);
     if (settings.mean_error > 0) command += fmt::format(" --mean-error {}", settings.mean_error);
+    if (settings.halves) command += " --halves";
     if (settings.shading_normals) command += " --shading-normals";
     if (settings.extras.causes) command += " --causes";
     if (settings.extras.one_layer_bound) command += " --one-layer-bound";

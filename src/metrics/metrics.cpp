@@ -83,7 +83,7 @@ const std::vector<Metric>& metrics() {
          .over_views = over_views::mean,
          .resampled = [](const DrawnSums& s) { return s.ssim / s.ssim_weight; },
          .noise = extrapolated,
-         .left_by_variance = 1500,
+         .left_by_variance = 3333,
          .brief = true,
          .unranked = true},
         {.id = "max_error",
@@ -120,7 +120,7 @@ const std::vector<Metric>& metrics() {
          .over_views = over_views::mean,
          .resampled = [](const DrawnSums& s) { return s.ms_ssim; },
          .noise = extrapolated,
-         .left_by_variance = 1500},
+         .left_by_variance = 3333},
     };
     return table;
 }

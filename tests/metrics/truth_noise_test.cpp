@@ -105,7 +105,10 @@ TEST_P(HalvesOfATruth, HoldTheConvergedValueOfEveryMetricAsOftenAsTheySay) {
         RecordProperty(metric, fmt::format("{:.3f}, off by {:.2g} on average, half width {:.2g}", share,
                                            sum[metric], width[metric]));
         EXPECT_GE(share, 0.92) << metric << " off by " << sum[metric] << ", half width " << width[metric];
-        EXPECT_LE(share, 0.98) << metric << " off by " << sum[metric] << ", half width " << width[metric];
+        // What is extrapolated may lie in its interval more often: that allows for what no seed changes.
+        if (aoscore::metric(metric).noise == Metric::Noise::taken_off)
+            EXPECT_LE(share, 0.98) << metric << " off by " << sum[metric] << ", half width " << width[metric];
+        EXPECT_LE(width[metric], 0.02) << metric;
     }
 }
 

@@ -16,7 +16,8 @@ namespace aoscore {
 /// by block, is the variance that noise gives it. Blocks that touch share the window of a metric, and are
 /// taken together. What is extrapolated errs by terms of higher order, too: by a part of what the
 /// extrapolation took off, which was measured on four scenes (tests/jobs/few_rays_score_test.cpp). It falls
-/// with the noise's variance where the metric is smooth, as SSIM, whose constant C2 of 0.0009 says at which;
+/// with the noise's variance where the metric is smooth, as SSIM (a picture of constant
+/// variance v on flat ground would leave 2 v / C2 of it, C2 = 0.0009; measured is up to 3 v / C2);
 /// where it has a kink at no difference, as FLIP, a part stays.
 std::map<std::string, double> truth_noise(const BlockErrors& whole, const BlockErrors& first,
                                           const BlockErrors& second);
