@@ -58,7 +58,7 @@ void bench_main(std::uint64_t seed) {
     for (const ViewRecord& view : results.views) truth_s += view.truth_seconds;
     for (const CellRecord& cell : results.cells) {
         for (const double ms : cell.ao.runs_ms) timed_s += ms / 1000;
-        for (const double ms : cell.blur.runs_ms) timed_s += ms / 1000;
+        for (const double ms : cell.filter_pass.runs_ms) timed_s += ms / 1000;
     }
     print_result("{}, {} threads, {}\n", results.cpu, results.threads, results.gl_renderer);
     print_row(fmt::format("main job without its page, cold, {} rays a pixel", kSamples).c_str(), total_s,

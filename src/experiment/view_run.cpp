@@ -92,7 +92,7 @@ void warn_of_small_radius(const View& chosen, ViewRecord& view) {
 
 void record_times(const StoredTimes& times, const ViewRecord& view, CellRecord& record) {
     record.ao = summarize(times.ao_ms);
-    record.blur = summarize(times.filter_ms);
+    record.filter_pass = summarize(times.filter_ms);
     if (times.fixed_pass_ms > 0) record.fixed_pass_ms = times.fixed_pass_ms;
     record.lighting = summarize(times.lighting_ms);
     record.frame_at_once = summarize(times.frame_at_once_ms);
@@ -100,7 +100,7 @@ void record_times(const StoredTimes& times, const ViewRecord& view, CellRecord& 
     const std::optional<double> gbuffer_ms = view.gbuffer.median_ms;
     if (!record.ao.median_ms || !gbuffer_ms) return;
     const FrameRecord frame = frame_of(*gbuffer_ms, record.lighting.median_ms.value_or(0),
-                                       *record.ao.median_ms, record.blur.median_ms.value_or(0));
+                                       *record.ao.median_ms, record.filter_pass.median_ms.value_or(0));
     record.frame_ms = frame.frame_ms;
     if (record.lighting.median_ms) record.frame = frame;
 }

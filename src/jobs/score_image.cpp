@@ -1,7 +1,7 @@
 #include "jobs/score_image.h"
 
 #include "core/error.h"
-#include "jobs/truth_image.h"
+#include "jobs/contest/truth_image.h"
 #include "jobs/truth_signals.h"
 #include "metrics/analysis/analysis.h"
 #include "metrics/evaluate.h"

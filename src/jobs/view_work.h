@@ -1,6 +1,6 @@
 #pragma once
 
-#include "jobs/contestant.h"
+#include "jobs/contest/contestant.h"
 #include "jobs/scene_tools.h"
 #include "jobs/timing.h"
 #include "reference/truth.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "jobs/folder_image.h"
+#include "jobs/contest/folder_image.h"
 #include "jobs/timing.h"
 #include "plan/run_modes.h"
 #include "reference/truth.h"

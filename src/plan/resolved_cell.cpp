@@ -1,7 +1,7 @@
 #include "plan/resolved_cell.h"
 
 #include "core/known_names.h"
-#include "jobs/few_rays.h"
+#include "jobs/contest/few_rays.h"
 #include "jobs/own_truth.h"
 #include "screen/method/lengths.h"
 

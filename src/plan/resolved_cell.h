@@ -1,6 +1,6 @@
 #pragma once
 
-#include "jobs/contestant.h"
+#include "jobs/contest/contestant.h"
 #include "plan/plan.h"
 #include "reference/truth.h"
 #include "screen/screen.h"

@@ -75,7 +75,7 @@ const TruthRecord* find_truth(const ViewRecord& view, const std::string& id) {
 
 std::optional<double> cost_ms(const CellRecord& cell) {
     if (!cell.ao.median_ms) return std::nullopt;
-    return *cell.ao.median_ms + cell.blur.median_ms.value_or(0);
+    return *cell.ao.median_ms + cell.filter_pass.median_ms.value_or(0);
 }
 
 std::string truth_text(const TruthRecord& truth) {

@@ -168,7 +168,7 @@ struct CellRecord {
     std::map<std::string, nlohmann::json> parameters;  ///< all of them, by id
     std::vector<LengthRecord> lengths;  ///< those of them, and of the filter's, that are lengths
     std::string error;                  ///< why the cell failed; empty when it did not
-    Timing ao, blur;
+    Timing ao, filter_pass;
     std::optional<double> fixed_pass_ms;  ///< sixteen fetches a pixel, timed in the same rounds
     Timing lighting;  ///< the lighting pass, timed in the same rounds; no runs where not asked for
     std::optional<double> frame_ms;  ///< G-buffer + AO + filter + lighting where it was timed, medians added

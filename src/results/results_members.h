@@ -148,7 +148,7 @@ void visit_members(Visit& visit, Record& cell) {
     visit("lengths", cell.lengths);
     visit("error", cell.error);
     visit("ao", cell.ao);
-    visit("blur", cell.blur);
+    visit("filter_pass", cell.filter_pass);
     visit("fixed_pass_ms", cell.fixed_pass_ms);
     visit("lighting", cell.lighting);
     visit("frame_ms", cell.frame_ms);

@@ -77,7 +77,7 @@ std::string line_of(const SweepRecord& sweep, const SweepRow& row, const std::st
             line.add(found->second);
     }
     line.add(of_view(view != nullptr ? view->gbuffer.median_ms : std::nullopt));
-    line.add(of_view(cell.ao.median_ms)).add(of_view(cell.blur.median_ms));
+    line.add(of_view(cell.ao.median_ms)).add(of_view(cell.filter_pass.median_ms));
     line.add(row.cost_ms).add(row.cost_low_ms).add(row.cost_high_ms);
     add_frame(line, row.frame);
     line.add(of_view(static_cast<double>(cell.ao.runs_ms.size())));

@@ -33,8 +33,8 @@ void add_costs(SweepRow& row, const SweepRecord& sweep) {
     row.frame = cell.frame;
     if (cell.ao.runs_ms.empty()) return;
     std::vector<double> runs = cell.ao.runs_ms;
-    for (std::size_t i = 0; i < runs.size() && i < cell.blur.runs_ms.size(); ++i)
-        runs[i] += cell.blur.runs_ms[i];
+    for (std::size_t i = 0; i < runs.size() && i < cell.filter_pass.runs_ms.size(); ++i)
+        runs[i] += cell.filter_pass.runs_ms[i];
     row.cost_ms = median(runs);
     if (const auto interval = median_interval(std::move(runs), sweep.timing_confidence)) {
         row.cost_low_ms = interval->low;

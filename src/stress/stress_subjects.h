@@ -1,6 +1,6 @@
 #pragma once
 
-#include "jobs/contestant.h"
+#include "jobs/contest/contestant.h"
 #include "plan/resolved_cell.h"
 #include "stress/stress_axes.h"
 #include "stress/stress_case.h"

@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "core/json_text.h"
 #include "image/image_file.h"
-#include "jobs/truth_image.h"
+#include "jobs/contest/truth_image.h"
 
 #include <vector>
 

@@ -1,10 +1,10 @@
 // What contestants say that they are made of, and those that no shader draws.
-#include "jobs/contestant.h"
+#include "jobs/contest/contestant.h"
 
 #include "core/error.h"
-#include "jobs/few_rays.h"
-#include "jobs/folder_image.h"
-#include "jobs/truth_image.h"
+#include "jobs/contest/few_rays.h"
+#include "jobs/contest/folder_image.h"
+#include "jobs/contest/truth_image.h"
 #include "jobs/view_jobs.h"
 #include "jobs/view_keys.h"
 

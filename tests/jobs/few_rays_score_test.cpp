@@ -1,4 +1,4 @@
-// Scores from few rays against those from a truth of 2 x 2048 rays a pixel, on four scenes: whatever the
+// Scores from few rays against those from a truth of 2 x 512 rays a pixel, on four scenes: whatever the
 // noise, the converged value lies within what is stated.
 #include "metrics/analysis/occlusion_masks.h"
 #include "metrics/evaluate.h"
@@ -75,7 +75,7 @@ class ScoresFromFewRays : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(ScoresFromFewRays, HoldTheConvergedOnesWithinWhatTheyState) {
-    const Measured converged = measure(2 * 2048);
+    const Measured converged = measure(2 * 512);
     int checked = 0, held = 0;
     for (const int samples : {16, 32, 64, 128}) {
         for (const std::uint64_t seed : {1U, 2U, 3U}) {

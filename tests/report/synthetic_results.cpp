@@ -122,9 +122,9 @@ CellRecord cell_record(const std::string& view, const MethodFacts& facts, const 
     }
     cell.fixed_pass_ms = 50;
     cell.ao = {{facts.ao_ms - 1, facts.ao_ms, facts.ao_ms + 2}, facts.ao_ms, 1.0};
-    if (cell.filter != "none") cell.blur = {{5, 5.5, 6}, 5.5, 0.5};
+    if (cell.filter != "none") cell.filter_pass = {{5, 5.5, 6}, 5.5, 0.5};
     cell.lighting = {{8, 9, 10}, 9, 0.5};
-    cell.frame = frame_of(11, 9, facts.ao_ms, cell.blur.median_ms.value_or(0));
+    cell.frame = frame_of(11, 9, facts.ao_ms, cell.filter_pass.median_ms.value_or(0));
     cell.frame_ms = cell.frame->frame_ms;
     const ImageF truth = truth_image(), error(kWidth, kHeight, 0.02F);
     cell.analysis = analyse({truth, shifted(truth, facts.shift), Mask(kWidth, kHeight, 1), &error}, {},

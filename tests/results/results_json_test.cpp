@@ -95,7 +95,7 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     cell.lengths = {{"radius", 0.5, "m", LengthRecord::kSet}};
     cell.error = "none";
     cell.ao = {{1, 2, 4}, 2.0, 1.5};
-    cell.blur = {{}, std::nullopt, std::nullopt};
+    cell.filter_pass = {{}, std::nullopt, std::nullopt};
     cell.frame_ms = 3.25;
     cell.fixed_pass_ms = 12.5;
     cell.lighting = {{8}, 8.0, 0.0};
@@ -110,9 +110,9 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     results.cells = {cell};
     const CellRecord back = results_from_json(to_json(results), "results.json").cells.at(0);
     const auto& [id, view_key, method, method_label, role, preset, setting, filter, parameters, lengths,
-                 error, ao, blur, fixed_pass_ms, lighting, frame_ms, frame, frame_at_once, frame_by_pass,
-                 fetches_per_pixel, nonfinite, ranked_truth, own_truth, ranked, own, raw, analysis,
-                 image_file] = back;
+                 error, ao, filter_pass, fixed_pass_ms, lighting, frame_ms, frame, frame_at_once,
+                 frame_by_pass, fetches_per_pixel, nonfinite, ranked_truth, own_truth, ranked, own, raw,
+                 signals, analysis, image_file] = back;
     EXPECT_EQ(std::tie(id, view_key, method, method_label, role, preset, setting, filter, parameters, error),
               std::tie(cell.id, cell.view_key, cell.method, cell.method_label, cell.role, cell.preset,
                        cell.setting, cell.filter, cell.parameters, cell.error));
@@ -124,8 +124,8 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     EXPECT_EQ(ao.runs_ms, cell.ao.runs_ms);
     EXPECT_EQ(ao.median_ms, 2.0);
     EXPECT_EQ(ao.spread_ms, 1.5);
-    EXPECT_TRUE(blur.runs_ms.empty());
-    EXPECT_EQ(blur.median_ms, std::nullopt);
+    EXPECT_TRUE(filter_pass.runs_ms.empty());
+    EXPECT_EQ(filter_pass.median_ms, std::nullopt);
     EXPECT_EQ(frame_ms, 3.25);
     EXPECT_EQ(fetches_per_pixel, std::nullopt);
     EXPECT_EQ(fixed_pass_ms, 12.5);

@@ -39,7 +39,7 @@ TEST(CodeDigest, CoversEveryFileThatDecidesANumber) {
     EXPECT_THAT(code_of("score"), Contains("metrics/intervals/bootstrap.cpp"));
     EXPECT_THAT(code_of("times"), Contains("jobs/timing.cpp"));
     EXPECT_THAT(code_of("stress"), Contains("stress/stress_judge.cpp"));
-    EXPECT_THAT(code_of("truth_image"), Contains("jobs/truth_image.cpp"));
+    EXPECT_THAT(code_of("truth_image"), Contains("jobs/contest/truth_image.cpp"));
     EXPECT_THAT(code_of("views"), Contains("framing/outline_fit.cpp"));
 }
 

@@ -33,7 +33,7 @@ class LiveBench {
       method: () => this.chooseMethod(elements.method.value),
       preset: () => this.choosePreset(elements.preset.value),
       filter: () => this.chooseFilter(elements.filter.value),
-      blur: () => this.chooseFilter(elements.blur.checked ? elements.filter.value : 'none'),
+      filtered: () => this.chooseFilter(elements.filtered.checked ? elements.filter.value : 'none'),
       border: () => this.chooseMode('border', elements.border.value),
       resolution: () => this.chooseMode('resolution', elements.resolution.value),
     };
@@ -128,8 +128,8 @@ class LiveBench {
     const usual = filterOfPreset(filter, this.setting.method, this.form.elements.preset.value)?.presets[preset];
     this.setting.filterParameters = Object.fromEntries(
       Object.entries(usual ?? {}).map(([name, value]) => [name, measured[`filter.${name}`] ?? value]));
-    const { blur, filter: chooser } = this.form.elements;
-    blur.checked = filter !== null;
+    const { filtered, filter: chooser } = this.form.elements;
+    filtered.checked = filter !== null;
     if (filter) chooser.value = id;
     fillParameters(this.form.querySelector('.live-filter-parameters'), filter ?? { parameters: [], presets: {} },
       this.setting.filterParameters, () => this.request());

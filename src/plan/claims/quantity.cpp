@@ -48,10 +48,10 @@ Measured ao_ms(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
     return timed(cell.ao, cell.id, seed);
 }
 Measured filter_ms(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
-    return timed(cell.blur, cell.id + " filter", seed);
+    return timed(cell.filter_pass, cell.id + " filter", seed);
 }
 Measured cost_ms(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed) {
-    if (!cell.blur.median_ms) return ao_ms(cell, view, seed);
+    if (!cell.filter_pass.median_ms) return ao_ms(cell, view, seed);
     return combined({ao_ms(cell, view, seed), filter_ms(cell, view, seed)},
                     [](const auto& v) { return v[0] + v[1]; });
 }

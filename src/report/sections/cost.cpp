@@ -41,7 +41,8 @@ std::vector<Point> points_of(const Results& results, const ViewRecord& view, con
 json chart_data(const std::vector<Point>& points, const std::string& metric) {
     json list = json::array();
     for (const Point& point : points) {
-        const double spread = point.cell->ao.spread_ms.value_or(0) + point.cell->blur.spread_ms.value_or(0);
+        const double spread =
+            point.cell->ao.spread_ms.value_or(0) + point.cell->filter_pass.spread_ms.value_or(0);
         list.push_back({{"label", shown_name(*point.cell)},
                         {"preset", point.cell->preset},
                         {"cell", point.cell->id},

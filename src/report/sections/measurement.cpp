@@ -162,7 +162,7 @@ json timing_rows(const Results& results) {
     json rows = json::array();
     for (const CellRecord& cell : results.cells) {
         if (!cell.error.empty()) continue;
-        const int decimals = column_decimals({cell.ao.median_ms, cell.blur.median_ms});
+        const int decimals = column_decimals({cell.ao.median_ms, cell.filter_pass.median_ms});
         const auto runs_text = [&](const Timing& timing) {
             std::vector<std::string> runs;
             for (const double run : timing.runs_ms) runs.push_back(fixed_text(run, decimals));
@@ -172,9 +172,9 @@ json timing_rows(const Results& results) {
                         {"ao", fixed_text(cell.ao.median_ms, decimals)},
                         {"ao_spread", fixed_text(cell.ao.spread_ms, decimals)},
                         {"ao_runs", runs_text(cell.ao)},
-                        {"filter", fixed_text(cell.blur.median_ms, decimals)},
-                        {"filter_spread", fixed_text(cell.blur.spread_ms, decimals)},
-                        {"filter_runs", runs_text(cell.blur)}});
+                        {"filter", fixed_text(cell.filter_pass.median_ms, decimals)},
+                        {"filter_spread", fixed_text(cell.filter_pass.spread_ms, decimals)},
+                        {"filter_runs", runs_text(cell.filter_pass)}});
     }
     return rows;
 }

@@ -133,7 +133,7 @@ json cost_pairs(const std::vector<TableRow>& rows, const TableRow& row) {
          pair(number_model(derived(ao, per_first), 2),
               number_model(ratio(cell.ao.median_ms, rows.front().cell.ao.median_ms), 2)),
          pair(number_model(printed(row.published, "blur_ms"), 2),
-              number_model(cell.blur.median_ms, decimals)),
+              number_model(cell.filter_pass.median_ms, decimals)),
          pair(number_model(printed(row.published, "frame_ms"), 2), number_model(cell.frame_ms, decimals)),
          pair(number_model(fetches, 0), number_model(cell.fetches_per_pixel, 1)),
          pair(number_model(derived(ao, per_fetch), 3),

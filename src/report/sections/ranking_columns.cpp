@@ -47,7 +47,7 @@ std::vector<RankingColumn> ranking_columns(const Results& results) {
                     std::nullopt});
     list.push_back({"", "Filter", "ms", "Median of the filter after it.",
                     [](const CellRecord& cell) {
-                        return MeasuredMetric{cell.blur.median_ms, ""};
+                        return MeasuredMetric{cell.filter_pass.median_ms, ""};
                     },
                     std::nullopt});
     list.push_back({"", "Frame", "ms", "G-buffer, AO pass and filter together.",

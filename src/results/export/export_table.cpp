@@ -160,8 +160,8 @@ ExportTable export_table(const Results& results,
         const bool known = view != results.views.end();
         for (const SignalMetric* metric : of_signals) row.numbers.push_back(value_of(cell, *metric));
         for (const auto& number :
-             {best, worst, cell.fetches_per_pixel, cell.ao.median_ms, cell.blur.median_ms, cell.frame_ms,
-              known ? std::optional(view->radius_m) : std::nullopt,
+             {best, worst, cell.fetches_per_pixel, cell.ao.median_ms, cell.filter_pass.median_ms,
+              cell.frame_ms, known ? std::optional(view->radius_m) : std::nullopt,
               known ? std::optional(view->radius_px_median) : std::nullopt}) {
             row.numbers.push_back(number);
         }

@@ -17,7 +17,7 @@ test('the page gives out a changed setting', async () => {
   await page.locator('.live-method-parameters [name=noise]').selectOption('hash');
   await page.locator('.live-method-parameters [name=kernel_scale]').selectOption('squared_of_64');
   await page.locator('#live-border').selectOption('clamp');
-  await page.locator('#live-blur').check();
+  await page.locator('#live-filtered').check();
   await page.locator('.live-controls [name=filter]').selectOption('gaussian-depth');
   await page.locator('.live-filter-parameters [aria-label^="taps, exact"]').fill('2');
   const { output } = await shown(page);

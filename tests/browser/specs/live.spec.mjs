@@ -54,15 +54,15 @@ test('a number takes the whole range and nothing else', async () => {
   assert.equal(await number('radius').evaluate((input) => input.checkValidity()), true);
 });
 
-test('without its blur a method gives what the run kept as raw, with another filter something else', async () => {
+test('without its filter a method gives what the run kept as raw, with another filter something else', async () => {
   const cell = cellOf('ssao', first);
-  const blurred = await startFrom(page, cell);
-  await page.locator('#live-blur').uncheck();
+  const filtered = await startFrom(page, cell);
+  await page.locator('#live-filtered').uncheck();
   const raw = await shown(page);
   assert.equal(raw.filter, 'none');
   assert.ok(nearShare(raw.output, exr(`${cell.id} raw`)) >= 0.99);
-  assert.ok(nearShare(raw.output, blurred.output) < 0.9);
-  await page.locator('#live-blur').check();
+  assert.ok(nearShare(raw.output, filtered.output) < 0.9);
+  await page.locator('#live-filtered').check();
   await page.locator('.live-controls [name=filter]').selectOption('normal-depth');
   assert.equal((await shown(page)).filter, 'normal-depth');
   await page.locator('.live-filter-parameters [aria-label^="taps, exact"]').fill('1');

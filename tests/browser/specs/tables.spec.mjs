@@ -33,7 +33,7 @@ for (const view of results.views) {
       const cell = results.cells.find((other) => other.id === id);
       const values = { ...Object.fromEntries(Object.entries(metricHeads).map(([head, metric]) => [head, cell.ranked[metric]?.value])),
         'Missing%': cell.analysis.missing.area * 100, 'False%': cell.analysis.false_occlusion.area * 100,
-        'Fetchesa pixel': cell.fetches_per_pixel, AOms: cell.ao.median_ms, Filterms: cell.blur.median_ms, Framems: cell.frame_ms };
+        'Fetchesa pixel': cell.fetches_per_pixel, AOms: cell.ao.median_ms, Filterms: cell.filter_pass.median_ms, Framems: cell.frame_ms };
       for (const [head, value] of Object.entries(values)) {
         const column = heads.indexOf(head);
         assert.ok(column > 0, `no column ${head} among ${heads}`);
@@ -123,7 +123,7 @@ test('charts show every method and the front is unbeaten', async () => {
     assert.equal(points.length, cells.length);
     for (const point of points) {
       const cell = cells.find(({ id }) => id === point.cell);
-      assert.equal(point.ms, cell.ao.median_ms + (cell.blur.median_ms ?? 0));
+      assert.equal(point.ms, cell.ao.median_ms + (cell.filter_pass.median_ms ?? 0));
       assert.equal(point.error, cell.ranked.rmse_debiased.value);
       assert.deepEqual({ low: point.low, high: point.high }, cell.analysis.intervals.rmse_debiased);
       const beaten = points.some(({ bound, ms, error }) => !bound && ms <= point.ms && error <= point.error && (ms < point.ms || error < point.error));

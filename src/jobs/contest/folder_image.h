@@ -1,7 +1,7 @@
 #pragma once
 
 #include "image/visibility_file.h"
-#include "jobs/contestant.h"
+#include "jobs/contest/contestant.h"
 
 #include <filesystem>
 #include <map>

@@ -1,4 +1,4 @@
-#include "jobs/few_rays.h"
+#include "jobs/contest/few_rays.h"
 
 #include "core/sampling.h"
 

@@ -1,8 +1,8 @@
-#include "jobs/contestant.h"
+#include "jobs/contest/contestant.h"
 
+#include "jobs/contest/few_rays.h"
+#include "jobs/contest/truth_image.h"
 #include "jobs/draw_image.h"
-#include "jobs/few_rays.h"
-#include "jobs/truth_image.h"
 #include "screen/method/request_digest.h"
 
 #include <utility>

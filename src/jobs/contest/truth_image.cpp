@@ -1,4 +1,4 @@
-#include "jobs/truth_image.h"
+#include "jobs/contest/truth_image.h"
 
 #include "core/error.h"
 

@@ -23,8 +23,8 @@ struct ContestantSources {
 /// Whatever can be scored on a view: it gives an image of visibility, and has a cost or none. Behind it:
 /// - ShaderMethod, a folder of shaders/methods/ drawn by the renderer. Passes that no shader can draw are
 ///   computed by a Processor (screen/passes/processors.h), the line sweep among them;
-/// - FewRays, the ray tracer with as few rays as a frame has time for (jobs/few_rays.h);
-/// - FolderImage, an image that another program has left in a folder (jobs/folder_image.h);
+/// - FewRays, the ray tracer with as few rays as a frame has time for (jobs/contest/few_rays.h);
+/// - FolderImage, an image that another program has left in a folder (jobs/contest/folder_image.h);
 /// - TrueImage, the truth itself;
 /// - OneLayerBound, the most occlusion that any method could find which knows one depth layer.
 class Contestant {

@@ -1,4 +1,4 @@
-#include "jobs/folder_image.h"
+#include "jobs/contest/folder_image.h"
 
 #include "core/error.h"
 #include "core/files.h"
