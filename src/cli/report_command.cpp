@@ -1,9 +1,11 @@
 #include "cli/command.h"
 #include "cli/outcome_options.h"
 #include "core/output.h"
+#include "report/page/page_key.h"
 #include "report/report.h"
 #include "report/stress_page.h"
 #include "results/stress_results.h"
+#include "store/code_digest.h"
 #include "verdict/baseline.h"
 
 #include <memory>
@@ -30,7 +32,9 @@ ExitCode run(const ReportOptions& options) {
         results.baseline = against_baseline(results, *outcome.baseline());
         write_results(results, folder);
     }
-    print_path(write_report(folder, options.everything));
+    // A page with everything is another than the one that a run would make.
+    const std::string key = options.everything ? "" : page_key(results, std::string(code_digest("page")));
+    print_path(write_report(folder, options.everything, key));
     return outcome.conclude(results);
 }
 

@@ -94,10 +94,10 @@ std::vector<MethodRunner::Step> MethodRunner::method_steps(const MethodRequest& 
         step.build.scale = pass.scale * (halved ? 2 : 1);
         step.build.coarser_scale = before;
         step.build.half_taps = request.resolution == Resolution::half_gbuffer;
+        if (&pass == &request.method->passes.back()) step.build.signals = request.signals;
         before = step.build.scale;
         steps.push_back(step);
     }
-    steps.back().build.signals = request.signals;
     if (request.resolution == Resolution::dual) {
         Step fine = steps.back();
         fine.build.scale = 1;

@@ -1,0 +1,110 @@
+// score without --samples or --error: as few rays as the scores need, and what is said of it.
+#include "core/files.h"
+#include "metrics/roles.h"
+#include "plan/plan.h"
+#include "results/results.h"
+#include "support/support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace aoscore {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::output_dir;
+using testing::run_aoscore;
+
+constexpr const char* kScore = "score pillar --size 160x96 --methods gtao,alchemy --out page";
+
+TEST(ScoreGoal, LeavesEveryScoreAsSureAsItPromisesAndNearOneOfManyRays) {
+    const auto folder = output_dir();
+    ASSERT_EQ(run_aoscore(kScore, folder).exit_code, 0);
+    ASSERT_EQ(
+        run_aoscore("score pillar --size 160x96 --methods gtao,alchemy --samples 2048 --out many", folder)
+            .exit_code,
+        0);
+    const Results few = read_results(folder / "page"), many = read_results(folder / "many");
+    const ScoreGoal goal;
+    ASSERT_EQ(few.cells.size(), many.cells.size());
+    for (std::size_t i = 0; i < few.cells.size(); ++i) {
+        const CellRecord& cell = few.cells[i];
+        ASSERT_TRUE(cell.analysis) << cell.id << cell.error;
+        ASSERT_TRUE(cell.analysis->truth_noise.contains(kRankingMetric));
+        for (const auto& [metric, half_width] : cell.analysis->truth_noise) {
+            const double allowed =
+                metric == kRankingMetric ? goal.error : ScoreGoal::kOtherMetrics * goal.error;
+            EXPECT_LE(half_width, allowed) << cell.id << " " << metric;
+            // 2,048 rays have a noise of their own, which is not taken off what is not debiased.
+            EXPECT_NEAR(*cell.ranked.at(metric).value, *many.cells[i].ranked.at(metric).value,
+                        2 * half_width + 1e-3)
+                << cell.id << " " << metric;
+        }
+    }
+    for (const ViewRecord& view : few.views) {
+        EXPECT_TRUE(view.halves && view.final_answer);
+        EXPECT_EQ(view.score_error, goal.error);
+        EXPECT_LT(view.truth_rays, many.views.front().truth_rays);
+        EXPECT_THAT(view.truth_command, HasSubstr("--halves"));
+    }
+}
+
+TEST(ScoreGoal, PrintsItsPageOnceAndWritesItTwice) {
+    const auto folder = output_dir();
+    const auto run = run_aoscore(kScore, folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.out, "page/index.html\n");
+    EXPECT_THAT(read_file(folder / "page/index.html"), ::testing::Not(HasSubstr("first answer")));
+}
+
+TEST(ScoreGoal, LeavesAPageAloneThatWouldNotChange) {
+    const auto folder = output_dir();
+    ASSERT_EQ(run_aoscore(kScore, folder).exit_code, 0);
+    const auto written = std::filesystem::last_write_time(folder / "page/index.html");
+    ASSERT_EQ(run_aoscore(kScore, folder).exit_code, 0);
+    EXPECT_EQ(std::filesystem::last_write_time(folder / "page/index.html"), written);
+    EXPECT_EQ(read_results(folder / "page").work.rays, 0U);
+    ASSERT_EQ(run_aoscore(std::string(kScore) + " --preset default --filter none", folder).exit_code, 0);
+    EXPECT_NE(std::filesystem::last_write_time(folder / "page/index.html"), written);
+}
+
+TEST(ScoreGoal, ThatNobodyCanReachSaysWhatWouldBeInReach) {
+    const auto run =
+        run_aoscore("score pillar --size 64x48 --methods gtao --score-error 1e-6 --out page", output_dir());
+    EXPECT_EQ(run.exit_code, 64);
+    EXPECT_THAT(run.err, HasSubstr("rays a pixel"));
+    EXPECT_THAT(run.err, HasSubstr("--score-error"));
+    EXPECT_THAT(run.err, HasSubstr("or more on this view"));
+}
+
+TEST(ScoreGoal, GoesWithNoOtherWayToNameRays) {
+    for (const char* other : {" --samples 8", " --error 0.01"})
+        EXPECT_EQ(run_aoscore(std::string(kScore) + " --score-error 0.01" + other, output_dir()).exit_code,
+                  64);
+}
+
+TEST(HalvedTruth, IsTheSameForAnyNumberOfThreads) {
+    const auto folder = output_dir();
+    std::string first;
+    for (const char* threads : {"1", "2"}) {
+        const auto run = run_aoscore(
+            std::string(
+                "reference pillar --size 64x48 --samples 16 --halves --no-cache --out x.exr --threads ") +
+                threads,
+            folder);
+        ASSERT_EQ(run.exit_code, 0) << run.err;
+        ASSERT_EQ(
+            run_aoscore("compare x.exr x.exr --json " + std::string(threads) + ".json", folder).exit_code, 0);
+        if (first.empty()) {
+            std::filesystem::rename(folder / "x.exr", folder / "first.exr");
+            first = "first.exr";
+        }
+    }
+    const auto run = run_aoscore("compare first.exr x.exr --fail 'max_error>0'", folder);
+    EXPECT_EQ(run.exit_code, 0) << run.out;
+}
+
+}  // namespace
+}  // namespace aoscore
