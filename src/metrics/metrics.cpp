@@ -106,7 +106,7 @@ const std::vector<Metric>& metrics() {
          .over_views = over_views::mean,
          .resampled = [](const DrawnSums& s) { return s.flip / s.count; },
          .noise = extrapolated,
-         .left_always = 1.2,
+         .left_always = 1.4,
          .brief = true},
         {.id = "ms_ssim",
          .label = "MS-SSIM",

@@ -173,9 +173,11 @@ void add_ranking_report(ExperimentPlan& plan, const ReportDefinition& report, do
     set_size(view, read_image_size(object), scale);
     view.radius_m = object.number("radius_m", kSmallestRadius_m, kLargestRadius_m);
     const std::vector<MethodDescriptor> methods = load_methods();
+    const std::string preset = object.text_or("preset", "default");
     std::vector<CellPlan> cells;
     for (const std::string& id : object.texts_or_empty("methods")) {
-        for (CellPlan& cell : scored_cells(find_method(methods, id))) cells.push_back(std::move(cell));
+        cells.push_back(scored_cells(find_method(methods, id)).front());
+        cells.back().preset = preset;
     }
     const std::vector<std::string> views = object.texts_or_empty("views");
     object.finish();

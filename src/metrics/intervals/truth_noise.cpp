@@ -103,7 +103,7 @@ std::map<std::string, double> truth_noise(const BlockErrors& whole, const BlockE
         const double taken_off =
             metric.noise == Metric::Noise::extrapolated ? metric.resampled(free_sums) - value : 0;
         const double left = metric.left_always + metric.left_by_variance * noise_variance;
-        const double half_width = std::hypot(kDeviations * std::sqrt(variance), left * taken_off);
+        const double half_width = kDeviations * std::sqrt(variance) + left * std::abs(taken_off);
         if (std::isfinite(half_width)) noise[std::string(metric.id)] = half_width;
     }
     return noise;
