@@ -158,7 +158,7 @@ struct Truth {
     ImageF cone_error_rad;               ///< standard error of the cone's half angle
     Image<std::uint32_t> sample_counts;  ///< rays of each pixel; 0 where none were needed
     int samples = 0;                     ///< rays a pixel with a surface (the mean, rounded, if they differ)
-    std::uint64_t rays = 0;              ///< that all pixels got together
+    std::uint64_t rays = 0;  ///< that all pixels got together; those for bent normals are as many again
     std::uint64_t rays_now =
         0;  ///< of these, traced in this very call for it (a pilot's for a mean error left out)
     std::uint64_t open_pixels = 0;  ///< proven open without a ray

@@ -64,6 +64,7 @@ TEST(Page, ShowsEverySectionViewCellAndTable) {
     const std::string html = page_of(results);
     std::size_t last = 0;
     for (const Section& section : sections()) {
+        if (section.id == "signals") continue;  // of which these results have none; see test_signals.cpp
         const std::size_t at = html.find("<section id=\"" + std::string(section.id) + "\"");
         ASSERT_NE(at, std::string::npos) << section.id;
         EXPECT_GT(at, last) << section.id << " is out of order";

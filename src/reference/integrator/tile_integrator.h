@@ -41,8 +41,8 @@ class TileIntegrator {
     /// How the errors of the last tile fell, without a gap if so asked for; empty unless SamplePlan goes by
     /// tiles.
     const std::vector<Rung>& rungs() const { return rungs_; }
-    /// Of all tiles so far.
-    std::uint64_t rays() const { return tracer_.rays() + open_tracer_.rays(); }
+    /// Of all tiles so far, those for bent normals left out.
+    std::uint64_t rays() const { return tracer_.rays(); }
 
   private:
     /// Where the tile's surfaces lie.

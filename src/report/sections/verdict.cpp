@@ -102,9 +102,8 @@ std::string ranking_sentence(const Results& results, const RankingRecord& rankin
     const std::string name = place_name(ranking, best), value = fixed_text(best.value, 4);
     if (ranked.size() == 1) return fmt::format("{} {} alone was scored: {} {}.", where, name, metric, value);
     if (leaders.size() == 1) {
-        return fmt::format("{} {} comes closest to the ray-traced truth, of {} that were scored: {} {}{}.",
-                           where, name, ranked.size(), metric, value,
-                           lead_clause(results, ranking, best, *ranked[1]));
+        return fmt::format("{} {} comes closest of {} to the ray-traced truth: {} {}{}.", where, name,
+                           ranked.size(), metric, value, lead_clause(results, ranking, best, *ranked[1]));
     }
     std::vector<std::string> names;
     for (const PlaceRecord* place : leaders) names.push_back(with_value(ranking, *place));
