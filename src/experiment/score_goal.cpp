@@ -18,6 +18,8 @@ namespace {
 /// measured.
 constexpr double kSlope = -0.5;
 constexpr double kDay_s = 86400;
+/// Beyond this a doubling was never seen to be enough, and its scores are spared.
+constexpr double kFar = 8;
 
 /// A value that ranks, and the half width that noise leaves it.
 struct Ranked {
@@ -93,13 +95,15 @@ ViewOutcome run_to_goal(const ViewRun& run, const ArtifactStore& store) {
     if (!run.plan.score_goal) return outcome;
     const ScoreGoal& goal = *run.plan.score_goal;
     ScoreState state = score_state(outcome.cells, goal);
-    for (int samples = run.work.truth.samples; !state.reached; samples *= 2) {
+    for (int samples = run.work.truth.samples; !state.reached;) {
         require_in_reach(goal, state.excess, samples, outcome.view.truth_seconds, run.work.key);
+        const int next = samples * (state.excess > kFar ? 4 : 2);
         log_info(
             fmt::format("{}: at {} rays a pixel the truth's noise leaves the scores {:.2g} times as wide as "
                         "asked for; going on to {}",
-                        run.work.key, samples, state.excess, 2 * samples));
-        ViewOutcome more = run_view(with_samples(run, 2 * samples), store);
+                        run.work.key, samples, state.excess, next));
+        samples = next;
+        ViewOutcome more = run_view(with_samples(run, samples), store);
         more.rays += outcome.rays;
         more.measured = std::max(more.measured, outcome.measured);
         outcome = std::move(more);

@@ -19,9 +19,9 @@ struct ScoreState {
 /// Of the cells that have scores; reached where none has.
 ScoreState score_state(std::span<const CellRecord> cells, const ScoreGoal& goal);
 
-/// Measures a view with more and more rays, each time twice as many, until its goal is reached; what was
-/// traced before is gone on from. Throws usage_error where the goal would take more rays than a pixel can
-/// have, or more than a day, as far as the first rays tell.
+/// Measures a view with more and more rays, twice or four times as many each time, until its goal is reached;
+/// what was traced before is gone on from. Throws usage_error where the goal would take more rays than a
+/// pixel can have, or more than a day, as far as the first rays tell.
 ViewOutcome run_to_goal(const ViewRun& run, const ArtifactStore& store);
 
 }  // namespace aoscore
