@@ -14,9 +14,9 @@
 namespace aoscore {
 namespace {
 
-/// The standard error of scrambled points falls at least so fast, as N to this power, on every scene that was
-/// measured.
-constexpr double kSlope = -0.5;
+/// What noise leaves falls with the rays N to about this power at best, as errors of scrambled points do: a
+/// goal that is out of reach at this rate is out of reach, and no other is refused.
+constexpr double kSlope = -0.75;
 constexpr double kDay_s = 86400;
 /// Beyond this a doubling was never seen to be enough, and its scores are spared.
 constexpr double kFar = 8;
@@ -74,9 +74,9 @@ void require_in_reach(const ScoreGoal& goal, double excess, int samples, double 
                       const std::string& view) {
     const double times = std::pow(excess, 1 / -kSlope);
     if (samples * times <= kMostSamples && seconds * times <= kDay_s) return;
-    const double most = std::min(kMostSamples / double{1} / samples, kDay_s / std::max(seconds, 1e-3));
+    const double most = std::min(double{kMostSamples} / samples, kDay_s / std::max(seconds, 1e-3));
     throw usage_error(
-        fmt::format("{}: a score error of {:g} takes about {:.3g} rays a pixel and {:.3g} hours", view,
+        fmt::format("{}: a score error of {:g} takes {:.3g} rays a pixel and {:.3g} hours at least", view,
                     goal.error, samples * times, seconds * times / 3600),
         "--score-error",
         fmt::format("{:.2g} or more on this view", goal.error * excess * std::pow(most, kSlope)));

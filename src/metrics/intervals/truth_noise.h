@@ -17,7 +17,7 @@ namespace aoscore {
 /// taken together. What is extrapolated errs by terms of higher order, too: by a part of what the
 /// extrapolation took off, which was measured on four scenes (tests/jobs/few_rays_score_test.cpp). It falls
 /// with the noise's variance where the metric is smooth, as SSIM (a picture of constant
-/// variance v on flat ground would leave 2 v / C2 of it, C2 = 0.0009; measured is up to 3 v / C2);
+/// variance v on flat ground would leave 2 v / C2 of it, C2 = 0.0009; 3 v / C2 are allowed for);
 /// where it has a kink at no difference, as FLIP, a part stays.
 std::map<std::string, double> truth_noise(const BlockErrors& whole, const BlockErrors& first,
                                           const BlockErrors& second);
