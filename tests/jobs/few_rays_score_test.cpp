@@ -1,18 +1,13 @@
 // Scores from few rays against those from a truth of 2 x 512 rays a pixel, on four scenes: whatever the
 // noise, the converged value lies within what is stated.
-#include "metrics/analysis/occlusion_masks.h"
-#include "metrics/evaluate.h"
-#include "metrics/intervals/block_errors.h"
-#include "metrics/intervals/extrapolation.h"
-#include "metrics/intervals/truth_noise.h"
 #include "reference/truth.h"
 #include "scene/scene.h"
 #include "screen/screen.h"
 #include "store/truth/truth_cache.h"
+#include "support/halved_scores.h"
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -23,12 +18,7 @@ namespace {
 
 constexpr int kWidth = 320, kHeight = 180;
 
-struct Measured {
-    std::map<std::string, MetricValue> values;
-    std::map<std::string, double> noise;
-};
-
-class ScoresFromFewRays : public testing::TestWithParam<const char*> {
+class ScoresFromFewRays : public ::testing::TestWithParam<const char*> {
   protected:
     ScoresFromFewRays() {
         const std::vector<MethodDescriptor> methods = load_methods();
@@ -41,7 +31,7 @@ class ScoresFromFewRays : public testing::TestWithParam<const char*> {
         surface_ = renderer_.read_gbuffer().surface;
     }
 
-    Measured measure(int samples, std::uint64_t seed = 1) const {
+    testing::HalvedScores measure(int samples, std::uint64_t seed = 1) const {
         TruthRequest request{
             scene_.digest, frame_.camera(), kWidth, kHeight, {{Falloff::binary, radius_m_, 0}}, {}, {}};
         request.settings.samples = samples;
@@ -50,17 +40,8 @@ class ScoresFromFewRays : public testing::TestWithParam<const char*> {
         const Truth truth = trace_truth({}, reference_, request, {}, "few rays").truth;
         Mask valid = surface_;
         for (std::size_t i = 0; i < valid.size(); ++i) valid.pixels[i] &= truth.hits.surface.pixels[i];
-        std::array<MapSums, 3> maps;
-        const TruthHalves halves{truth.halves[0][0], truth.halves[0][1], &maps[1], &maps[2]};
-        MetricInput input{truth.visibility[0], image_, valid};
-        input.maps = &maps[0];
-        input.halves = &halves;
-        Measured result;
-        result.values = evaluate(input);
-        const OcclusionMasks masks = occlusion_masks(input, 0.1);
-        result.noise = truth_noise(block_errors(input, masks), block_errors(against_half(input, 0), masks),
-                                   block_errors(against_half(input, 1), masks));
-        return result;
+        return testing::halved_scores(truth.visibility[0], truth.halves[0][0], truth.halves[0][1], image_,
+                                      valid);
     }
 
   private:
@@ -75,11 +56,11 @@ class ScoresFromFewRays : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(ScoresFromFewRays, HoldTheConvergedOnesWithinWhatTheyState) {
-    const Measured converged = measure(2 * 512);
+    const testing::HalvedScores converged = measure(2 * 512);
     int checked = 0, held = 0;
     for (const int samples : {16, 32, 64, 128}) {
         for (const std::uint64_t seed : {1U, 2U, 3U}) {
-            const Measured few = measure(samples, seed);
+            const testing::HalvedScores few = measure(samples, seed);
             for (const auto& [metric, half_width] : few.noise) {
                 const double error = *few.values.at(metric).value - *converged.values.at(metric).value;
                 const double stated = std::hypot(half_width, converged.noise.at(metric));
@@ -94,7 +75,7 @@ TEST_P(ScoresFromFewRays, HoldTheConvergedOnesWithinWhatTheyState) {
     EXPECT_GE(held, 0.9 * checked) << held << " of " << checked;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ScoresFromFewRays, testing::Values("atrium", "yard", "pillar", "sphere"),
+INSTANTIATE_TEST_SUITE_P(Scenes, ScoresFromFewRays, ::testing::Values("atrium", "yard", "pillar", "sphere"),
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace

@@ -1,15 +1,11 @@
 // Against a truth without noise, which only a made-up picture has: what is taken off and extrapolated is
 // right on average, and the stated half widths hold the converged value as often as they say.
-#include "metrics/intervals/truth_noise.h"
-
-#include "metrics/analysis/occlusion_masks.h"
 #include "metrics/evaluate.h"
-#include "metrics/intervals/extrapolation.h"
+#include "support/halved_scores.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <map>
 #include <random>
@@ -56,29 +52,14 @@ ImageF half_of(const ImageF& truth, int rays, std::mt19937_64& random) {
     return image;
 }
 
-struct Measured {
-    std::map<std::string, MetricValue> values;
-    std::map<std::string, double> noise;
-};
-
-Measured measure(const ImageF& test, const ImageF& first, const ImageF& second) {
+testing::HalvedScores measure(const ImageF& test, const ImageF& first, const ImageF& second) {
     ImageF mean = first;
     for (std::size_t i = 0; i < mean.size(); ++i) mean.pixels[i] = (first.pixels[i] + second.pixels[i]) / 2;
     Mask valid(kWidth, kHeight, 1);
-    std::array<MapSums, 3> maps;
-    const TruthHalves halves{first, second, &maps[1], &maps[2]};
-    MetricInput input{mean, test, valid};
-    input.maps = &maps[0];
-    input.halves = &halves;
-    Measured result;
-    result.values = evaluate(input);
-    const OcclusionMasks masks = occlusion_masks(input, 0.1);
-    result.noise = truth_noise(block_errors(input, masks), block_errors(against_half(input, 0), masks),
-                               block_errors(against_half(input, 1), masks));
-    return result;
+    return testing::halved_scores(mean, first, second, test, valid);
 }
 
-class HalvesOfATruth : public testing::TestWithParam<int> {};
+class HalvesOfATruth : public ::testing::TestWithParam<int> {};
 
 TEST_P(HalvesOfATruth, HoldTheConvergedValueOfEveryMetricAsOftenAsTheySay) {
     const ImageF truth = smooth_truth(), test = test_of(truth);
@@ -89,7 +70,7 @@ TEST_P(HalvesOfATruth, HoldTheConvergedValueOfEveryMetricAsOftenAsTheySay) {
     for (int seed = 1; seed <= kSeeds; ++seed) {
         std::mt19937_64 random(static_cast<std::uint64_t>(seed));
         const ImageF first = half_of(truth, GetParam(), random), second = half_of(truth, GetParam(), random);
-        const Measured measured = measure(test, first, second);
+        const testing::HalvedScores measured = measure(test, first, second);
         for (const auto& [metric, half_width] : measured.noise) {
             // Without noise nothing has to be taken off.
             const std::string exact = metric == "rmse_debiased" ? "rmse" : metric;
@@ -113,7 +94,7 @@ TEST_P(HalvesOfATruth, HoldTheConvergedValueOfEveryMetricAsOftenAsTheySay) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(RaysOfAHalf, HalvesOfATruth, testing::Values(512));
+INSTANTIATE_TEST_SUITE_P(RaysOfAHalf, HalvesOfATruth, ::testing::Values(512));
 
 }  // namespace
 }  // namespace aoscore

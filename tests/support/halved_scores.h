@@ -1,0 +1,37 @@
+#pragma once
+
+#include "metrics/analysis/occlusion_masks.h"
+#include "metrics/evaluate.h"
+#include "metrics/intervals/block_errors.h"
+#include "metrics/intervals/extrapolation.h"
+#include "metrics/intervals/truth_noise.h"
+
+#include <array>
+#include <map>
+#include <string>
+
+namespace aoscore::testing {
+
+/// Every metric against a truth of two halves, and what noise leaves of it.
+struct HalvedScores {
+    std::map<std::string, MetricValue> values;
+    std::map<std::string, double> noise;
+};
+
+/// `truth` is the mean of the halves; all images have one size.
+inline HalvedScores halved_scores(const ImageF& truth, const ImageF& first, const ImageF& second,
+                                  const ImageF& test, const Mask& valid) {
+    std::array<MapSums, 3> maps;
+    const TruthHalves halves{first, second, &maps[1], &maps[2]};
+    MetricInput input{truth, test, valid};
+    input.maps = &maps[0];
+    input.halves = &halves;
+    HalvedScores scores;
+    scores.values = evaluate(input);
+    const OcclusionMasks masks = occlusion_masks(input, 0.1);
+    scores.noise = truth_noise(block_errors(input, masks), block_errors(against_half(input, 0), masks),
+                               block_errors(against_half(input, 1), masks));
+    return scores;
+}
+
+}  // namespace aoscore::testing
