@@ -1,10 +1,10 @@
 #include "bench/bench_main.h"
 
-#include "core/files.h"
 #include "core/machine.h"
 #include "core/output.h"
 #include "core/stopwatch.h"
 #include "experiment/experiment.h"
+#include "results/results_folder.h"
 #include "scene/scene.h"
 #include "screen/screen.h"
 
@@ -36,10 +36,10 @@ double reading_and_gbuffer_seconds() {
 void bench_main(std::uint64_t seed) {
     const double gbuffer_s = reading_and_gbuffer_seconds();
     std::vector<std::string> ids;
-    for (const ReportDefinition& report : list_reports()) {
-        if (report.kind == ReportDefinition::Kind::table) ids.push_back(report.id);
+    for (const ExperimentDefinition& experiment : list_experiments()) {
+        if (experiment.kind == ExperimentDefinition::Kind::table) ids.push_back(experiment.id);
     }
-    ExperimentPlan plan = plan_reports(ids);
+    ExperimentPlan plan = plan_experiments(ids);
     plan.seed = seed;
     plan.command = "aoscore bench main";
     // Its own settings, so that figures of different days compare: every ray is traced, none comes from the
@@ -48,7 +48,7 @@ void bench_main(std::uint64_t seed) {
         view.samples = kSamples;
         view.max_error = 0;
     }
-    const std::filesystem::path folder = home_dir() / "reports" / "out" / "bench-main";
+    const std::filesystem::path folder = results_folder({}, "bench-main");
     std::filesystem::remove_all(folder);
     const Stopwatch watch;
     const Results results = run_experiment(plan, folder);

@@ -3,11 +3,11 @@
 #include "bench/bench_methods.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"
-#include "core/files.h"
 #include "core/output.h"
 #include "core/stopwatch.h"
+#include "page/page.h"
 #include "reference/benchmark/benchmark.h"
-#include "report/report.h"
+#include "results/results_folder.h"
 
 #include <fmt/format.h>
 
@@ -45,15 +45,14 @@ void bench_methods(const BenchOptions& options, const GlobalOptions& global) {
 
 void bench_metrics_and_page(const BenchOptions& options, const GlobalOptions& global) {
     bench_compare(global.seed);
-    const std::filesystem::path folder =
-        options.results.empty() ? home_dir() / "reports" / "out" / "main" : options.results;
+    const std::filesystem::path folder = results_folder(options.results, "main");
     if (!std::filesystem::exists(folder / "results.json")) {
         print_result("{:<30} {:>8}  no results in {}; aoscore run makes them\n", "page from results", "-",
                      folder.string());
         return;
     }
     const Stopwatch watch;
-    const std::filesystem::path page = write_report(folder);
+    const std::filesystem::path page = write_page(folder);
     print_result("{:<30} {:>8.1f} ms  {:.1f} MiB, {}\n", "page from results", 1000 * watch.seconds(),
                  static_cast<double>(std::filesystem::file_size(page)) / (1 << 20), page.string());
 }

@@ -1,7 +1,7 @@
 #include "cli/command.h"
-#include "cli/run_and_report.h"
+#include "cli/run_and_page.h"
 #include "cli/shared_options.h"
-#include "core/files.h"
+#include "results/results_folder.h"
 #include "verdict/claim_verdicts.h"
 
 #include <memory>
@@ -30,8 +30,7 @@ ExitCode run(const ClaimsOptions& options, const GlobalOptions& global) {
     for (const ClaimList& list : lists) {
         for (const Claim& claim : list.claims) plan.claim_ids.push_back(claim.id);
     }
-    return run_and_report(plan, options.out.empty() ? home_dir() / "reports" / "out" / "claims" : options.out,
-                          options.outcome, global);
+    return run_and_page(plan, results_folder(options.out, "claims"), options.outcome, global);
 }
 
 }  // namespace

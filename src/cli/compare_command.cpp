@@ -5,7 +5,7 @@
 #include "core/json_text.h"
 #include "core/log.h"
 #include "core/output.h"
-#include "report/comparison_page.h"
+#include "page/comparison_page.h"
 
 #include <fmt/format.h>
 

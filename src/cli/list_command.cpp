@@ -108,9 +108,9 @@ void list_metrics() {
     }
 }
 
-void list_report_definitions() {
-    for (const ReportDefinition& report : list_reports()) {
-        print_result("{:<20} {} ({})\n", report.id, report.title, report.source);
+void list_experiment_definitions() {
+    for (const ExperimentDefinition& experiment : list_experiments()) {
+        print_result("{:<20} {} ({})\n", experiment.id, experiment.title, experiment.source);
     }
 }
 
@@ -124,7 +124,7 @@ ExitCode run(const ListOptions& options, const CLI::App& app) {
         {"views", [&] { list_views(options.scene, options.view); }},
         {"methods", [&] { list_methods(options.methods_dir); }},
         {"metrics", list_metrics},
-        {"reports", list_report_definitions},
+        {"experiments", list_experiment_definitions},
     };
     lists.at(options.what)();
     return ExitCode::ok;
@@ -135,8 +135,10 @@ ExitCode run(const ListOptions& options, const CLI::App& app) {
 CommandEntry add_list_command(CLI::App& program, const GlobalOptions&) {
     CLI::App* app = program.add_subcommand("list", "List what there is");
     const auto options = std::make_shared<ListOptions>();
-    app->add_option("what", options->what, "scenes, views, methods, metrics or reports")
-        ->check(one_of({"scenes", "views", "methods", "metrics", "reports"}));
+    app->add_option("what", options->what, "scenes, views, methods, metrics or experiments")
+        ->check(one_of({"scenes", "views", "methods", "metrics", "experiments"}))
+        // The earlier name, which scripts call.
+        ->transform([](std::string what) { return what == "reports" ? "experiments" : std::move(what); });
     app->add_option("scene", options->scene,
                     "For views: one scene, whose views are printed as a view file [every built-in]");
     add_view_options(*app, options->view);

@@ -1,9 +1,9 @@
 #include "cli/command.h"
-#include "cli/run_and_report.h"
+#include "cli/run_and_page.h"
 #include "cli/shared_options.h"
-#include "core/files.h"
 #include "core/log.h"
 #include "plan/plan.h"
+#include "results/results_folder.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ namespace aoscore {
 namespace {
 
 struct RunOptions {
-    std::vector<std::string> reports;
+    std::vector<std::string> experiments;
     bool all = false;
     bool exact = false;
     std::optional<double> score_error;
@@ -26,13 +26,14 @@ struct RunOptions {
 };
 
 ExitCode run(const RunOptions& options, const GlobalOptions& global) {
-    std::vector<std::string> ids = options.reports;
+    std::vector<std::string> ids = options.experiments;
     if (ids.empty()) {
-        for (const ReportDefinition& report : list_reports()) {
-            if (options.all || report.kind != ReportDefinition::Kind::sweep) ids.push_back(report.id);
+        for (const ExperimentDefinition& experiment : list_experiments()) {
+            if (options.all || experiment.kind != ExperimentDefinition::Kind::sweep)
+                ids.push_back(experiment.id);
         }
     }
-    ExperimentPlan plan = plan_reports(ids, options.scale);
+    ExperimentPlan plan = plan_experiments(ids, options.scale);
     for (ViewPlan& view : plan.views) {
         const bool measures_a_study = view.timing_goal || view.own_parameters;
         if (options.exact || measures_a_study) continue;
@@ -42,9 +43,8 @@ ExitCode run(const RunOptions& options, const GlobalOptions& global) {
     plan.seed = global.seed;
     plan.command = global.command_line;
     plan.truth_cache = options.truth_cache;
-    const std::filesystem::path folder =
-        options.out.empty() ? home_dir() / "reports" / "out" / "main" : options.out;
-    return run_and_report(std::move(plan), folder, options.outcome, global);
+    const std::filesystem::path folder = results_folder(options.out, "main");
+    return run_and_page(std::move(plan), folder, options.outcome, global);
 }
 
 }  // namespace
@@ -53,9 +53,10 @@ CommandEntry add_run_command(CLI::App& program, const GlobalOptions& global) {
     CLI::App* app = program.add_subcommand(
         "run", "Rebuild published tables and sweeps: truth, methods, page (the main job)");
     const auto options = std::make_shared<RunOptions>();
-    app->add_option("report", options->reports,
-                    "Reports to rebuild (see list reports) [all tables, and the ranking of today's methods]");
-    app->add_flag("--all", options->all, "All reports, the sweeps too");
+    app->add_option(
+        "experiment", options->experiments,
+        "Experiments to run (see list experiments) [all tables, and the ranking of today's methods]");
+    app->add_flag("--all", options->all, "All experiments, the sweeps too");
     app->add_flag(
         "--exact", options->exact,
         "Trace tables to the error that their definitions state, instead of as few rays as their scores "

@@ -1,12 +1,12 @@
 #include "cli/command.h"
 #include "cli/method_options.h"
-#include "cli/run_and_report.h"
+#include "cli/run_and_page.h"
 #include "cli/shared_options.h"
 #include "core/error.h"
-#include "core/files.h"
 #include "core/known_names.h"
 #include "jobs/truth_signals.h"
 #include "plan/plan.h"
+#include "results/results_folder.h"
 
 #include <fmt/format.h>
 
@@ -87,9 +87,8 @@ ExitCode run(const ScoreOptions& options, const GlobalOptions& global) {
         shared_view(plan, view);
     }
     const std::string stem = std::filesystem::path(options.choice.scene).stem().string();
-    const std::filesystem::path folder =
-        options.out.empty() ? home_dir() / "reports" / "out" / ("score-" + stem) : options.out;
-    return run_and_report(std::move(plan), folder, options.outcome, global);
+    const std::filesystem::path folder = results_folder(options.out, "score-" + stem);
+    return run_and_page(std::move(plan), folder, options.outcome, global);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include "cli/command.h"
 #include "cli/shared_options.h"
-#include "core/files.h"
 #include "core/output.h"
-#include "report/stress_page.h"
+#include "page/stress_page.h"
+#include "results/results_folder.h"
 #include "stress/stress.h"
 
 #include <memory>
@@ -25,8 +25,7 @@ ExitCode run(const StressOptions& options, const GlobalOptions& global) {
         plan.size = 64;
         plan.samples = 16;
     }
-    const std::filesystem::path folder =
-        options.out.empty() ? home_dir() / "reports" / "out" / "stress" : options.out;
+    const std::filesystem::path folder = results_folder(options.out, "stress");
     const StressResults results = run_stress(plan, folder);
     print_path(write_stress_page(folder));
     return failed_cells(results) > 0 ? ExitCode::cells_failed : ExitCode::ok;

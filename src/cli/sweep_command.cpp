@@ -1,9 +1,9 @@
 #include "cli/command.h"
 #include "cli/method_options.h"
-#include "cli/run_and_report.h"
+#include "cli/run_and_page.h"
 #include "cli/shared_options.h"
-#include "core/files.h"
 #include "plan/sweep.h"
+#include "results/results_folder.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -96,9 +96,8 @@ ExitCode run(const SweepOptions& options, const GlobalOptions& global) {
     for (const std::string& scene : options.scenes)
         stems.push_back(std::filesystem::path(scene).stem().string());
     const std::filesystem::path folder =
-        options.out.empty() ? home_dir() / "reports" / "out" / fmt::format("sweep-{}", fmt::join(stems, "-"))
-                            : options.out;
-    return run_and_report(std::move(plan), folder, options.outcome, global);
+        results_folder(options.out, fmt::format("sweep-{}", fmt::join(stems, "-")));
+    return run_and_page(std::move(plan), folder, options.outcome, global);
 }
 
 }  // namespace

@@ -100,10 +100,10 @@ SweepRequest read_sweep(StrictObject object) {
     return request;
 }
 
-void add_sweep_report(ExperimentPlan& plan, const ReportDefinition& report, double scale) {
+void add_sweep(ExperimentPlan& plan, const ExperimentDefinition& experiment, double scale) {
     SweepPlan sweep;
-    sweep.definition = parse_json_file(report.file);
-    StrictObject object = StrictObject::of_file(sweep.definition, report.file.filename().string());
+    sweep.definition = parse_json_file(experiment.file);
+    StrictObject object = StrictObject::of_file(sweep.definition, experiment.file.filename().string());
     for (const char* key : {"id", "kind", "hardware"}) object.text(key);
     sweep.title = object.text("title");
     source_reference(object.object("source"));
@@ -136,10 +136,10 @@ void add_sweep_report(ExperimentPlan& plan, const ReportDefinition& report, doub
     plan.claim_ids.insert(plan.claim_ids.end(), claims.begin(), claims.end());
 }
 
-void add_table_report(ExperimentPlan& plan, const ReportDefinition& report, double scale) {
+void add_table(ExperimentPlan& plan, const ExperimentDefinition& experiment, double scale) {
     TablePlan table;
-    table.definition = parse_json_file(report.file);
-    StrictObject object = StrictObject::of_file(table.definition, report.file.filename().string());
+    table.definition = parse_json_file(experiment.file);
+    StrictObject object = StrictObject::of_file(table.definition, experiment.file.filename().string());
     for (const char* key : {"id", "title", "hardware"}) object.text(key);
     object.text_or("kind", "");
     source_reference(object.object("source"));
@@ -164,9 +164,9 @@ void add_table_report(ExperimentPlan& plan, const ReportDefinition& report, doub
     plan.tables.push_back(std::move(table));
 }
 
-void add_ranking_report(ExperimentPlan& plan, const ReportDefinition& report, double scale) {
-    const nlohmann::json definition = parse_json_file(report.file);
-    StrictObject object = StrictObject::of_file(definition, report.file.filename().string());
+void add_ranking(ExperimentPlan& plan, const ExperimentDefinition& experiment, double scale) {
+    const nlohmann::json definition = parse_json_file(experiment.file);
+    StrictObject object = StrictObject::of_file(definition, experiment.file.filename().string());
     for (const char* key : {"id", "kind", "title"}) object.text(key);
     ViewPlan view;
     view.scene = object.text("scene");
@@ -192,9 +192,9 @@ void add_ranking_report(ExperimentPlan& plan, const ReportDefinition& report, do
 
 namespace {
 
-// In the order of ReportDefinition::Kind.
+// In the order of ExperimentDefinition::Kind.
 constexpr std::array<std::string_view, 3> kKindIds{"table", "ranking", "sweep"};
-constexpr std::array kAdders{add_table_report, add_ranking_report, add_sweep_report};
+constexpr std::array kAdders{add_table, add_ranking, add_sweep};
 
 }  // namespace
 
@@ -265,42 +265,44 @@ std::size_t shared_cell(ViewPlan& view, CellPlan cell) {
     return static_cast<std::size_t>(found - view.cells.begin());
 }
 
-std::vector<ReportDefinition> list_reports() {
-    std::vector<ReportDefinition> reports;
+std::vector<ExperimentDefinition> list_experiments() {
+    std::vector<ExperimentDefinition> experiments;
     const std::filesystem::path folder = home_dir() / "reports";
     std::error_code ec;
     for (const auto& entry : std::filesystem::directory_iterator(folder, ec)) {
         if (entry.path().extension() != ".json") continue;
         const nlohmann::json definition = parse_json_file(entry.path());
         StrictObject object = StrictObject::of_file(definition, entry.path().filename().string());
-        ReportDefinition report;
-        report.id = entry.path().stem().string();
-        if (object.text("id") != report.id) {
-            throw file_error("is " + object.text("id"), object.where("id"), "the file's stem, " + report.id);
+        ExperimentDefinition experiment;
+        experiment.id = entry.path().stem().string();
+        if (object.text("id") != experiment.id) {
+            throw file_error("is " + object.text("id"), object.where("id"),
+                             "the file's stem, " + experiment.id);
         }
-        report.title = object.text("title");
+        experiment.title = object.text("title");
         const std::string kind = object.text_or("kind", "table");
         const auto known = std::ranges::find(kKindIds, kind);
         if (known == kKindIds.end())
             throw file_error("is " + kind, object.where("kind"),
                              fmt::format("{}", fmt::join(kKindIds, ", ")));
-        report.kind = static_cast<ReportDefinition::Kind>(known - kKindIds.begin());
-        if (report.kind != ReportDefinition::Kind::ranking)
-            report.source = source_reference(object.object("source"));
-        report.file = entry.path();
-        reports.push_back(std::move(report));
+        experiment.kind = static_cast<ExperimentDefinition::Kind>(known - kKindIds.begin());
+        if (experiment.kind != ExperimentDefinition::Kind::ranking)
+            experiment.source = source_reference(object.object("source"));
+        experiment.file = entry.path();
+        experiments.push_back(std::move(experiment));
     }
-    std::sort(reports.begin(), reports.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
-    return reports;
+    std::sort(experiments.begin(), experiments.end(),
+              [](const auto& a, const auto& b) { return a.id < b.id; });
+    return experiments;
 }
 
-ExperimentPlan plan_reports(const std::vector<std::string>& report_ids, double scale) {
-    const std::vector<ReportDefinition> known = list_reports();
+ExperimentPlan plan_experiments(const std::vector<std::string>& ids, double scale) {
+    const std::vector<ExperimentDefinition> known = list_experiments();
     ExperimentPlan plan;
     plan.claim_scale = scale;
-    for (const std::string& id : report_ids) {
-        const ReportDefinition& report = row_of(known, id, "no report", "run");
-        kAdders[static_cast<std::size_t>(report.kind)](plan, report, scale);
+    for (const std::string& id : ids) {
+        const ExperimentDefinition& experiment = row_of(known, id, "no experiment", "run");
+        kAdders[static_cast<std::size_t>(experiment.kind)](plan, experiment, scale);
     }
     return plan;
 }

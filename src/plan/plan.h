@@ -92,7 +92,7 @@ struct SweepPoint {
 
 /// Methods over the product of some axes.
 struct SweepPlan {
-    nlohmann::json definition;  ///< of a report; null when the command line asked
+    nlohmann::json definition;  ///< of an experiment; null when the command line asked
     std::string title;
     std::vector<std::string> axes;
     std::vector<SweepPoint> points;
@@ -135,8 +135,8 @@ std::size_t shared_cell(ViewPlan& view, CellPlan cell);
 /// in its modes. Throws file_error where these are none.
 std::vector<CellPlan> scored_cells(const MethodDescriptor& method);
 
-/// A report definition: one file of reports/.
-struct ReportDefinition {
+/// An experiment of a publication, or of ours: one file of reports/.
+struct ExperimentDefinition {
     enum class Kind { table, ranking, sweep };
     Kind kind = Kind::table;
     std::string id;
@@ -145,13 +145,14 @@ struct ReportDefinition {
     std::filesystem::path file;
 };
 /// All of reports/*.json, by id.
-std::vector<ReportDefinition> list_reports();
+std::vector<ExperimentDefinition> list_experiments();
 
-/// Merges the definitions of these reports into one plan: a view that several tables show is traced once, a
-/// cell that several rows name is run once. A ranking adds methods to a scene's views, as `score` draws them.
-/// Pictures are made `scale` times as wide and high as the definitions say. A sweep also measures what the
-/// claims that it lists ask for, in pictures of their own size. In both, methods keep their own lengths, as
-/// published. Throws usage_error for an unknown id (listing the known ones), file_error for a bad definition.
-ExperimentPlan plan_reports(const std::vector<std::string>& report_ids, double scale = 1);
+/// Merges the definitions of these experiments into one plan: a view that several tables show is traced once,
+/// a cell that several rows name is run once. A ranking adds methods to a scene's views, as `score` draws
+/// them. Pictures are made `scale` times as wide and high as the definitions say. A sweep also measures what
+/// the claims that it lists ask for, in pictures of their own size. In both, methods keep their own lengths,
+/// as published. Throws usage_error for an unknown id (listing the known ones), file_error for a bad
+/// definition.
+ExperimentPlan plan_experiments(const std::vector<std::string>& ids, double scale = 1);
 
 }  // namespace aoscore

@@ -8,7 +8,7 @@
 namespace aoscore {
 
 RankingRadius RankingRadii::of(const std::optional<double>& asked_m, const View& view) {
-    if (asked_m) return {*asked_m, false, "named by the command or report"};
+    if (asked_m) return {*asked_m, false, "named by the command or experiment"};
     if (view.radius_m) {
         const std::string rule = automatic_radius_rule(view);
         return {*view.radius_m, false, rule.empty() ? "named by the view" : rule};

@@ -15,7 +15,7 @@
 
 namespace aoscore {
 
-/// Everything one run measured: the only thing a report is made of. Kept as results.json with its images
+/// Everything one run measured: the only thing a page is made of. Kept as results.json with its images
 /// beside it as EXR files; paths in it are relative to that folder. Numbers that could not be had are empty,
 /// never NaN.
 
@@ -144,7 +144,7 @@ struct LengthRecord {
     static constexpr const char* kRun = "run";        ///< drawn for the view's radius
     static constexpr const char* kOwn = "own";        ///< the descriptor's, whatever the radius
     static constexpr const char* kPreset = "preset";  ///< the preset's, whatever the radius
-    static constexpr const char* kSet = "set";        ///< by the command or report
+    static constexpr const char* kSet = "set";        ///< by the command or experiment
     std::string id;                                   ///< the parameter's: "radius", "filter.distance_unit"
     double value = 0;
     std::string unit;    ///< "m", "m2"

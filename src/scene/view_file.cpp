@@ -100,7 +100,7 @@ std::vector<fs::path> view_files_of_stem(const std::string& stem) {
 
 ViewFile read_view_file(const fs::path& path) {
     const nlohmann::json json = parse_json_file(path);
-    // Errors and reports name the file as users know it: from the project's root on.
+    // Errors and pages name the file as users know it: from the project's root on.
     const fs::path relative = path.lexically_relative(home_dir());
     const std::string name =
         relative.empty() || *relative.begin() == ".." ? path.string() : relative.generic_string();

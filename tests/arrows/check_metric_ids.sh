@@ -13,11 +13,11 @@ ids=$(sed -n 's/.*{\.id = "\([a-z_]*\)".*/\1/p' "$src/metrics/metrics.cpp")
 # FILE:ID, where the word is not a metric: a parameter of methods, a setting of the truth, a field of a page's model.
 others='
 store/truth/truth_request.cpp:max_error
-report/sections/claims.cpp:bias
-report/sections/claims.cpp:ssim
-report/sections/published.cpp:bias
-report/stress_page.cpp:rmse
-report/sections/sweeps.cpp:bias
+page/sections/claims.cpp:bias
+page/sections/claims.cpp:ssim
+page/sections/published.cpp:bias
+page/stress_page.cpp:rmse
+page/sections/sweeps.cpp:bias
 '
 failures=0
 for id in $ids; do

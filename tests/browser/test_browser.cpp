@@ -1,7 +1,7 @@
 #include "browser/browser_support.h"
 #include "core/files.h"
-#include "report/report.h"
-#include "report/synthetic_results.h"
+#include "page/page.h"
+#include "page/synthetic_results.h"
 #include "support/support.h"
 
 #include <fmt/format.h>
@@ -40,7 +40,7 @@ TEST_P(BrowserSpec, Holds) {
     const fs::path measured = folder / "measured", synthetic = folder / "synthetic";
     write_atomically(folder / "values.json", testing::exr_values(read_results(measured), measured).dump());
     testing::write_synthetic(testing::synthetic_results(), synthetic);
-    write_report(synthetic);
+    write_page(synthetic);
     testing::expect_spec_holds(GetParam() + ".spec.mjs", folder);
 }
 

@@ -149,7 +149,7 @@ TEST(MethodFolder, ThatIsBadIsNamedInAWarningAndTheOthersAreListedAndScored) {
 TEST(ResultsFile, WithANumberThatNoDoubleHoldsExitsWith4) {
     const auto folder = output_dir();
     std::ofstream(folder / "results.json") << R"({"schema_version": 1e999})";
-    const ProgramRun run = run_aoscore("report results.json", folder);
+    const ProgramRun run = run_aoscore("page results.json", folder);
     EXPECT_EQ(run.exit_code, 4);
     EXPECT_THAT(run.err, HasSubstr("results.json: line 1, column"));
 }

@@ -85,8 +85,8 @@ TEST(Limits, DecideTheExitCodeOfAScoreCellByCell) {
     EXPECT_EQ(failed.exit_code, 2) << failed.err;
     EXPECT_THAT(failed.err, HasSubstr("fail wall/facing/alchemy/default: ssim<0.999999: ssim is "));
     EXPECT_EQ(failed.out, "o/index.html\n") << "the page is there all the same";
-    EXPECT_EQ(run_aoscore("report o --warn 'ssim<0.999999'", folder).exit_code, 1);
-    EXPECT_EQ(run_aoscore("report o/results.json --fail 'ssim<-1'", folder).exit_code, 0);
+    EXPECT_EQ(run_aoscore("page o --warn 'ssim<0.999999'", folder).exit_code, 1);
+    EXPECT_EQ(run_aoscore("page o/results.json --fail 'ssim<-1'", folder).exit_code, 0);
 }
 
 TEST(Exports, EveryFormatHoldsTheNumbersOfACompare) {
@@ -107,7 +107,7 @@ TEST(Exports, OfAScoreHaveARowForEachCellAndJUnitTheTrippedLimits) {
     const auto folder = output_dir();
     ASSERT_EQ(run_aoscore(std::string(kScore) + "--out o", folder).exit_code, 0);
     EXPECT_EQ(
-        run_aoscore("report o --fail 'ssim<0.999999' --export a.csv --export a.xml --export a.tex", folder)
+        run_aoscore("page o --fail 'ssim<0.999999' --export a.csv --export a.xml --export a.tex", folder)
             .exit_code,
         2);
     const Results results = read_results(folder / "o");

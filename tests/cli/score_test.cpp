@@ -108,7 +108,7 @@ TEST(Score, PrintsThePathOfAPageAndKeepsItsResults) {
         EXPECT_TRUE(std::filesystem::exists(folder / "page" / cell.image_file)) << cell.id;
     }
     const std::string page = read_file(folder / "page/index.html");
-    ASSERT_EQ(run_aoscore("report page", folder).exit_code, 0);
+    ASSERT_EQ(run_aoscore("page page", folder).exit_code, 0);
     EXPECT_EQ(read_file(folder / "page/index.html"), page) << "the page comes from the results alone";
 }
 

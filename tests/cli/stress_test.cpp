@@ -46,7 +46,7 @@ TEST(StressCommand, MakesAPageInWhichEveryCellOpensItsPictures) {
 
     // The page is made of the results alone.
     std::filesystem::remove(folder / "out" / "index.html");
-    const auto again = testing::run_aoscore("report out", folder);
+    const auto again = testing::run_aoscore("page out", folder);
     ASSERT_EQ(again.exit_code, 0) << again.err;
     EXPECT_EQ(read_file(folder / "out" / "index.html"), html);
 }

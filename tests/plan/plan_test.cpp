@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-/// A home folder with report definitions of the test's own.
+/// A home folder with experiments of the test's own.
 class Plan : public ::testing::Test {
   protected:
     void SetUp() override {
@@ -46,7 +46,7 @@ class Plan : public ::testing::Test {
     }
     std::string error_of(const std::vector<std::string>& ids, ExitCode expected) {
         try {
-            plan_reports(ids);
+            plan_experiments(ids);
         } catch (const Error& e) {
             EXPECT_EQ(e.exit_code(), expected) << e.what();
             return e.what();
@@ -65,7 +65,7 @@ TEST_F(Plan, TablesOfOneViewShareItsTraceAndTheirCells) {
     write(definition("a", "wide"));
     write(finer);
     write(definition("c", "close"));
-    const ExperimentPlan plan = plan_reports({"a", "b", "c"});
+    const ExperimentPlan plan = plan_experiments({"a", "b", "c"});
     ASSERT_EQ(plan.views.size(), 2u);
     EXPECT_EQ(plan.views[0].samples, 64) << "the finest truth that any table asks for";
     EXPECT_EQ(plan.views[0].cells.size(), 2u) << "alchemy is run once for both tables";
@@ -109,12 +109,12 @@ TEST_F(Plan, SizesAndRadiiMustMakeSense) {
 }
 
 // With the program's own definitions.
-TEST(ReportDefinitions, PlanTheClaimsThatTheyName) {
-    for (const ReportDefinition& report : list_reports()) {
-        const json definition = json::parse(read_file(report.file));
-        const ExperimentPlan plan = plan_reports({report.id}, 0.1);
-        EXPECT_EQ(plan.claim_ids, definition.value("claims", std::vector<std::string>{})) << report.id;
-        EXPECT_FALSE(plan.views.empty()) << report.id;
+TEST(Experiments, PlanTheClaimsThatTheyName) {
+    for (const ExperimentDefinition& experiment : list_experiments()) {
+        const json definition = json::parse(read_file(experiment.file));
+        const ExperimentPlan plan = plan_experiments({experiment.id}, 0.1);
+        EXPECT_EQ(plan.claim_ids, definition.value("claims", std::vector<std::string>{})) << experiment.id;
+        EXPECT_FALSE(plan.views.empty()) << experiment.id;
     }
 }
 

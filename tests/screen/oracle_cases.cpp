@@ -186,7 +186,7 @@ const std::vector<Case>& cases() {
           {"step_power", 1.0},
           {"mip_offset", 16.0},
           {"acos", "exact"},
-          {"border", "of_run"}},
+          {"outside", "of_run"}},
          xegtao,
          0.04,
          4},

@@ -1,4 +1,4 @@
-// What the page knows of its views, methods and images (src/report/stage_data.h).
+// What the page knows of its views, methods and images (src/page/sections/stage_data.h).
 const stageData = JSON.parse(document.getElementById('stage-data').textContent);
 window.addEventListener('error', (event) => { document.documentElement.dataset.scriptError = event.message; });
 window.addEventListener('unhandledrejection', (event) => {

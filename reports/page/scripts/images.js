@@ -1,4 +1,4 @@
-// The images that the page holds, unpacked when they are first needed; src/report/quantised_image.h says how they lie here.
+// The images that the page holds, unpacked when they are first needed; src/page/pictures/quantised_image.h says how they lie here.
 const unpackedImages = new Map();
 const documentIsParsed = document.readyState === 'loading'
   ? new Promise((resolve) => { document.addEventListener('DOMContentLoaded', resolve, { once: true }); })

@@ -1,4 +1,4 @@
-// The G-buffers that methods are run on, unpacked when they are first needed; src/report/live_packing.h says how they lie
+// The G-buffers that methods are run on, unpacked when they are first needed; src/page/live/live_packing.h says how they lie
 // here.
 
 // 32-bit integers of an image: four planes of bytes, the highest first, of what is left after left + up - upper left.

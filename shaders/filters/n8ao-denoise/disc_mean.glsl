@@ -10,7 +10,7 @@ const float kRings = 11.0;
 
 vec3 normal_at(ivec2 texel) {
     vec2 inside = vec2(clamp(texel, ivec2(0), ivec2(u_size_px) - 1));
-    return p_normals == normals_from_depth ? picture_texel(u_normal_from_depth_accurate, inside).xyz
+    return p_normal_source == normal_source_from_depth ? picture_texel(u_normal_from_depth_accurate, inside).xyz
                                            : picture_texel(u_normal_geometric, inside).xyz;
 }
 

@@ -6,7 +6,7 @@
 
 vec3 normal_at(ivec2 texel) {
     vec2 inside = vec2(clamp(texel, ivec2(0), ivec2(u_size_px) - 1));
-    return p_normals == normals_smooth ? picture_texel(u_normal_smooth, inside).xyz
+    return p_normal_source == normal_source_smooth ? picture_texel(u_normal_smooth, inside).xyz
                                        : picture_texel(u_normal_geometric, inside).xyz;
 }
 

@@ -16,7 +16,7 @@ bool rejected(vec3 v) {
 }
 
 float visibility(vec2 image_px, vec3 position) {
-    vec3 normal = p_normals == normals_from_depth ? centre_normal_from_depth() : centre_normal_geometric();
+    vec3 normal = p_normal_source == normal_source_from_depth ? centre_normal_from_depth() : centre_normal_geometric();
     vec2 radius_px = disc_radius_px(-position.z);
     mat2 turn = rotation(kTwoPi * pixel_noise().x);
 

@@ -23,7 +23,7 @@ float validity(float surface_z, float position_z) {
 
 float visibility(vec2 image_px, vec3 position) {
     vec3 random_vector = vec3(pixel_noise().xy * 2.0 - 1.0, 0.0);
-    vec3 normal = p_normals == normals_from_depth ? centre_normal_from_depth() : centre_normal_geometric();
+    vec3 normal = p_normal_source == normal_source_from_depth ? centre_normal_from_depth() : centre_normal_geometric();
     mat3 view_from_tangent = basis_toward(normal, random_vector);
     vec3 plane = reflecting_plane(random_vector);
     // An invalid surface leaves the point open, or half open where the fade is Kajalin's.

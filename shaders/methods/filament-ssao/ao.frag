@@ -26,7 +26,7 @@ float obscurance(vec3 v, vec3 normal, float depth) {
 
 float visibility(vec2 image_px, vec3 position) {
     vec3 normal =
-        p_normals == normals_from_depth ? centre_normal_from_depth_accurate() : centre_normal_geometric();
+        p_normal_source == normal_source_from_depth ? centre_normal_from_depth_accurate() : centre_normal_geometric();
     float radius_px = p_radius * pixels_per_metre(-position.z);
     float noise = p_noise == noise_interleaved_gradient ? interleaved_gradient(texel_centre(noise_texel()))
                                                         : pixel_noise().x;

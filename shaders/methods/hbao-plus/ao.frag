@@ -52,7 +52,7 @@ float direction_occlusion(vec2 direction, vec2 image_px, vec3 position, vec3 nor
 
 float visibility(vec2 image_px, vec3 position) {
     // NVIDIA leaves a pixel open whose radius is below one pixel.
-    vec3 normal = p_normals == normals_from_depth ? centre_normal_from_depth() : centre_normal_geometric();
+    vec3 normal = p_normal_source == normal_source_from_depth ? centre_normal_from_depth() : centre_normal_geometric();
 #ifdef OPEN_CONE
     write_open_cone(normal, kHalfPi);
 #endif

@@ -24,7 +24,7 @@ vec3 printed_tangent(vec2 direction, vec3 normal) {
 
 float visibility(vec2 image_px, vec3 position) {
     if (p_form == form_nvidia) return nvidia_visibility(image_px, position);
-    vec3 normal = p_normals == normals_from_depth ? centre_normal_from_depth() : centre_normal_geometric();
+    vec3 normal = p_normal_source == normal_source_from_depth ? centre_normal_from_depth() : centre_normal_geometric();
     vec3 line_of_sight = view_ray(image_px);
     vec4 noise = pixel_noise();
     float step_px = p_radius * pixels_per_metre(-position.z) / float(p_steps + 1);

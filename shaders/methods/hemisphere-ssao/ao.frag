@@ -14,7 +14,7 @@ mat3 tangent_frame(vec3 normal, vec3 rotation_vector) {
 
 float visibility(vec2 image_px, vec3 position) {
     vec3 rotation_vector = vec3(pixel_noise().xy * 2.0 - 1.0, 0.0);
-    vec3 normal = p_normals == normals_smooth ? centre_normal_smooth() : centre_normal_geometric();
+    vec3 normal = p_normal_source == normal_source_smooth ? centre_normal_smooth() : centre_normal_geometric();
     mat3 view_from_tangent = tangent_frame(normal, rotation_vector);
     float occlusion = 0.0;
 #pragma unroll

@@ -55,7 +55,7 @@ vec2 hidden(vec3 point, vec2 image_px, float own_depth) {
 float visibility(vec2 image_px, vec3 position) {
     vec4 noise = pixel_noise();
     vec3 normal =
-        p_normals == normals_from_depth ? centre_normal_from_depth_accurate() : centre_normal_geometric();
+        p_normal_source == normal_source_from_depth ? centre_normal_from_depth_accurate() : centre_normal_geometric();
     mat3 view_from_tangent = upright_basis(normal);
     vec2 sum = vec2(0.0);
 #pragma unroll

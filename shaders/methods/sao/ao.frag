@@ -31,7 +31,7 @@ vec3 tapped(vec2 image_px, vec2 offset_px) {
 }
 
 float visibility(vec2 image_px, vec3 position) {
-    vec3 normal = p_normals == normals_from_depth ? centre_normal_from_depth() : centre_normal_geometric();
+    vec3 normal = p_normal_source == normal_source_from_depth ? centre_normal_from_depth() : centre_normal_geometric();
     float radius_px = p_radius * pixels_per_metre(-position.z);
     float turn = p_noise == noise_pixel_hash ? pixel_hash_turn() : pixel_noise().x;
     float sum = 0.0;

@@ -8,8 +8,8 @@
 #include "lib/point_test.glsl"
 
 vec3 shading_normal() {
-    if (p_normals == normals_smooth) return centre_normal_smooth();
-    return p_normals == normals_from_depth ? centre_normal_from_depth() : centre_normal_geometric();
+    if (p_normal_source == normal_source_smooth) return centre_normal_smooth();
+    return p_normal_source == normal_source_from_depth ? centre_normal_from_depth() : centre_normal_geometric();
 }
 
 // What the tangent is turned toward: an even angle, or a point of the square, whose diagonals are likelier.

@@ -21,7 +21,7 @@ float raised_horizon(float cosine, vec3 position, vec3 view, vec3 reach) {
     for (int j = 0; j < p_steps; ++j) {
         vec3 offset = reach * pow(float(j + 1) / float(p_steps), p_distance_exponent);
         vec2 tap_px = image_of(position + offset);
-        float depth = tap_linear_depth(p_border == border_clamp ? inside_picture(tap_px) : tap_px);
+        float depth = tap_linear_depth(p_outside == outside_clamp ? inside_picture(tap_px) : tap_px);
         vec3 v = view_position(tap_px, depth) - position;
         float share = mix(1.0, 2.0 / float(j + 2), p_distance_falloff);
         float raised = cosine + max((dot(v, view) * inversesqrt(max(dot(v, v), 1e-30)) - cosine) * share, 0.0);
@@ -44,7 +44,7 @@ float slice_visibility(float azimuth, vec3 position, vec3 normal, vec3 view) {
 }
 
 float visibility(vec2 image_px, vec3 position) {
-    vec3 normal = p_normals == normals_smooth ? centre_normal_smooth() : centre_normal_geometric();
+    vec3 normal = p_normal_source == normal_source_smooth ? centre_normal_smooth() : centre_normal_geometric();
     vec3 view = view_vector(position);
     float turn = p_noise == noise_magic_square ? magic_square_turn() : pixel_noise().x;
     float sum = 0.0;

@@ -38,7 +38,7 @@ float obscurance(vec3 point, vec3 position, vec3 normal, float reach) {
 
 float visibility(vec2 image_px, vec3 position) {
     if (-position.z > p_falloff) return 1.0;
-    vec3 normal = p_normals == normals_smooth ? centre_normal_smooth() : centre_normal_geometric();
+    vec3 normal = p_normal_source == normal_source_smooth ? centre_normal_smooth() : centre_normal_geometric();
     float reach = p_radius * p_radius_factor, sum = 0.0;
 #pragma unroll
     for (int i = 0; i < p_samples; ++i) {

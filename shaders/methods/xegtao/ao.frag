@@ -14,7 +14,7 @@ float arc_cosine(float x) { return p_acos == acos_exact ? acos(clamp(x, -1.0, 1.
 // The tap's point relative to `position`. `level` is a real number, the nearest mip counts.
 vec3 tapped(vec2 image_px, float level, vec3 position) {
     int mip = int(clamp(level, 0.0, float(p_coarsest_mip)) + 0.5);
-    if (p_border == border_of_run) return tap_mip_position(image_px, mip) - position;
+    if (p_outside == outside_of_run) return tap_mip_position(image_px, mip) - position;
     return view_position(floor(image_px) + 0.5, tap_mip_depth(inside_picture(image_px), mip)) - position;
 }
 

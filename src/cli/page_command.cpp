@@ -1,0 +1,58 @@
+#include "cli/command.h"
+#include "cli/outcome_options.h"
+#include "core/output.h"
+#include "page/document/page_key.h"
+#include "page/page.h"
+#include "page/stress_page.h"
+#include "results/stress_results.h"
+#include "store/code_digest.h"
+#include "verdict/baseline.h"
+
+#include <memory>
+
+namespace aoscore {
+namespace {
+
+struct PageOptions {
+    std::filesystem::path results;
+    OutcomeOptions outcome;
+    bool everything = false;
+};
+
+ExitCode run(const PageOptions& options) {
+    if (has_stress_results(options.results)) {
+        print_path(write_stress_page(options.results));
+        return ExitCode::ok;
+    }
+    Outcome outcome(options.outcome);
+    Results results = read_results(options.results);
+    const std::filesystem::path folder =
+        std::filesystem::is_directory(options.results) ? options.results : options.results.parent_path();
+    if (outcome.baseline()) {
+        results.baseline = against_baseline(results, *outcome.baseline());
+        write_results(results, folder);
+    }
+    // A page with everything is another than the one that a run would make.
+    const std::string key = options.everything ? "" : page_key(results, std::string(code_digest("page")));
+    print_path(write_page(folder, options.everything, key));
+    return outcome.conclude(results);
+}
+
+}  // namespace
+
+CommandEntry add_page_command(CLI::App& program, const GlobalOptions&) {
+    CLI::App* app = program.add_subcommand(
+        "page", "Make the page of earlier results again, without rendering; prints its path");
+    app->alias("report");  // its earlier name, which scripts call
+    const auto options = std::make_shared<PageOptions>();
+    app->add_option("results", options->results,
+                    "What run, score or stress wrote: results with their images beside them, or the folder")
+        ->required();
+    add_outcome_options(*app, options->outcome);
+    add_baseline_option(*app, options->outcome);
+    app->add_flag("--everything", options->everything,
+                  "Keep raw outputs and the occlusion's causes in a large page too (a small one has them)");
+    return {app, [options] { return run(*options); }};
+}
+
+}  // namespace aoscore

@@ -1,0 +1,73 @@
+#include "cli/run_and_page.h"
+
+#include "core/output.h"
+#include "core/temporary_folder.h"
+#include "experiment/experiment.h"
+#include "experiment/job_list.h"
+#include "page/document/page_key.h"
+#include "page/page.h"
+#include "store/code_digest.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace aoscore {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The page of a run, made anew as the run goes on; its path is printed once, when there is one.
+class Pages {
+  public:
+    explicit Pages(fs::path folder) : folder_(std::move(folder)) {}
+
+    /// A page that shows these very results is left as it is.
+    void write(const fs::path& staged) {
+        const std::string key = page_key(read_results(staged), std::string(code_digest("page")));
+        if (!is_page_of(folder_ / kName, key)) write_page(staged, false, key);
+        made_ = true;
+    }
+    void announce() {
+        if (!made_ || announced_) return;
+        print_path(folder_ / kName);
+        flush_output();
+        announced_ = true;
+    }
+
+  private:
+    static constexpr const char* kName = "index.html";
+    fs::path folder_;
+    bool made_ = false, announced_ = false;
+};
+
+}  // namespace
+
+ExitCode run_and_page(ExperimentPlan plan, const std::filesystem::path& folder, const OutcomeOptions& options,
+                      const GlobalOptions& global) {
+    if (options.list_jobs) {
+        print_result("{}\n", list_jobs(plan, global.words).dump(2));
+        return ExitCode::ok;
+    }
+    if (!options.only_job.empty()) {
+        make_job(plan, options.only_job);
+        return ExitCode::ok;
+    }
+    require_page_parts();
+    Outcome outcome(options);
+    plan.baseline = outcome.baseline();
+    Pages pages(folder);
+    std::optional<TemporaryFolder> own_cache;
+    if (has_score_goal(plan)) {
+        // Rays are added to those that are there, even where nothing is to be kept.
+        if (plan.truth_cache.empty()) plan.truth_cache = own_cache.emplace().path();
+        run_experiment(first_answer_of(plan), folder, [&](const fs::path& staged) { pages.write(staged); });
+        pages.announce();
+    }
+    const Results results =
+        run_experiment(plan, folder, [&](const fs::path& staged) { pages.write(staged); });
+    pages.announce();
+    return outcome.conclude(results);
+}
+
+}  // namespace aoscore

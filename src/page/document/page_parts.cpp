@@ -1,0 +1,79 @@
+#include "page/document/page_parts.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "page/section.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace aoscore {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What of a package of npm is put into the page.
+struct Library {
+    const char* package;
+    const char* script;
+    const char* style;  ///< empty: ours does for it
+};
+constexpr std::array kLibraries = {
+    Library{"uplot", "dist/uPlot.iife.min.js", "dist/uPlot.min.css"},
+    Library{"sortable-tablesort", "dist/sortable.min.js", ""},
+};
+
+std::string library_file(const Library& library, const char* file) {
+    const fs::path path = home_dir() / "node_modules" / library.package / file;
+    if (!fs::exists(path)) {
+        throw file_error(std::string("the page's library ") + library.package + " is not installed",
+                         path.string(), "./run.sh installs it, or npm ci in the folder of package.json");
+    }
+    return read_file(path);
+}
+
+std::vector<fs::path> files_by_name(const fs::path& folder, const char* extension) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        if (entry.path().extension() == extension) files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// The licences ask to stand wherever the code does.
+std::string licence_comment(const Library& library) {
+    return "/* " + std::string(library.package) + "\n" + library_file(library, "LICENSE") + "*/\n";
+}
+
+}  // namespace
+
+fs::path page_folder() {
+    return home_dir() / "reports" / "page";
+}
+
+std::string page_style() {
+    std::string style;
+    for (const Library& library : kLibraries) {
+        if (*library.style != '\0') style += library_file(library, library.style) + "\n";
+    }
+    for (const fs::path& file : files_by_name(page_folder() / "style", ".css")) style += read_file(file);
+    return style;
+}
+
+std::string page_script() {
+    std::string script;
+    for (const Library& library : kLibraries) {
+        script += licence_comment(library) + library_file(library, library.script) + "\n";
+    }
+    script += "(() => {\n'use strict';\n";
+    for (const fs::path& file : files_by_name(page_folder() / "scripts", ".js")) script += read_file(file);
+    for (const Section& section : sections()) {
+        const fs::path file = page_folder() / "sections" / (std::string(section.id) + ".js");
+        if (fs::exists(file)) script += "{\n" + read_file(file) + "}\n";
+    }
+    return script + "})();\n";
+}
+
+}  // namespace aoscore

@@ -1,0 +1,169 @@
+#include "page/live/live_data.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/json_text.h"
+#include "core/known_names.h"
+#include "core/printable.h"
+#include "core/strict_json.h"
+#include "core/threads.h"
+#include "image/channels.h"
+#include "metrics/roles.h"
+#include "page/document/page_template.h"
+#include "page/live/live_index.h"
+#include "page/live/live_packing.h"
+#include "page/pictures/stored_images.h"
+#include "results/live_file.h"
+#include "results/ranked_value.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace aoscore {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::string pack(const Channel& input, const ImageFile& file, const fs::path& path) {
+    std::vector<const ImageF*> planes;
+    for (const std::string_view name : input.exr_names)
+        planes.push_back(&channel_of(file, path, std::string(name)));
+    if (planes.size() == 1) return pack_floats(*planes[0]);
+    Image<glm::vec3> vectors(file.width, file.height);
+    for (std::size_t i = 0; i < vectors.size(); ++i) {
+        vectors.pixels[i] = {planes[0]->pixels[i], planes[1]->pixels[i], planes[2]->pixels[i]};
+    }
+    return pack_normals(vectors);
+}
+
+std::set<std::string> inputs_of(const json& method) {
+    std::set<std::string> inputs;
+    for (const json& pass : method.at("passes")) {
+        for (const json& input : pass.at("inputs")) inputs.insert(input.get<std::string>());
+    }
+    return inputs;
+}
+
+/// Why a method cannot be run; empty when it can.
+std::string refusal(const json& method) {
+    if (method.contains("processor")) {
+        return fmt::format("computed on the processor ({}), not by shaders",
+                           method.at("processor").get<std::string>());
+    }
+    for (const std::string& input : inputs_of(method)) {
+        const Channel* channel = find_row(gbuffer_channels(), input);
+        const bool held = channel != nullptr ? channel->on_page : find_row(made_inputs(), input) != nullptr;
+        if (!held) return fmt::format("reads the input {}, which the page does not hold", input);
+    }
+    return {};
+}
+
+void sort_out(LiveData& data) {
+    json runnable = json::array();
+    for (json& method : data.index.at("methods")) {
+        const std::string reason = refusal(method);
+        if (reason.empty()) {
+            runnable.push_back(std::move(method));
+        } else {
+            data.refused.push_back({method.at("label").get<std::string>(), reason});
+        }
+    }
+    data.index["methods"] = std::move(runnable);
+}
+
+json cell_data(const CellRecord& cell) {
+    json data = {{"id", cell.id},
+                 {"method", cell.method},
+                 {"preset", cell.preset},
+                 {"filter", cell.filter},
+                 {"parameters", cell.parameters}};
+    for (const char* id : {kRankingMetric, kNoisyRankingMetric, kBiasMetric}) {
+        const std::optional<double> value = value_of(cell.ranked, id);
+        data[id] = value ? json(*value) : json();
+    }
+    return data;
+}
+
+void add_view(json& data, const ViewRecord& view, const Results& results) {
+    data["scene"] = view.scene;
+    data["view"] = view.view;
+    data["radius_m"] = view.radius_m;
+    data["samples"] = view.samples;
+    data["noise_floor_rmse"] = view.truths.empty() ? 0.0 : view.truths.front().noise_floor_rmse;
+    data["inputs"] = json::object();
+    data["cells"] = json::array();
+    for (const CellRecord& cell : results.cells) {
+        if (cell.view_key == view.key && cell.error.empty()) data["cells"].push_back(cell_data(cell));
+    }
+}
+
+/// The inputs that some method or filter reads.
+std::vector<const Channel*> wanted_inputs(const json& index) {
+    std::set<std::string> names;
+    for (const char* list : {"methods", "filters"}) {
+        for (const json& one : index.at(list)) names.merge(inputs_of(one));
+    }
+    std::vector<const Channel*> wanted;
+    for (const Channel& channel : gbuffer_channels()) {
+        if (channel.on_page && names.contains(std::string(channel.id))) wanted.push_back(&channel);
+    }
+    return wanted;
+}
+
+void pack_views(LiveData& data, const Results& results, const fs::path& folder) {
+    const std::vector<const Channel*> wanted = wanted_inputs(data.index);
+    for (const ViewRecord& view : results.views) {
+        json& views = data.index.at("views");
+        if (!views.contains(view.key)) {
+            throw file_error("lacks the view " + view.key + " of the results beside it",
+                             (folder / kLiveFile).string() + ": views");
+        }
+        json& of_view = views.at(view.key);
+        add_view(of_view, view, results);
+        const fs::path path = stored_path(folder, view.gbuffer_file);
+        const ImageFile file = read_image(path);
+        const std::size_t first = data.blocks.size();
+        for (const Channel* input : wanted) {
+            const std::string name = fmt::format("live {} {}", view.key, input->id);
+            of_view["inputs"][std::string(input->id)] = {
+                {"kind", input->form == ChannelForm::number ? "floats" : "normals"}, {"data", name}};
+            data.blocks.emplace_back(name, "");
+        }
+        parallel_for(wanted.size(),
+                     [&](std::size_t i) { data.blocks[first + i].second = pack(*wanted[i], file, path); });
+    }
+}
+
+}  // namespace
+
+LiveData read_live_data(const Results& results, const fs::path& folder) {
+    LiveData data;
+    const fs::path path = folder / kLiveFile;
+    if (!fs::exists(path)) {
+        data.missing =
+            fmt::format("These results have no {} beside them: a run of this version writes it.", kLiveFile);
+        return data;
+    }
+    if (std::any_of(results.views.begin(), results.views.end(),
+                    [](const ViewRecord& view) { return view.gbuffer_file.empty(); })) {
+        data.missing = "The run did not keep the G-buffer, which methods read.";
+        return data;
+    }
+    data.index = parse_json_file(path);
+    check_live_index(data.index, path.string());
+    sort_out(data);
+    pack_views(data, results, folder);
+    return data;
+}
+
+std::string live_blocks(const LiveData& data) {
+    if (!data.missing.empty()) return {};
+    std::string text = data_block("live index", pack_text(printable_lines(json_text(data.index))));
+    for (const auto& [name, packed] : data.blocks) text += data_block(name, packed);
+    return text;
+}
+
+}  // namespace aoscore

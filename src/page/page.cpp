@@ -1,0 +1,71 @@
+#include "page/page.h"
+
+#include "core/files.h"
+#include "core/log.h"
+#include "page/document/html_document.h"
+#include "page/document/page_key.h"
+#include "page/document/page_parts.h"
+#include "page/document/page_template.h"
+#include "page/pictures/pictures.h"
+#include "page/section.h"
+#include "page/sections/stage_data.h"
+
+#include <fmt/format.h>
+
+namespace aoscore {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Browsers open larger pages, but slowly, and mail programs refuse them.
+constexpr std::size_t kLargePage_bytes = std::size_t{50} << 20;
+
+std::string section_html(const Section& section, const PageSource& source) {
+    const fs::path fragment = page_folder() / "sections" / (std::string(section.id) + ".html");
+    return fill_template(read_file(fragment), section.build(source), fragment.string());
+}
+
+std::string page_html(const PageSource& all, const PageSource& source) {
+    nlohmann::json model = {{"stage_data", stage_data(source)},
+                            {"version", source.results.program_version},
+                            {"created", source.results.created_utc},
+                            {"sections", nlohmann::json::array()}};
+    for (const Section& section : sections()) {
+        const PageSource& used = section.of == Section::Of::all ? all : source;
+        if (section.applies != nullptr && !section.applies(used.results)) continue;
+        model["sections"].push_back({{"id", std::string(section.id)},
+                                     {"title", std::string(section.title)},
+                                     {"body", section_html(section, used)}});
+    }
+    const fs::path frame = page_folder() / "template.html";
+    std::string html = html_text({"screen-space ambient occlusion against ray-traced truth", page_style(),
+                                  page_script(), fill_template(read_file(frame), model, frame.string())});
+    // The images come last: what a reader sees first does not wait for them.
+    html.insert(html.rfind("</body>"), image_blocks(source) + live_blocks(source.live));
+    return html;
+}
+
+}  // namespace
+
+void require_page_parts() {
+    page_style();
+    page_script();
+}
+
+fs::path write_page(const fs::path& results_folder, bool everything, const std::string& key) {
+    const Results results = read_results(results_folder);
+    const Results shown = pictured(results);
+    const Pictures pictures = make_pictures(shown, results_folder, everything);
+    const LiveData live = read_live_data(shown, results_folder);
+    std::string html = page_html({results, pictures, live}, {shown, pictures, live});
+    if (html.size() > kLargePage_bytes) {
+        log_warning(
+            fmt::format("the page has {} MiB: render smaller images or fewer methods", html.size() >> 20U));
+    }
+    if (!key.empty()) html += page_key_comment(key);
+    const fs::path path = results_folder / "index.html";
+    write_atomically(path, html);
+    return path;
+}
+
+}  // namespace aoscore

@@ -1,0 +1,175 @@
+#include "page/pictures/pictures.h"
+
+#include "core/error.h"
+#include "core/threads.h"
+#include "page/pictures/signal_picture.h"
+#include "page/pictures/stored_images.h"
+#include "page/pictures/thumbnail.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace aoscore {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kThumbnailWidth_px = 480;
+// Of visibility; two bytes of each make at most 22 MB of page.
+constexpr std::size_t kSmallPage_values = 8'000'000;
+
+void require_size(const ImageF& image, const ViewRecord& view, const fs::path& path) {
+    if (image.width == view.width && image.height == view.height) return;
+    throw file_error(fmt::format("is {}x{}", image.width, image.height), path.string(),
+                     fmt::format("{}x{}, the size of view {}", view.width, view.height, view.key));
+}
+
+struct Truth {
+    ImageFile file;
+    ImageF visibility;
+    ImageF standard_error;  ///< empty when the file has none
+    Mask valid;
+};
+
+Truth read_truth(const ViewRecord& view, const fs::path& folder) {
+    const fs::path path = stored_path(folder, view.truth_file);
+    if (view.truths.empty()) throw file_error("has no truth", path.string() + ": " + view.key);
+    const TruthRecord& record = view.truths.front();
+    Truth truth;
+    truth.file = read_image(path);
+    const ImageFile& file = truth.file;
+    truth.visibility = channel_of(file, path, record.channel);
+    require_size(truth.visibility, view, path);
+    if (const ImageF* error = file.channel(record.se_channel)) truth.standard_error = *error;
+    const ImageF& mask = channel_of(file, path, "mask.Y");
+    truth.valid = Mask(mask.width, mask.height);
+    std::transform(mask.pixels.begin(), mask.pixels.end(), truth.valid.pixels.begin(),
+                   [](float m) { return static_cast<std::uint8_t>(m > 0.5F); });
+    return truth;
+}
+
+/// The value below which `part` of the valid pixels lie; 0 without any.
+double quantile(const ImageF& values, const Mask& valid, double part) {
+    std::vector<float> sorted;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (valid.pixels[i] != 0 && std::isfinite(values.pixels[i])) sorted.push_back(values.pixels[i]);
+    }
+    if (sorted.empty()) return 0;
+    const auto place =
+        sorted.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(sorted.size() - 1));
+    std::nth_element(sorted.begin(), place, sorted.end());
+    return double{*place};
+}
+
+ImageF only_where(const ImageF& values, const Mask& valid) {
+    ImageF kept = values;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        if (valid.pixels[i] == 0) kept.pixels[i] = std::numeric_limits<float>::quiet_NaN();
+    }
+    return kept;
+}
+
+/// What all pictures of a page have in common.
+struct Encoding {
+    int visibility_levels;
+    bool extras;  ///< raw outputs, and occlusion by cause
+};
+
+/// A large page is kept small by what it shows least of.
+Encoding encoding_for(const Results& results, bool everything) {
+    std::size_t values = 0;
+    for (const ViewRecord& view : results.views) {
+        const auto images =
+            1 + std::count_if(results.cells.begin(), results.cells.end(), [&](const CellRecord& cell) {
+                return cell.view_key == view.key && cell.error.empty();
+            });
+        values += static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height) *
+                  static_cast<std::size_t>(images);
+    }
+    const bool small = values <= kSmallPage_values;
+    return {small ? kLevelsOfTwoBytes : kLevelsOfOneByte, small || everything};
+}
+
+std::map<std::string, QuantisedImage> occlusion_pictures(const ViewRecord& view, const Truth& truth,
+                                                         const fs::path& folder) {
+    std::map<std::string, std::string> channels;
+    for (const CauseRecord& cause : view.causes) channels[cause.id] = cause.channel;
+    if (!view.one_layer_channel.empty()) channels["one_layer"] = view.one_layer_channel;
+    std::map<std::string, QuantisedImage> pictures;
+    for (const auto& [id, channel] : channels) {
+        const ImageF& occlusion = channel_of(truth.file, stored_path(folder, view.truth_file), channel);
+        pictures[id] = quantise(occlusion, 0, 1, kLevelsOfOneByte);
+    }
+    return pictures;
+}
+
+ViewPictures view_pictures(const ViewRecord& view, const Truth& truth, const Encoding& encoding,
+                           const fs::path& folder) {
+    ViewPictures pictures;
+    pictures.truth = quantise(truth.visibility, 0, 1, encoding.visibility_levels);
+    pictures.truth_thumbnail = gray_thumbnail(truth.visibility, kThumbnailWidth_px);
+    pictures.has_standard_error = !truth.standard_error.empty();
+    const ImageF error = pictures.has_standard_error ? truth.standard_error : ImageF(view.width, view.height);
+    pictures.standard_error = quantise(only_where(error, truth.valid), 0, 0, kErrorLevels);
+    if (encoding.extras) pictures.occlusion = occlusion_pictures(view, truth, folder);
+    for (const SignalRecord& record : view.signals) {
+        pictures.signals[record.id] = signal_picture(
+            signal(record.id), truth.file, stored_path(folder, view.truth_file), kThumbnailWidth_px);
+    }
+    if (!view.gbuffer_file.empty()) {
+        const fs::path path = stored_path(folder, view.gbuffer_file);
+        const ImageFile file = read_image(path);
+        const ImageF& depth = channel_of(file, path, "Z");
+        require_size(depth, view, path);
+        const double nearest = quantile(depth, truth.valid, 0.0);
+        pictures.depth_high_m = quantile(depth, truth.valid, 0.99);
+        pictures.depth = quantise(only_where(depth, truth.valid), nearest, nearest, kLevelsOfTwoBytes);
+    }
+    return pictures;
+}
+
+CellPictures cell_pictures(const CellRecord& cell, const ViewRecord& view, const Encoding& encoding,
+                           const fs::path& folder) {
+    const fs::path path = stored_path(folder, cell.image_file);
+    const ImageFile file = read_image(path);
+    const ImageF& output = channel_of(file, path, "Y");
+    require_size(output, view, path);
+
+    CellPictures pictures;
+    pictures.output = quantise(output, 0, 1, encoding.visibility_levels);
+    pictures.output_thumbnail = gray_thumbnail(output, kThumbnailWidth_px);
+    if (const ImageF* raw = file.channel("raw.Y")) {
+        if (encoding.extras) pictures.raw = quantise(*raw, 0, 1, encoding.visibility_levels);
+        pictures.raw_thumbnail = gray_thumbnail(*raw, kThumbnailWidth_px);
+    }
+    for (const auto& [id, unused] : cell.signals)
+        pictures.signals[id] = signal_picture(signal(id), file, path, kThumbnailWidth_px);
+    return pictures;
+}
+
+}  // namespace
+
+Pictures make_pictures(const Results& results, const fs::path& folder, bool everything) {
+    const Encoding encoding = encoding_for(results, everything);
+    Pictures pictures;
+    for (const ViewRecord& view : results.views) {
+        const Truth truth = read_truth(view, folder);
+        ViewPictures& of_view = pictures.views[view.key];
+        std::vector<std::function<void()>> jobs;
+        jobs.emplace_back([&] { of_view = view_pictures(view, truth, encoding, folder); });
+        for (const CellRecord& cell : results.cells) {
+            if (cell.view_key != view.key || !cell.error.empty()) continue;
+            CellPictures& of_cell = pictures.cells[cell.id];
+            jobs.emplace_back([&] { of_cell = cell_pictures(cell, view, encoding, folder); });
+        }
+        parallel_for(jobs.size(), [&](std::size_t i) { jobs[i](); });
+    }
+    return pictures;
+}
+
+}  // namespace aoscore

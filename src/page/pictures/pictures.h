@@ -1,0 +1,55 @@
+#pragma once
+
+#include "page/pictures/quantised_image.h"
+#include "results/results.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace aoscore {
+
+/// A PNG as a data URI. Empty when there is no such picture.
+struct Picture {
+    std::string uri;
+    int width = 0, height = 0;
+    explicit operator bool() const { return !uri.empty(); }
+};
+
+/// Steps of the truth's standard error, which is itself no surer than they are fine.
+inline constexpr int kErrorLevels = 64;
+
+struct ViewPictures {
+    QuantisedImage truth;
+    QuantisedImage
+        standard_error;  ///< of the truth, 0 where it has none; no number where nothing is compared
+    bool has_standard_error = false;
+    QuantisedImage depth;  ///< m; no number where there is no surface; empty when the G-buffer was not kept
+    double depth_high_m = 0;  ///< nearer than this lie 99 % of the valid pixels
+    /// Of the ranking's occlusion, what has each cause ("outside", …), and what one depth layer could show of
+    /// it
+    /// ("one_layer"); empty where they were not traced, and where the page would become too large.
+    std::map<std::string, QuantisedImage> occlusion;
+    Picture truth_thumbnail;
+    std::map<std::string, Picture> signals;  ///< of the truth, beside visibility, by id
+};
+
+struct CellPictures {
+    QuantisedImage output;
+    QuantisedImage raw;  ///< before the filter; empty without one, and where the page would become too large
+    Picture output_thumbnail, raw_thumbnail;
+    std::map<std::string, Picture> signals;  ///< beside visibility, by id
+};
+
+struct Pictures {
+    std::map<std::string, ViewPictures> views;  ///< by ViewRecord::key
+    std::map<std::string, CellPictures> cells;  ///< by CellRecord::id; failed cells have none
+};
+
+/// Reads the EXR files of the results and encodes every picture of the page, on all threads. Small pages keep
+/// 65535 levels of visibility, what the methods gave before their filters and what the occlusion's causes
+/// are; large ones 255 levels, and that only where `everything` is asked for. Throws file_error where a file
+/// or channel is missing, differs in size, or lies outside the folder.
+Pictures make_pictures(const Results& results, const std::filesystem::path& folder, bool everything = false);
+
+}  // namespace aoscore

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "page/live/live_data.h"
+#include "page/pictures/pictures.h"
+#include "results/results.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string_view>
+#include <vector>
+
+namespace aoscore {
+
+/// What every section is made of.
+struct PageSource {
+    const Results& results;
+    const Pictures& pictures;
+    const LiveData& live;
+};
+
+/// One section of the page: a row of the table in sections.cpp, a file that builds its model, and the
+/// Mustache fragment reports/page/sections/<id>.html that shows it. The model holds texts, booleans, lists
+/// and objects only.
+struct Section {
+    std::string_view id;
+    std::string_view title;
+    nlohmann::json (*build)(const PageSource&);
+    /// Which results it is made of: only the views and cells whose images were kept, or all of them.
+    enum class Of { pictured, all } of = Of::pictured;
+    /// Whether it has anything to say about them; it is left out of the page otherwise.
+    bool (*applies)(const Results&) = nullptr;
+};
+
+/// All sections in the order of the page.
+const std::vector<Section>& sections();
+
+namespace section {
+nlohmann::json verdict(const PageSource& source);
+nlohmann::json ranking(const PageSource& source);
+nlohmann::json pictures(const PageSource& source);
+nlohmann::json cost(const PageSource& source);
+nlohmann::json failures(const PageSource& source);
+nlohmann::json distributions(const PageSource& source);
+nlohmann::json live(const PageSource& source);
+nlohmann::json signals(const PageSource& source);
+nlohmann::json published(const PageSource& source);
+nlohmann::json sweeps(const PageSource& source);
+nlohmann::json claims(const PageSource& source);
+nlohmann::json measurement(const PageSource& source);
+}  // namespace section
+
+/// The part of the results whose images were kept: what can be shown.
+Results pictured(const Results& results);
+
+/// The cell of that id; null when there is none.
+const CellRecord* find_cell(const Results& results, const std::string& id);
+/// The view of that key. Throws file_error when there is none.
+const ViewRecord& find_view(const Results& results, const std::string& key);
+/// The view's truth of that id; null when there is none.
+const TruthRecord* find_truth(const ViewRecord& view, const std::string& id);
+/// What a method costs beside the G-buffer that all of them need: AO pass and filter, ms.
+std::optional<double> cost_ms(const CellRecord& cell);
+/// "binary, 0.5 m", "alchemy, u 0.128 m, infinite".
+std::string truth_text(const TruthRecord& truth);
+
+}  // namespace aoscore

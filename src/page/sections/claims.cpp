@@ -1,0 +1,133 @@
+#include "metrics/roles.h"
+#include "page/document/number_text.h"
+#include "page/section.h"
+#include "results/ranked_value.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <map>
+#include <string_view>
+#include <vector>
+
+namespace aoscore {
+namespace {
+
+using nlohmann::json;
+
+struct Verdict {
+    std::string_view id;
+    std::string_view style;  ///< class of its mark
+};
+constexpr std::array kVerdicts{Verdict{ClaimRecord::kHolds, "holds"}, Verdict{ClaimRecord::kFails, "fails"},
+                               Verdict{ClaimRecord::kCannotTell, "open"}};
+
+std::string style_of(const std::string& verdict) {
+    for (const Verdict& one : kVerdicts) {
+        if (one.id == verdict) return std::string(one.style);
+    }
+    return "open";
+}
+
+std::string with_unit(std::optional<double> value, const ClaimFinding& finding) {
+    return fixed_text(value, finding.decimals) + (finding.unit.empty() ? "" : " " + finding.unit);
+}
+
+std::string claimed_text(const ClaimFinding& finding) {
+    // A limit of -0, the mirror image of 0, is written as 0.
+    const auto text = [](double limit) { return short_text(limit == 0 ? 0.0 : limit); };
+    if (finding.claimed_low && finding.claimed_high)
+        return fmt::format("{} to {}", text(*finding.claimed_low), text(*finding.claimed_high));
+    if (finding.claimed_low) return "above " + text(*finding.claimed_low);
+    return finding.claimed_high ? "below " + text(*finding.claimed_high) : "";
+}
+
+json finding_model(const ClaimFinding& finding) {
+    std::string measured = with_unit(finding.value, finding);
+    if (finding.low && finding.high && *finding.low != *finding.high) {
+        measured += fmt::format(" ({} to {})", fixed_text(finding.low, finding.decimals),
+                                fixed_text(finding.high, finding.decimals));
+    }
+    return {{"about", finding.about},
+            {"has_about", !finding.about.empty()},
+            {"what", finding.what},
+            {"measured", measured},
+            {"claimed", claimed_text(finding)},
+            {"outcome", finding.outcome},
+            {"style", style_of(finding.outcome)}};
+}
+
+/// What the truth says of the cells that a claim was measured on.
+json error_models(const ClaimRecord& claim, const Results& results) {
+    json list = json::array();
+    for (const std::string& id : claim.cell_ids) {
+        const CellRecord* cell = find_cell(results, id);
+        if (cell == nullptr) continue;
+        list.push_back({{"cell", id},
+                        {"error", fixed_text(ranked_value(*cell, kRankingMetric), 4)},
+                        {"bias", fixed_text(ranked_value(*cell, kBiasMetric), 4)},
+                        {"ssim", fixed_text(ranked_value(*cell, kStructureMetric), 4)}});
+    }
+    return list;
+}
+
+json claim_model(const ClaimRecord& claim, const Results& results) {
+    json model = {{"id", claim.id},
+                  {"place", claim.place},
+                  {"claim", claim.claim},
+                  {"verdict", claim.verdict},
+                  {"style", style_of(claim.verdict)},
+                  {"reason", claim.reason},
+                  {"has_reason", !claim.reason.empty()},
+                  {"own", claim.own},
+                  {"has_own", !claim.own.empty()},
+                  {"note", claim.note},
+                  {"has_note", !claim.note.empty()},
+                  {"findings", json::array()},
+                  {"errors", error_models(claim, results)}};
+    for (const ClaimFinding& finding : claim.findings) model["findings"].push_back(finding_model(finding));
+    model["has_findings"] = !claim.findings.empty();
+    model["has_errors"] = !model["errors"].empty();
+    return model;
+}
+
+json counts(const std::map<std::string, std::size_t>& by_verdict, std::size_t total) {
+    json list = json::array();
+    for (const Verdict& verdict : kVerdicts) {
+        const auto found = by_verdict.find(std::string(verdict.id));
+        list.push_back({{"verdict", std::string(verdict.id)},
+                        {"style", std::string(verdict.style)},
+                        {"count", std::to_string(found == by_verdict.end() ? 0 : found->second)}});
+    }
+    list.push_back({{"verdict", "all"}, {"style", "all"}, {"count", std::to_string(total)}});
+    return list;
+}
+
+}  // namespace
+
+json section::claims(const PageSource& source) {
+    std::vector<std::string> order;
+    std::map<std::string, std::vector<const ClaimRecord*>> by_source;
+    for (const ClaimRecord& claim : source.results.claims) {
+        if (!by_source.contains(claim.source)) order.push_back(claim.source);
+        by_source[claim.source].push_back(&claim);
+    }
+    json model = {{"sources", json::array()}};
+    std::map<std::string, std::size_t> overall;
+    for (const std::string& name : order) {
+        std::map<std::string, std::size_t> by_verdict;
+        json claims = json::array();
+        for (const ClaimRecord* claim : by_source[name]) {
+            ++by_verdict[claim->verdict];
+            ++overall[claim->verdict];
+            claims.push_back(claim_model(*claim, source.results));
+        }
+        model["sources"].push_back(
+            {{"source", name}, {"counts", counts(by_verdict, claims.size())}, {"claims", claims}});
+    }
+    model["overall"] = counts(overall, source.results.claims.size());
+    return model;
+}
+
+}  // namespace aoscore

@@ -1,0 +1,138 @@
+#include "core/known_names.h"
+#include "metrics/roles.h"
+#include "page/document/number_text.h"
+#include "page/document/page_template.h"
+#include "page/section.h"
+#include "results/ranked_value.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace aoscore {
+namespace {
+
+using nlohmann::json;
+using Cells = std::vector<const CellRecord*>;
+
+Cells analysed_cells(const Results& results, const ViewRecord& view) {
+    Cells cells;
+    for (const CellRecord& cell : results.cells) {
+        if (cell.view_key == view.key && cell.analysis) cells.push_back(&cell);
+    }
+    return cells;
+}
+
+/// Several presets of a view need their names beside the method's.
+std::string series_name(const CellRecord& cell, const Cells& cells) {
+    const bool one_preset =
+        std::ranges::all_of(cells, [&](const CellRecord* other) { return other->preset == cell.preset; });
+    return one_preset ? shown_name(cell) : fmt::format("{}, {}", shown_name(cell), cell.preset);
+}
+
+/// What the chart's script draws: the positions of the bins' middles, and the shares of each method at them.
+json curves_data(const Cells& cells, bool cumulative) {
+    json series = json::array();
+    for (const CellRecord* cell : cells) {
+        const ErrorDistribution& spread = cell->analysis->distribution;
+        series.push_back({{"name", series_name(*cell, cells)},
+                          {"shares", cumulative ? spread.cumulative : spread.histogram}});
+    }
+    const ErrorDistribution& first = cells.front()->analysis->distribution;
+    const auto bins = static_cast<double>(first.histogram.size());
+    const double bin = (first.histogram_high - first.histogram_low) / bins;
+    return {{"low", cumulative ? 0.0 : first.histogram_low + bin / 2},
+            {"step", cumulative ? first.cumulative_step : bin},
+            {"series", std::move(series)}};
+}
+
+json fit_row(const CellRecord& cell, const Cells& cells) {
+    const BestFit& fit = cell.analysis->fit;
+    const auto before = value_of(cell.ranked, fit.rmse_debiased ? kRankingMetric : kNoisyRankingMetric);
+    const double after = fit.rmse_debiased.value_or(fit.rmse);
+    const auto gain = before ? ratio(*before - after, *before) : std::nullopt;
+    return {
+        {"method", series_name(cell, cells)},
+        {"numbers",
+         json::array({{{"text", fixed_text(fit.strength, 2)}, {"sort", fmt::format("{}", fit.strength)}},
+                      {{"text", fixed_text(fit.exponent, 2)}, {"sort", fmt::format("{}", fit.exponent)}},
+                      {{"text", fixed_text(before, 4)}, {"sort", before ? fmt::format("{}", *before) : ""}},
+                      {{"text", fixed_text(after, 4)}, {"sort", fmt::format("{}", after)}},
+                      {{"text", percent_text(gain, 0)}, {"sort", gain ? fmt::format("{}", *gain) : ""}}})}};
+}
+
+json bin_model(const SplitBin& bin, double largest) {
+    const double part = bin.rmse && largest > 0 ? *bin.rmse / largest : 0;
+    return {{"text", fixed_text(bin.rmse, 4)},
+            {"sort", bin.rmse ? fmt::format("{}", *bin.rmse) : std::string()},
+            {"width", fmt::format("{:.1f}%", part * 100)},
+            {"note",
+             fmt::format("{} % of the pixels, {} % of the squared error, bias {}", percent_text(bin.share, 1),
+                         percent_text(bin.error_share, 1), fixed_text(bin.bias, 4))}};
+}
+
+const Split* split_of(const CellRecord& cell, const std::string& id) {
+    return find_row(cell.analysis->splits, id);
+}
+
+/// The share of the pixels that a bin has, where it is the same for all methods.
+std::string common_share(const std::string& split, std::size_t bin, const Cells& cells) {
+    std::optional<std::string> common;
+    for (const CellRecord* cell : cells) {
+        const Split* own = split_of(*cell, split);
+        if (own == nullptr || bin >= own->bins.size()) return "";
+        const std::string share = percent_text(own->bins[bin].share, 1);
+        if (common.value_or(share) != share) return "";
+        common = share;
+    }
+    return common.value_or("") + " %";
+}
+
+/// One split of all methods, which have the same bins.
+json split_model(const Split& split, const Cells& cells) {
+    double largest = 0;
+    json heads = json::array(), rows = json::array();
+    for (std::size_t i = 0; i < split.bins.size(); ++i)
+        heads.push_back({{"label", split.bins[i].label}, {"share", common_share(split.id, i, cells)}});
+    for (const CellRecord* cell : cells) {
+        const Split* own = split_of(*cell, split.id);
+        for (const SplitBin& bin : own != nullptr ? own->bins : split.bins)
+            largest = std::max(largest, bin.rmse.value_or(0));
+    }
+    for (const CellRecord* cell : cells) {
+        const Split* own = split_of(*cell, split.id);
+        if (own == nullptr || own->bins.size() != split.bins.size()) continue;
+        json bins = json::array();
+        for (const SplitBin& bin : own->bins) bins.push_back(bin_model(bin, largest));
+        rows.push_back({{"method", series_name(*cell, cells)}, {"bins", std::move(bins)}});
+    }
+    return {{"label", split.label},
+            {"unit", split.unit},
+            {"meaning", split.meaning},
+            {"heads", std::move(heads)},
+            {"rows", std::move(rows)}};
+}
+
+json view_model(const ViewRecord& view, const Cells& cells) {
+    json fits = json::array(), splits = json::array();
+    for (const CellRecord* cell : cells) fits.push_back(fit_row(*cell, cells));
+    for (const Split& split : cells.front()->analysis->splits) splits.push_back(split_model(split, cells));
+    return {{"key", view.key},
+            {"histogram", script_json(curves_data(cells, false))},
+            {"cumulative", script_json(curves_data(cells, true))},
+            {"fits", std::move(fits)},
+            {"splits", std::move(splits)}};
+}
+
+}  // namespace
+
+nlohmann::json section::distributions(const PageSource& source) {
+    json model = {{"views", json::array()}};
+    for (const ViewRecord& view : source.results.views) {
+        const Cells cells = analysed_cells(source.results, view);
+        if (!cells.empty()) model["views"].push_back(view_model(view, cells));
+    }
+    return model;
+}
+
+}  // namespace aoscore

@@ -1,0 +1,66 @@
+#include "page/sections/interval_tables.h"
+
+#include "page/document/number_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace aoscore {
+namespace {
+
+using nlohmann::json;
+
+/// How a measure is headed and printed.
+struct Head {
+    std::string id, label, unit;
+    double scale;
+    int decimals;
+};
+
+std::vector<Head> heads() {
+    std::vector<Head> list;
+    for (const Metric& metric : metrics()) {
+        list.push_back({std::string(metric.id), std::string(metric.label), std::string(metric.unit), 1,
+                        metric.decimals});
+    }
+    for (const MaskArea& area : mask_areas())
+        list.push_back({std::string(area.id), std::string(area.label), "%", 100, 2});
+    return list;
+}
+
+json number_model(const PlaceRecord& place, const Head& head) {
+    const auto found = place.measures.find(head.id);
+    if (found == place.measures.end()) return {{"text", kNoNumber}, {"sort", ""}, {"interval", ""}};
+    const MeasureRecord& measure = found->second;
+    const auto text = [&](double value) { return fixed_text(value * head.scale, head.decimals); };
+    return {{"text", text(measure.value)},
+            {"sort", fmt::format("{}", measure.value)},
+            {"interval", measure.interval ? fmt::format("{} to {}", text(measure.interval->low),
+                                                        text(measure.interval->high))
+                                          : ""}};
+}
+
+}  // namespace
+
+nlohmann::json interval_tables(const Results& results) {
+    json tables = json::array(), columns = json::array();
+    for (const Head& head : heads()) columns.push_back({{"label", head.label}, {"unit", head.unit}});
+    for (const RankingRecord& ranking : results.rankings) {
+        json rows = json::array();
+        for (const PlaceRecord& place : ranking.places) {
+            json numbers = json::array();
+            for (const Head& head : heads()) numbers.push_back(number_model(place, head));
+            rows.push_back({{"method", place.method_label},
+                            {"preset", place.preset},
+                            {"filter", place.filter},
+                            {"numbers", std::move(numbers)}});
+        }
+        tables.push_back({{"views", fmt::format("{}", fmt::join(ranking.view_keys, ", "))},
+                          {"over", ranking.view_keys.size() > 1},
+                          {"heads", columns},
+                          {"rows", std::move(rows)}});
+    }
+    return tables;
+}
+
+}  // namespace aoscore

@@ -1,0 +1,22 @@
+#include "page/section.h"
+
+#include <fmt/format.h>
+
+namespace aoscore {
+
+nlohmann::json section::live(const PageSource& source) {
+    using nlohmann::json;
+    const LiveData& live = source.live;
+    std::size_t bytes = 0;
+    for (const auto& [name, text] : live.blocks) bytes += text.size();
+    json refused = json::array();
+    for (const LiveData::Refused& method : live.refused)
+        refused.push_back({{"label", method.label}, {"reason", method.reason}});
+    return {{"available", live.missing.empty()},
+            {"missing", live.missing},
+            {"size", fmt::format("{:.1f}", static_cast<double>(bytes) / (1 << 20))},
+            {"has_refused", !refused.empty()},
+            {"refused", std::move(refused)}};
+}
+
+}  // namespace aoscore

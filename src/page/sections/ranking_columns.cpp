@@ -1,0 +1,61 @@
+#include "page/sections/ranking_columns.h"
+
+#include "metrics/metric.h"
+#include "page/document/number_text.h"
+
+#include <fmt/format.h>
+
+namespace aoscore {
+namespace {
+
+MeasuredMetric metric_of(const CellRecord& cell, const std::string& id) {
+    const auto found = cell.ranked.find(id);
+    return found == cell.ranked.end() ? MeasuredMetric{std::nullopt, "not measured"} : found->second;
+}
+
+}  // namespace
+
+std::vector<RankingColumn> ranking_columns(const Results& results) {
+    std::vector<RankingColumn> list;
+    for (const Metric& metric : metrics()) {
+        const std::string id(metric.id);
+        list.push_back({id, std::string(metric.label), std::string(metric.unit), std::string(metric.meaning),
+                        [id](const CellRecord& cell) { return metric_of(cell, id); }, metric.decimals});
+    }
+    for (const MaskArea& area : mask_areas()) {
+        list.push_back(
+            {"", std::string(area.label), "%",
+             fmt::format("Valid pixels {} than the truth by more than {} and three standard errors "
+                         "of the truth.",
+                         area.side, short_text(results.mask_threshold)),
+             [value = area.value](const CellRecord& cell) {
+                 if (!cell.analysis) return MeasuredMetric{std::nullopt, ""};
+                 return MeasuredMetric{value(*cell.analysis) * 100, ""};
+             },
+             2});
+    }
+    list.push_back({"", "Fetches", "a pixel",
+                    "Texture reads of the AO pass, counted, mean over valid pixels.",
+                    [](const CellRecord& cell) {
+                        return MeasuredMetric{cell.fetches_per_pixel, ""};
+                    },
+                    1});
+    list.push_back({"", "AO", "ms", "Median of the AO pass.",
+                    [](const CellRecord& cell) {
+                        return MeasuredMetric{cell.ao.median_ms, ""};
+                    },
+                    std::nullopt});
+    list.push_back({"", "Filter", "ms", "Median of the filter after it.",
+                    [](const CellRecord& cell) {
+                        return MeasuredMetric{cell.filter_pass.median_ms, ""};
+                    },
+                    std::nullopt});
+    list.push_back({"", "Frame", "ms", "G-buffer, AO pass and filter together.",
+                    [](const CellRecord& cell) {
+                        return MeasuredMetric{cell.frame_ms, ""};
+                    },
+                    std::nullopt});
+    return list;
+}
+
+}  // namespace aoscore

@@ -1,0 +1,93 @@
+#include "core/signal.h"
+#include "metrics/signal_metric.h"
+#include "page/document/number_text.h"
+#include "page/section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace aoscore {
+namespace {
+
+using nlohmann::json;
+
+/// A method's name as its pictures and rows have it.
+std::string name_of(const CellRecord& cell) {
+    return fmt::format("{}, {}", shown_name(cell), cell.preset);
+}
+
+/// The cells of a view that have this signal, those with the least value of its first metric first.
+std::vector<const CellRecord*> cells_with(const Results& results, const ViewRecord& view,
+                                          const std::string& id, const std::string& first_metric) {
+    std::vector<const CellRecord*> cells;
+    for (const CellRecord& cell : results.cells) {
+        if (cell.view_key == view.key && cell.signals.contains(id)) cells.push_back(&cell);
+    }
+    std::ranges::stable_sort(cells, {}, [&](const CellRecord* cell) {
+        const auto& value = cell->signals.at(id).at(first_metric).value;
+        return std::pair(!value.has_value(), value.value_or(0));
+    });
+    return cells;
+}
+
+json numbers_of(const CellRecord& cell, const std::vector<const SignalMetric*>& columns) {
+    json numbers = json::array();
+    for (const SignalMetric* column : columns) {
+        const MeasuredMetric& metric =
+            cell.signals.at(std::string(column->signal)).at(std::string(column->id));
+        numbers.push_back({{"text", fixed_text(metric.value, column->decimals)},
+                           {"sort", metric.value ? fmt::format("{}", *metric.value) : ""},
+                           {"note", metric.note}});
+    }
+    return numbers;
+}
+
+json table_of(const PageSource& source, const ViewRecord& view, const SignalRecord& record) {
+    const Signal& row = signal(record.id);
+    std::vector<const SignalMetric*> columns;
+    json heads = json::array();
+    for (const SignalMetric& metric : signal_metrics()) {
+        if (metric.signal != record.id) continue;
+        columns.push_back(&metric);
+        heads.push_back({{"label", std::string(metric.label)},
+                         {"unit", std::string(metric.unit)},
+                         {"meaning", std::string(metric.meaning)}});
+    }
+    json rows = json::array(), pictures = json::array();
+    const auto of_truth = source.pictures.views.find(view.key);
+    if (of_truth != source.pictures.views.end())
+        pictures.push_back({{"name", "Truth"}, {"uri", of_truth->second.signals.at(record.id).uri}});
+    for (const CellRecord* cell : cells_with(source.results, view, record.id, std::string(columns[0]->id))) {
+        rows.push_back({{"method", name_of(*cell)}, {"numbers", numbers_of(*cell, columns)}});
+        const auto shown = source.pictures.cells.find(cell->id);
+        if (shown != source.pictures.cells.end() && shown->second.signals.contains(record.id))
+            pictures.push_back({{"name", name_of(*cell)}, {"uri", shown->second.signals.at(record.id).uri}});
+    }
+    return {{"label", std::string(row.label)},
+            {"meaning", std::string(row.meaning)},
+            {"noise", fixed_text(record.mean_standard_error_deg, 2)},
+            {"known", count_text(record.known_pixels)},
+            {"valid", count_text(view.valid_pixels)},
+            {"columns", fmt::format("{}", std::min<std::size_t>(pictures.size(), 4))},
+            {"heads", std::move(heads)},
+            {"rows", std::move(rows)},
+            {"pictures", std::move(pictures)}};
+}
+
+}  // namespace
+
+json section::signals(const PageSource& source) {
+    json views = json::array();
+    for (const ViewRecord& view : source.results.views) {
+        if (view.signals.empty()) continue;
+        json tables = json::array();
+        for (const SignalRecord& record : view.signals) tables.push_back(table_of(source, view, record));
+        views.push_back({{"key", view.key}, {"tables", std::move(tables)}});
+    }
+    return {{"views", std::move(views)}};
+}
+
+}  // namespace aoscore

@@ -1,0 +1,282 @@
+#include "core/source_reference.h"
+#include "metrics/intervals/median_interval.h"
+#include "page/document/number_text.h"
+#include "page/document/page_template.h"
+#include "page/section.h"
+#include "results/comparable_views.h"
+#include "results/sweep_rows.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace aoscore {
+namespace {
+
+using nlohmann::json;
+using Rows = std::vector<const SweepRow*>;
+
+json number(std::optional<double> value) {
+    return value && std::isfinite(*value) ? json(*value) : json();
+}
+
+/// The points of one view as the script's charts read them: for each method its settings by cost.
+json chart_data(const Rows& rows, std::optional<double> budget_ms) {
+    std::map<std::string, Rows> by_method;
+    for (const SweepRow* row : rows) {
+        if (row->cost_ms && row->error) by_method[row->cell->method_label].push_back(row);
+    }
+    json curves = json::array();
+    for (auto& [label, points] : by_method) {
+        json list = json::array();
+        for (const SweepRow* row : points) {
+            list.push_back({{"at", point_text(*row->point)},
+                            {"ms", number(row->cost_ms)},
+                            {"ms_low", number(row->cost_low_ms)},
+                            {"ms_high", number(row->cost_high_ms)},
+                            {"relative", number(row->relative_cost)},
+                            {"fetches", number(row->fetches)},
+                            {"error", number(row->error)},
+                            {"noisy", number(row->noisy_error)},
+                            {"fitted", number(row->fitted_error)},
+                            {"front", row->on_front}});
+        }
+        const bool bound = points.front()->cell->role == kBoundRole;
+        curves.push_back({{"label", label}, {"bound", bound}, {"points", std::move(list)}});
+    }
+    return {{"curves", std::move(curves)}, {"budget_ms", number(budget_ms)}};
+}
+
+std::string cost_text(const SweepRow& row, int decimals) {
+    if (!row.cost_low_ms) return fixed_text(row.cost_ms, decimals);
+    return fmt::format("{} ({} to {})", fixed_text(row.cost_ms, decimals),
+                       fixed_text(row.cost_low_ms, decimals), fixed_text(row.cost_high_ms, decimals));
+}
+
+json row_model(const SweepRow& row, int decimals) {
+    return {{"cell", row.cell->id},
+            {"method", row.cell->method_label},
+            {"at", point_text(*row.point)},
+            {"failed", !row.cell->error.empty()},
+            {"reason", row.cell->error},
+            {"cost", cost_text(row, decimals)},
+            {"cost_sort", row.cost_ms ? fmt::format("{:.6g}", *row.cost_ms) : ""},
+            {"relative", fixed_text(row.relative_cost, 2)},
+            {"fetches", fixed_text(row.fetches, 1)},
+            {"error", fixed_text(row.error, 4)},
+            {"noisy", fixed_text(row.noisy_error, 4)},
+            {"fitted", fixed_text(row.fitted_error, 4)},
+            {"bias", fixed_text(row.bias, 4)},
+            {"front", row.on_front},
+            {"within", row.within_budget.value_or(false)}};
+}
+
+std::string with_spread(const Timing& timing, int decimals) {
+    return fmt::format("{} ± {}", fixed_text(timing.median_ms, decimals),
+                       fixed_text(timing.spread_ms, decimals));
+}
+
+/// What frames are made of and how many a second there are, one row for each setting whose lighting was
+/// timed.
+json frame_rows(const Rows& rows) {
+    std::vector<std::optional<double>> parts;
+    for (const SweepRow* row : rows) {
+        if (row->frame) parts.insert(parts.end(), {row->frame->lighting_ms, row->frame->frame_ms});
+    }
+    const int decimals = column_decimals(parts);
+    json list = json::array();
+    for (const SweepRow* row : rows) {
+        if (!row->frame) continue;
+        const FrameRecord& frame = *row->frame;
+        const bool filtered = frame.filter_ms > 0;
+        list.push_back({{"method", row->cell->method_label},
+                        {"at", point_text(*row->point)},
+                        {"geometry", fixed_text(frame.geometry_ms, decimals)},
+                        {"lighting", row->view != nullptr ? with_spread(row->cell->lighting, decimals)
+                                                          : fixed_text(frame.lighting_ms, decimals)},
+                        {"lighting_sort", fmt::format("{:.6g}", frame.lighting_ms)},
+                        {"both", fixed_text(frame.geometry_lighting_ms, decimals)},
+                        {"ao", fixed_text(frame.ao_ms, decimals)},
+                        {"filter", filtered ? fixed_text(frame.filter_ms, decimals) : kNoNumber},
+                        {"frame", fixed_text(frame.frame_ms, decimals)},
+                        {"both_share", percent_text(frame.geometry_lighting_share, 1)},
+                        {"ao_share", percent_text(frame.ao_share, 1)},
+                        {"filter_share", filtered ? percent_text(frame.filter_share, 1) : kNoNumber},
+                        {"without_ao", fixed_text(frame.per_second_without_ao, 2)},
+                        {"with_ao", fixed_text(frame.per_second_unfiltered, 2)},
+                        {"with_filter", filtered ? fixed_text(frame.per_second, 2) : kNoNumber}});
+    }
+    return list;
+}
+
+std::string setting(const SweepRow& row) {
+    return fmt::format("{} ({})", row.cell->method_label, point_text(*row.point));
+}
+
+/// Which settings lead, in a sentence or two.
+std::string answer(const Rows& rows, std::optional<double> budget_ms) {
+    Rows front;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(front),
+                 [](const SweepRow* r) { return r->on_front; });
+    if (front.empty()) return "Nothing could be measured.";
+    std::sort(front.begin(), front.end(),
+              [](const SweepRow* a, const SweepRow* b) { return *a->cost_ms < *b->cost_ms; });
+    std::vector<std::string> names;
+    for (const SweepRow* row : front) {
+        names.push_back(fmt::format("{} at {} ms with {}", setting(*row), fixed_text(row->cost_ms, 2),
+                                    fixed_text(row->error, 4)));
+    }
+    std::string text = fmt::format("No setting is both faster and closer than {}.", fmt::join(names, "; "));
+    if (budget_ms) {
+        const SweepRow* best = nullptr;
+        for (const SweepRow* row : front) {
+            if (*row->cost_ms <= *budget_ms) best = row;
+        }
+        text += best == nullptr
+                    ? fmt::format(" Nothing fits into {} ms.", short_text(*budget_ms))
+                    : fmt::format(" Within {} ms the closest is {}.", short_text(*budget_ms), setting(*best));
+    }
+    return text;
+}
+
+std::optional<double> median_fixed_pass(const Rows& rows) {
+    std::vector<double> all;
+    for (const SweepRow* row : rows) {
+        if (row->cell->fixed_pass_ms) all.push_back(*row->cell->fixed_pass_ms);
+    }
+    if (all.empty()) return std::nullopt;
+    return median(std::move(all));
+}
+
+json rows_model(const Rows& rows, const SweepRecord& sweep) {
+    std::vector<std::optional<double>> costs;
+    for (const SweepRow* row : rows) costs.push_back(row->cost_ms);
+    const int decimals = column_decimals(costs);
+    json model = {{"answer", answer(rows, sweep.budget_ms)},
+                  {"budget", sweep.budget_ms.has_value()},
+                  {"data", script_json(chart_data(rows, sweep.budget_ms))},
+                  {"rows", json::array()},
+                  {"frames", frame_rows(rows)}};
+    for (const SweepRow* row : rows) model["rows"].push_back(row_model(*row, decimals));
+    model["has_frames"] = !model["frames"].empty();
+    return model;
+}
+
+/// What lights the frames, and how steady the G-buffer's time is, which all settings share.
+std::string light_text(const ViewRecord& view) {
+    std::vector<std::string> parameters;
+    for (const auto& [id, value] : view.lighting_parameters)
+        parameters.push_back(fmt::format("{} {}", id, value.dump()));
+    return fmt::format("lit by {} ({}); G-buffer {} ms; ± is half the quartiles' distance", view.lighting,
+                       fmt::join(parameters, ", "),
+                       with_spread(view.gbuffer, column_decimals({view.gbuffer.median_ms})));
+}
+
+json view_model(const ViewRecord& view, const Rows& rows, const SweepRecord& sweep) {
+    json model = rows_model(rows, sweep);
+    model["key"] = view.key;
+    model["about"] =
+        fmt::format("{}×{}, ranked at R {} m", view.width, view.height, short_text(view.radius_m));
+    model["unit"] =
+        fmt::format("the fixed pass of 16 fetches takes {} ms", fixed_text(median_fixed_pass(rows), 2));
+    model["light"] = light_text(view);
+    return model;
+}
+
+json over_views_model(const SweepRowsOverViews& all, const SweepRecord& sweep) {
+    Rows rows;
+    for (const SweepRow& row : all.rows) rows.push_back(&row);
+    std::vector<std::string> keys;
+    for (const ViewRecord* view : all.views) keys.push_back(view->key);
+    const ViewRecord& first = *all.views.front();
+    json model = rows_model(rows, sweep);
+    model["key"] = fmt::format("Over {} views", all.views.size());
+    model["about"] =
+        fmt::format("{}, {}×{}, ranked at R {} m; settings that were measured in every one of them",
+                    fmt::join(keys, ", "), first.width, first.height, short_text(first.radius_m));
+    model["light"] = "of the means of the passes over views";
+    model["unit"] = "errors are roots of the mean square over views, costs are means";
+    return model;
+}
+
+/// What the source of a definition states of its own measurements, and nothing that it does not.
+json stated_models(const json& definition) {
+    json list = json::array();
+    for (const json& stated : definition.value("stated", json::array())) {
+        const json& value = stated.at("value");
+        std::string text = value.is_null()     ? "not in the text"
+                           : value.is_string() ? value.get<std::string>()
+                                               : short_text(value.get<double>());
+        const std::string unit = stated.value("unit", "");
+        if (!unit.empty() && !value.is_null()) text += " " + unit;
+        list.push_back({{"what", stated.at("what")}, {"value", text}, {"where", stated.at("where")}});
+    }
+    return list;
+}
+
+json source_model(const json& definition) {
+    if (!definition.is_object()) return false;
+    json model = {
+        {"text", source_reference(StrictObject(definition.at("source"), "results.json: sweeps: source"))},
+        {"hardware", definition.at("hardware").get<std::string>()},
+        {"stated", stated_models(definition)},
+        {"notes", definition.value("notes", json::array())},
+        {"claims", json::array()}};
+    for (const json& id : definition.value("claims", json::array())) model["claims"].push_back({{"id", id}});
+    model["has_stated"] = !model["stated"].empty();
+    model["has_claims"] = !model["claims"].empty();
+    return model;
+}
+
+/// Why there is no number over all of a sweep's views; empty where there is one.
+std::string apart_text(const std::vector<std::pair<const ViewRecord*, Rows>>& views) {
+    std::vector<const ViewRecord*> all;
+    for (const auto& [view, rows] : views) all.push_back(view);
+    const std::size_t groups = comparable_views(all).size();
+    if (groups < 2) return {};
+    return fmt::format(
+        "The {} views are ranked at different radii or drawn in different sizes, {} in all: numbers over "
+        "views "
+        "cover those alike. --radius ranks all of them at one.",
+        all.size(), groups);
+}
+
+json sweep_model(const Results& results, const SweepRecord& sweep) {
+    const std::vector<SweepRow> rows = sweep_rows(results, sweep);
+    std::vector<std::pair<const ViewRecord*, Rows>> views;
+    for (const SweepRow& row : rows) {
+        auto found =
+            std::find_if(views.begin(), views.end(), [&](const auto& v) { return v.first == row.view; });
+        if (found == views.end()) found = views.insert(views.end(), {row.view, {}});
+        found->second.push_back(&row);
+    }
+    std::vector<std::string> notes = sweep.notes;
+    if (const std::string apart = apart_text(views); !apart.empty()) notes.push_back(apart);
+    json model = {{"title", sweep.title},
+                  {"has_notes", !notes.empty()},
+                  {"notes", notes},
+                  {"source", source_model(sweep.definition)},
+                  {"count", std::to_string(rows.size())},
+                  {"confidence", percent_text(sweep.timing_confidence, 0)},
+                  {"axes", fmt::format("{}", fmt::join(sweep.axes, ", "))},
+                  {"views", json::array()}};
+    for (const SweepRowsOverViews& all : rows_over_views(rows))
+        model["views"].push_back(over_views_model(all, sweep));
+    for (const auto& [view, of_view] : views) model["views"].push_back(view_model(*view, of_view, sweep));
+    return model;
+}
+
+}  // namespace
+
+json section::sweeps(const PageSource& source) {
+    json model = {{"sweeps", json::array()}};
+    for (const SweepRecord& sweep : source.results.sweeps)
+        model["sweeps"].push_back(sweep_model(source.results, sweep));
+    return model;
+}
+
+}  // namespace aoscore

@@ -1,0 +1,38 @@
+#include "page/sections/truth_noise_text.h"
+
+#include "metrics/roles.h"
+#include "page/document/number_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace aoscore {
+
+std::string truth_noise_text(const Results& results, const ViewRecord& view) {
+    if (!view.halves) return "";
+    double ranking = 0, others = 0;
+    for (const CellRecord& cell : results.cells) {
+        if (cell.view_key != view.key || !cell.analysis) continue;
+        for (const auto& [metric, half_width] : cell.analysis->truth_noise) {
+            double& largest = metric == kRankingMetric ? ranking : others;
+            largest = std::max(largest, half_width);
+        }
+    }
+    return fmt::format(
+        "The truth of {} has {} rays a pixel in two independent halves: with 95 % confidence its noise moves "
+        "no "
+        "debiased RMSE by more than {} and no MAE, bias, SSIM, MS-SSIM or FLIP by more than {}.",
+        view.key, view.samples, fixed_text(ranking, 4), fixed_text(others, 4));
+}
+
+std::string first_answer_text(const Results& results) {
+    if (std::ranges::all_of(results.views, &ViewRecord::final_answer)) return "";
+    return "This page is the first answer of a run that goes on. The debiased RMSE and the order of the "
+           "ranking are "
+           "final within their intervals. All other numbers become more exact with more rays, and costs are "
+           "measured "
+           "last; the run then writes this page again.";
+}
+
+}  // namespace aoscore

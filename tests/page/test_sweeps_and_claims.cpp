@@ -1,0 +1,89 @@
+#include "page/section.h"
+#include "page/synthetic_results.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace aoscore {
+namespace {
+
+using ::testing::HasSubstr;
+
+class SweepsAndClaims : public ::testing::Test {
+  protected:
+    Results results = testing::synthetic_results();
+    Pictures pictures;
+    LiveData live;
+    PageSource source() const { return {results, pictures, live}; }
+};
+
+TEST_F(SweepsAndClaims, TheFrontIsMadeWithinEachView) {
+    const auto views = section::sweeps(source()).at("sweeps").at(0).at("views");
+    ASSERT_EQ(views.size(), 2u);
+    bool any = false;
+    for (const auto& row : views.at(0).at("rows")) {
+        // Alchemy is both the cheapest and the closest of the synthetic methods.
+        const bool on_front = row.at("front").get<bool>();
+        any |= on_front;
+        EXPECT_TRUE(!on_front || row.at("method") == "Alchemy AO") << row;
+    }
+    EXPECT_TRUE(any);
+    for (const auto& view : views)
+        EXPECT_THAT(view.at("answer").get<std::string>(), HasSubstr("Within 200 ms"));
+}
+
+TEST_F(SweepsAndClaims, TheBudgetNamesWhatFitsIntoIt) {
+    results.sweeps[0].budget_ms = 0.001;
+    const auto view = section::sweeps(source()).at("sweeps").at(0).at("views").at(0);
+    EXPECT_THAT(view.at("answer").get<std::string>(), HasSubstr("Nothing fits"));
+    for (const auto& row : view.at("rows")) EXPECT_FALSE(row.at("within").get<bool>());
+}
+
+TEST_F(SweepsAndClaims, FramesAreGivenByTheirPassesAndByTheSecond) {
+    const auto view = section::sweeps(source()).at("sweeps").at(0).at("views").at(0);
+    ASSERT_TRUE(view.at("has_frames").get<bool>());
+    const auto& frame = view.at("frames").at(0);
+    EXPECT_EQ(frame.at("both"), "20.0") << "geometry 11 ms and lighting 9 ms";
+    EXPECT_EQ(frame.at("lighting"), "9.0 ± 0.5");
+    EXPECT_EQ(frame.at("ao"), "100.0");
+    EXPECT_EQ(frame.at("frame"), "125.5") << "with 5.5 ms of filter";
+    EXPECT_EQ(frame.at("both_share"), "15.9");
+    EXPECT_EQ(frame.at("without_ao"), "50.00");
+    EXPECT_EQ(frame.at("with_ao"), "8.33");
+    EXPECT_EQ(frame.at("with_filter"), "7.97");
+    EXPECT_THAT(view.at("light").get<std::string>(), HasSubstr("Four lights (lights 4)"));
+    for (CellRecord& cell : results.cells) cell.frame.reset();
+    EXPECT_FALSE(section::sweeps(source()).at("sweeps").at(0).at("views").at(0).at("has_frames").get<bool>());
+}
+
+TEST_F(SweepsAndClaims, VerdictsAreCountedBySourceAndOverall) {
+    results.claims.back().source = "Another, Title, 2021";
+    const auto model = section::claims(source());
+    ASSERT_EQ(model.at("sources").size(), 2u);
+    const auto count = [](const nlohmann::json& counts, const std::string& verdict) {
+        for (const auto& one : counts) {
+            if (one.at("verdict") == verdict) return one.at("count").get<std::string>();
+        }
+        return std::string("none");
+    };
+    EXPECT_EQ(count(model.at("sources")[0].at("counts"), ClaimRecord::kHolds), "1");
+    EXPECT_EQ(count(model.at("sources")[0].at("counts"), ClaimRecord::kCannotTell), "0");
+    EXPECT_EQ(count(model.at("overall"), ClaimRecord::kCannotTell), "1");
+    EXPECT_EQ(count(model.at("overall"), "all"), "3");
+    const auto claim = model.at("sources")[0].at("claims")[0];
+    EXPECT_EQ(claim.at("findings")[0].at("measured"), "1.25 ms (1.00 to 1.50)");
+    EXPECT_EQ(claim.at("findings")[0].at("claimed"), "above 0");
+    EXPECT_EQ(claim.at("errors").size(), 1u) << "what the truth adds";
+}
+
+TEST_F(SweepsAndClaims, SectionsWithoutAnythingToSayAreLeftOut) {
+    results.sweeps.clear();
+    results.claims.clear();
+    for (const Section& section : sections()) {
+        const bool about_them = section.id == "sweeps" || section.id == "claims" || section.id == "signals";
+        EXPECT_EQ(section.applies == nullptr || section.applies(results), !about_them) << section.id;
+    }
+}
+
+}  // namespace
+}  // namespace aoscore
