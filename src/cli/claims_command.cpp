@@ -48,7 +48,7 @@ CommandEntry add_claims_command(CLI::App& program, const GlobalOptions& global) 
     add_cache_option(*app, options->truth_cache);
     app->add_option("--out", options->out, "Folder of page and results [reports/out/claims]");
     add_outcome_options(*app, options->outcome);
-    add_job_options(*app, options->outcome);
+    add_job_options(*app, options->outcome.jobs);
     return {app, [options, &global] { return run(*options, global); }};
 }
 

@@ -2,19 +2,19 @@
 #include "cli/program.h"
 #include "cli/shared_options.h"
 #include "core/shell.h"
-#include "experiment/job_list.h"
+#include "jobs/job_listing.h"
 
 #include <memory>
 
 namespace aoscore {
 namespace {
 
-struct JobOptions {
+struct Options {
     std::string key;
     std::filesystem::path cache;
 };
 
-ExitCode run(const JobOptions& options) {
+ExitCode run(const Options& options) {
     std::vector<std::string> words = arguments_of_job(options.key, options.cache);
     std::erase(words, "--jobs");
     // Artifacts name the command that asked for all of them.
@@ -29,7 +29,7 @@ ExitCode run(const JobOptions& options) {
 CommandEntry add_job_command(CLI::App& program, const GlobalOptions&) {
     CLI::App* app = program.add_subcommand(
         "job", "Make one artifact that --jobs has listed, by its key, and keep it in the store");
-    const auto options = std::make_shared<JobOptions>();
+    const auto options = std::make_shared<Options>();
     options->cache = default_cache_dir();
     app->add_option("key", options->key, "As --jobs prints it")->required();
     return {app, [options] { return run(*options); }};

@@ -78,7 +78,7 @@ void list_methods(const std::filesystem::path& methods_dir) {
         for (const Pass& pass : m.passes) inputs.insert(pass.inputs.begin(), pass.inputs.end());
         std::vector<std::string> parameters;
         for (const Parameter& p : m.parameters)
-            parameters.push_back(fmt::format("{}={}", p.id, p.default_value.dump()));
+            parameters.push_back(fmt::format("{}={}", p.id, p.default_value.text()));
         std::vector<std::string> presets;
         for (const auto& [id, values] : m.presets)
             presets.push_back(id + (m.absolute_presets.contains(id) ? " (keeps its lengths)" : ""));

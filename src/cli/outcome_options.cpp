@@ -38,14 +38,6 @@ void add_outcome_options(CLI::App& app, OutcomeOptions& options) {
         ->allow_extra_args(false);
 }
 
-void add_job_options(CLI::App& app, OutcomeOptions& options) {
-    auto* list =
-        app.add_flag("--jobs", options.list_jobs,
-                     "Print the jobs of this command as JSON, with their keys, and make none of them");
-    app.add_option("--job", options.only_job, "Make the artifact of this key alone, and no page")
-        ->excludes(list);
-}
-
 void add_baseline_option(CLI::App& app, OutcomeOptions& options) {
     app.add_option(
         "--baseline", options.baseline,

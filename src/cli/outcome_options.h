@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cli/job_options.h"
 #include "results/export/export_files.h"
 #include "results/results.h"
 #include "verdict/gates.h"
@@ -19,13 +20,10 @@ struct OutcomeOptions {
     std::vector<std::string> fail, warn;
     std::vector<std::filesystem::path> exports;
     std::filesystem::path baseline;  ///< empty: none
-    bool list_jobs = false;          ///< print the jobs instead of making them
-    std::string only_job;            ///< key of the one to be made; empty: all
+    JobOptions jobs;
 };
 /// --fail, --warn, --export.
 void add_outcome_options(CLI::App& app, OutcomeOptions& options);
-/// --jobs and --job.
-void add_job_options(CLI::App& app, OutcomeOptions& options);
 /// --baseline.
 void add_baseline_option(CLI::App& app, OutcomeOptions& options);
 

@@ -45,12 +45,9 @@ class Pages {
 
 ExitCode run_and_page(ExperimentPlan plan, const std::filesystem::path& folder, const OutcomeOptions& options,
                       const GlobalOptions& global) {
-    if (options.list_jobs) {
-        print_result("{}\n", list_jobs(plan, global.words).dump(2));
-        return ExitCode::ok;
-    }
-    if (!options.only_job.empty()) {
-        make_job(plan, options.only_job);
+    if (only_lists_or_makes_one(
+            options.jobs, [&] { return list_jobs(plan, global.words); },
+            [&](const std::string& key) { make_job(plan, key); })) {
         return ExitCode::ok;
     }
     require_page_parts();

@@ -114,7 +114,7 @@ CommandEntry add_score_command(CLI::App& program, const GlobalOptions& global) {
     add_cache_option(*app, options->truth_cache);
     app->add_option("--out", options->out, "Folder of page, results and images [reports/out/score-SCENE]");
     add_outcome_options(*app, options->outcome);
-    add_job_options(*app, options->outcome);
+    add_job_options(*app, options->outcome.jobs);
     add_baseline_option(*app, options->outcome);
     return {app, [options, &global] { return run(*options, global); }};
 }

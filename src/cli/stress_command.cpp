@@ -1,9 +1,11 @@
 #include "cli/command.h"
+#include "cli/job_options.h"
 #include "cli/shared_options.h"
 #include "core/output.h"
 #include "page/stress_page.h"
 #include "results/results_folder.h"
 #include "stress/stress.h"
+#include "stress/stress_job_list.h"
 
 #include <memory>
 
@@ -13,6 +15,7 @@ namespace {
 struct StressOptions {
     StressPlan plan;
     bool quick = false;
+    JobOptions jobs;
     std::filesystem::path out;
 };
 
@@ -24,6 +27,11 @@ ExitCode run(const StressOptions& options, const GlobalOptions& global) {
         plan.ends_only = true;
         plan.size = 64;
         plan.samples = 16;
+    }
+    if (only_lists_or_makes_one(
+            options.jobs, [&] { return list_stress_jobs(plan, global.words); },
+            [&](const std::string& key) { make_stress_job(plan, key); })) {
+        return ExitCode::ok;
     }
     const std::filesystem::path folder = results_folder(options.out, "stress");
     const StressResults results = run_stress(plan, folder);
@@ -45,6 +53,7 @@ CommandEntry add_stress_command(CLI::App& program, const GlobalOptions& global) 
         ->allow_extra_args(false);
     app->add_option("--methods-dir", options->plan.methods_dir, "A folder of methods of your own");
     app->add_flag("--quick", options->quick, "The ends of each axis alone, in 64x64 pixels");
+    add_job_options(*app, options->jobs);
     add_cache_option(*app, options->plan.cache);
     app->add_option("--out", options->out, "Folder of page, results and images [reports/out/stress]");
     return {app, [options, &global] { return run(*options, global); }};

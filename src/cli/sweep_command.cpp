@@ -131,7 +131,7 @@ CommandEntry add_sweep_command(CLI::App& program, const GlobalOptions& global) {
     app->add_option("--out", options->out,
                     "Folder of page, results.json and sweep.csv [reports/out/sweep-SCENE]");
     add_outcome_options(*app, options->outcome);
-    add_job_options(*app, options->outcome);
+    add_job_options(*app, options->outcome.jobs);
     return {app, [options, &global] { return run(*options, global); }};
 }
 

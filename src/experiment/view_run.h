@@ -21,8 +21,8 @@ struct ViewRun {
     RankingRadius radius;
     std::optional<double> drawn_for_m;  ///< AO radius of all lengths; empty: they are the descriptors' own
     std::vector<ResolvedCell> cells;    ///< one for each of the work's
-    std::map<std::string, nlohmann::json> lighting_parameters = {};  ///< empty where frames are not lit
-    std::string lighting = {};                                       ///< label of the pass; empty likewise
+    ParameterValues lighting_parameters = {};  ///< empty where frames are not lit
+    std::string lighting = {};                 ///< label of the pass; empty likewise
     ViewWork work;
     ViewJobs jobs;
 };

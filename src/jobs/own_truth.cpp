@@ -19,7 +19,7 @@ double number_parameter(const MethodDescriptor& method, const ParameterValues& p
         throw file_error("\"" + id + "\" is no number parameter of the method",
                          method.id + "/method.json: truth");
     }
-    return found->second.get<double>();
+    return found->second.number();
 }
 
 }  // namespace

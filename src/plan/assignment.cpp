@@ -7,11 +7,9 @@
 
 namespace aoscore {
 
-using nlohmann::json;
-
-json parse_value(const std::string& text) {
-    json value = json::parse(text, nullptr, false);
-    return value.is_number() || value.is_boolean() ? value : json(text);
+ParameterValue parse_value(const std::string& text) {
+    const auto value = nlohmann::json::parse(text, nullptr, false);
+    return value.is_number() || value.is_boolean() ? parameter_value(value, text) : ParameterValue(text);
 }
 
 Assignment parse_assignment(const std::string& text, const std::string& option) {

@@ -3,8 +3,6 @@
 #include "plan/plan.h"
 #include "screen/screen.h"
 
-#include <nlohmann/json.hpp>
-
 #include <string>
 #include <vector>
 
@@ -13,11 +11,11 @@ namespace aoscore {
 /// A value for a parameter of methods ("radius") or of their filters ("filter.taps"), over the preset's.
 struct Assignment {
     std::string parameter;
-    nlohmann::json value;
+    ParameterValue value;
 };
 
 /// Reads a number, true or false; anything else is a word, the name of a choice.
-nlohmann::json parse_value(const std::string& text);
+ParameterValue parse_value(const std::string& text);
 
 /// Reads "radius=0.5", which `option` was given. Throws usage_error for another form.
 Assignment parse_assignment(const std::string& text, const std::string& option = "--set");

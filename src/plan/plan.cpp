@@ -87,14 +87,16 @@ SweepRequest read_sweep(StrictObject object) {
     request.base.preset = object.text_or("preset", "default");
     if (object.has("filter")) request.base.filter = object.text("filter");
     if (object.has("set")) {
-        for (const auto& [id, value] : object.object("set").members()) request.set.push_back({id, value});
+        for (const auto& [id, value] : parameter_values(object.object("set")))
+            request.set.push_back({id, value});
     }
     request.base.own_truth = false;
     request.base.keep_image = object.boolean_or("images", false);
     for (const auto& [id, values] : object.object("vary").members()) {
-        if (!values.is_array() || values.empty())
-            throw file_error("is no list of values", object.where("vary") + "." + id);
-        request.axes.push_back({id, values});
+        const std::string where = object.where("vary") + "." + id;
+        if (!values.is_array() || values.empty()) throw file_error("is no list of values", where);
+        SweepAxis& axis = request.axes.emplace_back(id);
+        for (const json& value : values) axis.values.push_back(parameter_value(value, where));
     }
     object.finish();
     return request;

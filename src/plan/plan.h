@@ -85,9 +85,9 @@ struct TablePlan {
 
 /// One setting of a sweep: a cell, and where it lies on the axes.
 struct SweepPoint {
-    std::size_t view_index = 0;                ///< into ExperimentPlan::views
-    std::size_t cell_index = 0;                ///< into that view's cells
-    std::map<std::string, nlohmann::json> at;  ///< value on each axis that applies, by the axis' id
+    std::size_t view_index = 0;  ///< into ExperimentPlan::views
+    std::size_t cell_index = 0;  ///< into that view's cells
+    ParameterValues at;          ///< value on each axis that applies, by the axis' id
 };
 
 /// Methods over the product of some axes.

@@ -30,9 +30,8 @@ namespace {
 /// What the plan has otherwise than the preset, each as its name, `equals` and its value.
 std::vector<std::string> changes_of(const CellPlan& plan, std::string_view equals) {
     std::vector<std::string> changes;
-    const auto add = [&](const std::string& id, const nlohmann::json& value) {
-        changes.push_back(
-            fmt::format("{}{}{}", id, equals, value.is_string() ? value.get<std::string>() : value.dump()));
+    const auto add = [&](const std::string& id, const ParameterValue& value) {
+        changes.push_back(fmt::format("{}{}{}", id, equals, value.text()));
     };
     for (const auto& [id, value] : plan.overrides) add(id, value);
     for (const auto& [id, value] : plan.filter_overrides) add(std::string(kFilterPrefix) + id, value);
@@ -45,7 +44,7 @@ void add_lengths(const MethodDescriptor& owner, const ParameterValues& values,
                  std::vector<LengthRecord>& lengths) {
     for (const Parameter& p : owner.parameters) {
         if (p.length_power == 0) continue;
-        lengths.push_back({std::string(prefix) + p.id, values.at(p.id).get<double>(), p.unit,
+        lengths.push_back({std::string(prefix) + p.id, values.at(p.id).number(), p.unit,
                            overrides.contains(p.id) ? LengthRecord::kSet : origin});
     }
 }

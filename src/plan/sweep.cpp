@@ -13,18 +13,16 @@
 namespace aoscore {
 namespace {
 
-using nlohmann::json;
-
-std::string word(const json& value, const std::string& axis) {
-    if (!value.is_string()) throw usage_error("\"" + value.dump() + "\" is no name", "vary " + axis);
-    return value.get<std::string>();
+std::string word(const ParameterValue& value, const std::string& axis) {
+    if (!value.is_word()) throw usage_error("\"" + value.text() + "\" is no name", "vary " + axis);
+    return value.word();
 }
 
 /// What one point of the product asks for, and what of it applies.
 struct Point {
     CellPlan cell;
     std::optional<ImageSize> size;
-    std::map<std::string, json> at;
+    ParameterValues at;
 };
 
 constexpr const char* kNobodyHas = "nothing in this sweep has a parameter";
@@ -92,7 +90,7 @@ class Expansion {
         if (axis_index == request_.axes.size()) return add_point(point);
         const SweepAxis& axis = request_.axes[axis_index];
         bool applies = true;
-        for (const json& value : axis.values) {
+        for (const ParameterValue& value : axis.values) {
             Point next = point;
             applies = set(method, next, axis.id, value);
             if (!applies) break;
@@ -110,7 +108,8 @@ class Expansion {
     }
 
     // False where the axis means nothing for this method and what was chosen before.
-    bool set(const MethodDescriptor& method, Point& point, const std::string& id, const json& value) const {
+    bool set(const MethodDescriptor& method, Point& point, const std::string& id,
+             const ParameterValue& value) const {
         if (id == "preset") {
             point.cell.preset = word(value, id);
         } else if (id == "filter") {
@@ -135,12 +134,12 @@ class Expansion {
     }
 
     static bool set_parameter(const MethodDescriptor& owner, ParameterValues& overrides,
-                              const std::string& id, const json& value) {
+                              const std::string& id, const ParameterValue& value) {
         const Parameter* parameter = owner.find_parameter(id);
         if (parameter == nullptr) return false;
         if (!parameter->accepts(value))
-            throw usage_error(fmt::format("{} of {} cannot be {}", id, owner.id, value.dump()), "vary " + id,
-                              parameter->valid());
+            throw usage_error(fmt::format("{} of {} cannot be {}", id, owner.id, value.quoted()),
+                              "vary " + id, parameter->valid());
         overrides[id] = value;
         return true;
     }
@@ -184,7 +183,7 @@ SweepAxis parse_axis(const std::string& text) {
     for (std::size_t begin = equals + 1; begin <= text.size();) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
         if (end == begin) throw usage_error("\"" + text + "\" has an empty value", "--vary");
-        const json value = parse_value(text.substr(begin, end - begin));
+        const ParameterValue value = parse_value(text.substr(begin, end - begin));
         if (std::find(axis.values.begin(), axis.values.end(), value) != axis.values.end())
             throw usage_error("\"" + text + "\" has a value twice", "--vary");
         axis.values.push_back(value);

@@ -14,7 +14,7 @@ namespace aoscore {
 /// ("filter.weights"), a run mode ("resolution"), "preset", "filter", or the picture's "size" ("640x360").
 struct SweepAxis {
     std::string id;
-    std::vector<nlohmann::json> values;
+    std::vector<ParameterValue> values;
 };
 
 /// Methods over the product of axes.

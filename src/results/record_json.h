@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/error.h"
+#include "core/parameter_value.h"
 #include "core/strict_json.h"
 #include "results/record_of.h"
 
@@ -39,7 +40,8 @@ template <class T>
 struct IsMap<std::map<std::string, T>> : std::true_type {};
 
 template <class T>
-concept Scalar = std::is_arithmetic_v<T> || std::same_as<T, std::string> || std::same_as<T, json>;
+concept Scalar = std::is_arithmetic_v<T> || std::same_as<T, std::string> || std::same_as<T, json> ||
+    std::same_as<T, ParameterValue>;
 
 // ---- writing ----
 
@@ -123,6 +125,8 @@ template <class T>
 void read(const json& value, const std::string& where, T& member) {
     if constexpr (std::same_as<T, json>) {
         member = value;
+    } else if constexpr (std::same_as<T, ParameterValue>) {
+        member = parameter_value(value, where);
     } else if constexpr (std::same_as<T, std::string>) {
         if (!value.is_string()) refuse(value, where, "a text");
         member = value.get<std::string>();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/parameter_value.h"
 #include "metrics/analysis/analysis.h"
 #include "metrics/intervals/simultaneous.h"
 #include "metrics/metric.h"
@@ -118,8 +119,8 @@ struct ViewRecord {
     std::size_t background_pixels = 0;  ///< without surface
     TruthSavings savings;
     Timing gbuffer;
-    std::string lighting;  ///< the lighting pass's label; empty where none was timed
-    std::map<std::string, nlohmann::json> lighting_parameters;  ///< all of them, by id
+    std::string lighting;                 ///< the lighting pass's label; empty where none was timed
+    ParameterValues lighting_parameters;  ///< all of them, by id
     std::vector<std::string> warnings;
 };
 
@@ -163,9 +164,9 @@ struct CellRecord {
     std::string method_label;        ///< a bound's ends in "(bound)"
     std::string role = kMethodRole;  ///< or kBoundRole
     std::string preset;
-    std::string setting;                               ///< what is not as the preset has it, "noise none"
-    std::string filter;                                ///< "none" or a filter's id
-    std::map<std::string, nlohmann::json> parameters;  ///< all of them, by id
+    std::string setting;                ///< what is not as the preset has it, "noise none"
+    std::string filter;                 ///< "none" or a filter's id
+    ParameterValues parameters;         ///< all of them, by id
     std::vector<LengthRecord> lengths;  ///< those of them, and of the filter's, that are lengths
     std::string error;                  ///< why the cell failed; empty when it did not
     Timing ao, filter_pass;
@@ -261,7 +262,7 @@ struct TableRecord {
 /// One setting of a sweep: its cell, and where it lies on the axes.
 struct SweepPointRecord {
     std::string cell_id;
-    std::map<std::string, nlohmann::json> at;  ///< value by axis; an axis that does not apply is missing
+    ParameterValues at;  ///< value by axis; an axis that does not apply is missing
 };
 
 /// Methods over the product of some axes.

@@ -22,8 +22,8 @@ std::string field(std::optional<double> number) {
     return number ? fmt::format("{:.9g}", *number) : "";
 }
 
-std::string field(const nlohmann::json& value) {
-    return value.is_string() ? value.get<std::string>() : value.dump();
+std::string field(const ParameterValue& value) {
+    return value.text();
 }
 
 class Line {

@@ -138,7 +138,7 @@ std::vector<SweepRowsOverViews> rows_over_views(const std::vector<SweepRow>& row
     std::vector<SweepRowsOverViews> all;
     for (const auto& group : comparable_views(views)) {
         if (group.size() < 2) continue;
-        std::map<std::map<std::string, nlohmann::json>, std::vector<const SweepRow*>> by_setting;
+        std::map<ParameterValues, std::vector<const SweepRow*>> by_setting;
         std::vector<const std::vector<const SweepRow*>*> in_order;
         for (const SweepRow& row : rows) {
             if (std::ranges::find(group, row.view) == group.end()) continue;
@@ -164,7 +164,7 @@ std::string point_text(const SweepPointRecord& point) {
     std::vector<std::string> parts;
     for (const auto& [axis, value] : point.at) {
         if (axis == "method") continue;
-        parts.push_back(axis + " " + (value.is_string() ? value.get<std::string>() : value.dump()));
+        parts.push_back(axis + " " + value.text());
     }
     return parts.empty() ? "as it is" : fmt::format("{}", fmt::join(parts, ", "));
 }

@@ -4,16 +4,14 @@
 #include "core/files.h"
 #include "core/interrupt.h"
 #include "core/known_names.h"
-#include "core/log.h"
 #include "core/machine.h"
 #include "core/progress.h"
 #include "core/stopwatch.h"
 #include "core/threads.h"
 #include "image/image_file.h"
-#include "stress/stress_axes.h"
-#include "stress/stress_jobs.h"
 #include "stress/stress_judge.h"
 #include "stress/stress_maker.h"
+#include "stress/stress_schedule.h"
 
 #include <fmt/format.h>
 
@@ -25,34 +23,6 @@ namespace aoscore {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<StressAxis> chosen_axes(const StressPlan& plan) {
-    for (const std::string& id : plan.axes) row_of(stress_axes(), id, "no stress axis", "--axes");
-    std::vector<StressAxis> chosen;
-    for (const StressAxis& axis : stress_axes()) {
-        if (plan.axes.empty() || std::ranges::find(plan.axes, axis.id) != plan.axes.end())
-            chosen.push_back(axis);
-    }
-    return chosen;
-}
-
-// The unstressed setting and those at either end; pictures too large to be traced are no quick test.
-std::vector<StressSetting> ends_of(std::vector<StressSetting> settings, int size) {
-    while (!stress_case(settings.back(), size).has_truth) settings.pop_back();
-    std::vector<StressSetting> ends;
-    for (std::size_t i = 0; i < settings.size(); ++i) {
-        if (i == 0 || i + 1 == settings.size() || settings[i].unstressed()) ends.push_back(settings[i]);
-    }
-    return ends;
-}
-
-std::vector<StressAxis> planned_axes(const StressPlan& plan) {
-    std::vector<StressAxis> axes = chosen_axes(plan);
-    if (plan.ends_only) {
-        for (StressAxis& axis : axes) axis.settings = ends_of(axis.settings, plan.size);
-    }
-    return axes;
-}
 
 StressResults described(const StressPlan& plan, const std::vector<StressSubject>& subjects) {
     StressResults results;
@@ -75,22 +45,13 @@ StressResults described(const StressPlan& plan, const std::vector<StressSubject>
 /// Runs settings one after the other.
 class StressRun {
   public:
-    StressRun(const StressPlan& plan, const std::vector<StressSubject>& subjects, const fs::path& folder)
-        : plan_(plan),
-          subjects_(subjects),
-          folder_(folder),
-          store_(ArtifactStore::folder_in(plan.cache)),
-          unstressed_(plan, subjects, tools_) {}
-
-    std::string gl_renderer() { return tools_.renderer().renderer(); }
+    StressRun(StressSchedule& schedule, const fs::path& folder) : schedule_(schedule), folder_(folder) {}
 
     StressSettingRecord run(const StressAxis& axis, const StressSetting& setting) {
         const Stopwatch watch;
-        const std::string key = fmt::format("{}/{}", axis.id, setting.id);
-        const StressWork work(plan_, subjects_, stress_case(setting, plan_.size), axis.judgement, key,
-                              tools_);
-        const StressJobs jobs = stress_jobs(work, unstressed_);
-        StressMaker maker(work, store_, unstressed_);
+        const StressWork work = schedule_.work_of(axis, setting);
+        const StressJobs jobs = stress_jobs(work, schedule_.unstressed());
+        StressMaker maker(work, schedule_.store(), schedule_.unstressed());
         const Execution done = execute(jobs.graph, maker);
         StressSettingRecord record = maker.setting();
         record.id = setting.id;
@@ -101,7 +62,7 @@ class StressRun {
         record.height = work.stress.height;
         record.triangles = work.stress.scene.triangle_count;
         record.cells = cells(work, jobs, maker, done);
-        record.images = write_thumbnails(jobs, maker, key);
+        record.images = write_thumbnails(jobs, maker, StressSchedule::key_of(axis, setting));
         record.seconds = watch.seconds();
         return record;
     }
@@ -138,12 +99,8 @@ class StressRun {
         return name;
     }
 
-    const StressPlan& plan_;
-    const std::vector<StressSubject>& subjects_;
+    StressSchedule& schedule_;
     const fs::path& folder_;
-    const ArtifactStore store_;
-    SceneTools tools_;
-    Unstressed unstressed_;
 };
 
 }  // namespace
@@ -151,19 +108,12 @@ class StressRun {
 StressResults run_stress(const StressPlan& plan, const fs::path& folder) {
     const Stopwatch watch;
     const std::clock_t start_cpu = std::clock();
-    std::vector<std::string> warnings;
-    const Registry registry = load_registry(plan.methods_dir, plan.methods, warnings);
-    for (const std::string& warning : warnings) log_warning(warning);
-    const std::vector<StressSubject> subjects = stress_subjects(registry, plan.methods);
-    const std::vector<StressAxis> axes = planned_axes(plan);
-
-    StressResults results = described(plan, subjects);
-    StressRun run(plan, subjects, folder);
-    results.gl_renderer = run.gl_renderer();
-    std::size_t total = 0;
-    for (const StressAxis& axis : axes) total += axis.settings.size();
-    Progress progress("stress", total);
-    for (const StressAxis& axis : axes) {
+    StressSchedule schedule(plan);
+    StressResults results = described(plan, schedule.subjects());
+    results.gl_renderer = schedule.tools().renderer().renderer();
+    StressRun run(schedule, folder);
+    Progress progress("stress", schedule.setting_count());
+    for (const StressAxis& axis : schedule.axes()) {
         StressAxisRecord record{std::string(axis.id),
                                 std::string(axis.label),
                                 std::string(axis.meaning),

@@ -34,6 +34,7 @@ bool StressMaker::take(const Job& job) {
             if (kept) setting_ = stress_setting_from_json(*kept, job.key.hex);
             return kept.has_value();
         }
+        if (job.kind != ArtifactKind::stress_cell) return sources_.take(job);
         const std::optional<std::filesystem::path> kept = store_.file(job.key.hex);
         if (kept) cells_[job.key] = read_stressed_cell(*kept);
         return kept.has_value();

@@ -26,7 +26,7 @@ ParameterValues scaled_values(const MethodDescriptor& method, const std::string&
     for (const Parameter& p : method.parameters) {
         double factor = std::pow(stress.length_scale, p.length_power);
         if (p.id == radius) factor *= stress.radius_scale;
-        if (factor != 1) changed[p.id] = values.at(p.id).get<double>() * factor;
+        if (factor != 1) changed[p.id] = values.at(p.id).number() * factor;
     }
     return changed.empty() ? values : method.values(preset, changed);
 }

@@ -5,9 +5,11 @@
 #include "plan/resolved_cell.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace aoscore {
@@ -51,27 +53,48 @@ class Judge {
     ClaimRecord judge(const Claim& claim) {
         ClaimRecord record{claim.id,     claim.source, claim.place, claim.text, ClaimRecord::kCannotTell,
                            claim.cannot, claim.own,    claim.note,  {},         {}};
-        if (claim.checks.empty()) return record;
-        std::set<std::string> outcomes;
-        for (const ClaimCheck& check : claim.checks) {
-            for (ClaimFinding& finding : findings(check, record.reason)) {
-                outcomes.insert(finding.outcome);
-                record.findings.push_back(std::move(finding));
-            }
+        if (claim.settings.empty()) return record;
+        std::map<std::string, std::vector<std::string>> settings;  // by verdict
+        for (const ClaimSetting& setting : claim.settings) {
+            const std::string verdict = verdict_at(setting, record);
             if (!record.reason.empty()) return record;
-            add_errors(check, record);
+            settings[verdict].push_back(setting.about);
         }
-        if (outcomes.contains(ClaimRecord::kFails)) {
-            record.verdict = ClaimRecord::kFails;
-        } else if (outcomes.contains(ClaimRecord::kCannotTell)) {
-            record.reason = "what was measured lies too near to the limit for its uncertainty";
+        if (settings.size() == 1) {
+            record.verdict = settings.begin()->first;
+            if (record.verdict == ClaimRecord::kCannotTell)
+                record.reason = "what was measured lies too near to the limit for its uncertainty";
         } else {
-            record.verdict = ClaimRecord::kHolds;
+            record.reason = claim.open;
+            for (const auto& [verdict, where] : settings)
+                record.reason += fmt::format("; it {} at {}", verdict, fmt::join(where, ", at "));
         }
+        if (claim.settings.size() > 1 && settings.size() == 1)
+            record.note += fmt::format("{}{}: it is the same at all {} settings that were tried.",
+                                       record.note.empty() ? "" : " ", claim.open, claim.settings.size());
         return record;
     }
 
   private:
+    /// Fails when one part does, holds when all do.
+    std::string verdict_at(const ClaimSetting& setting, ClaimRecord& record) {
+        std::set<std::string> outcomes;
+        for (const ClaimCheck& check : setting.checks) {
+            for (ClaimFinding& finding : findings(check, record.reason)) {
+                outcomes.insert(finding.outcome);
+                if (!setting.about.empty())
+                    finding.about =
+                        finding.about.empty() ? setting.about : setting.about + ": " + finding.about;
+                record.findings.push_back(std::move(finding));
+            }
+            if (!record.reason.empty()) return ClaimRecord::kCannotTell;
+            add_errors(check, record);
+        }
+        return outcomes.contains(ClaimRecord::kFails)        ? ClaimRecord::kFails
+               : outcomes.contains(ClaimRecord::kCannotTell) ? ClaimRecord::kCannotTell
+                                                             : ClaimRecord::kHolds;
+    }
+
     std::vector<ClaimFinding> findings(const ClaimCheck& check, std::string& reason) {
         const std::optional<std::vector<Found>> found = find_cells(check, reason);
         if (!found) return {};

@@ -27,7 +27,8 @@ TEST(BuiltinTable, HasTheNamedScenes) {
         EXPECT_FALSE(scene.description.empty()) << scene.id;
     }
     EXPECT_THAT(ids, ::testing::UnorderedElementsAre("atrium", "cathedral", "pillar", "plane", "wall",
-                                                     "wall_tall", "sphere", "pit", "railing", "yard"));
+                                                     "wall_tall", "sphere", "pit", "railing", "yard",
+                                                     "layers", "grazing", "vault", "hairball", "courtyard"));
 }
 
 TEST_P(EveryBuiltin, IsTheSameEachTime) {

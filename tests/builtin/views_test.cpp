@@ -124,6 +124,47 @@ TEST(PillarViews, DarkenTheWallBesideThePillarThatHidesTheCrate) {
     EXPECT_GT(open / open_count, 0.97);
 }
 
+/// Surfaces that the ray through the picture's middle meets nearer than `end`, one behind the other.
+int layers_before(const Scene& scene, const View& view, double end) {
+    const ReferenceScene reference(scene);
+    Camera camera = view.camera;
+    int layers = 0;
+    for (; layers < 100; ++layers) {
+        const PrimaryHits hits = reference.primary_hits(CameraFrame(camera, 3, 3));
+        if (hits.surface.at(1, 1) == 0) break;
+        const auto depth = static_cast<double>(hits.depth.at(1, 1));
+        if (depth > end) break;
+        camera.near = depth + 1e-4;
+    }
+    return layers;
+}
+
+TEST(LayersViews, LookAtScreensOfAsManyLayersAsTheirNamesSay) {
+    const Scene scene = load_scene("layers");
+    for (const int layers : {2, 4, 8, 16, 32}) {
+        // The screens stand 7 m from the camera; behind them, at 10.2 m, are the crates.
+        EXPECT_EQ(layers_before(scene, find_view(scene, "layers_" + std::to_string(layers)), 9), layers);
+    }
+}
+
+TEST(LayersViews, HideTheCratesOfTheirBay) {
+    const Scene scene = load_scene("layers");
+    for (int bay = 0; bay < 5; ++bay) {
+        const double x = 4.0 * (bay - 2);
+        const View& view = find_view(scene, "layers_" + std::to_string(2 << bay));
+        EXPECT_EQ(share_inside(scene, view, {x - 0.6, 0.01, 0.01}, {x + 0.6, 2.5, 1}), 0.0) << view.id;
+    }
+}
+
+TEST(GrazingViews, SeeTheBoardsSidesOnlyWhereTheyTurn) {
+    const Scene scene = load_scene("grazing");
+    const auto side = [&](const char* id) {
+        return share_inside(scene, find_view(scene, id), {0.045, 0.01, 0.01}, {0.055, 2, 1.19});
+    };
+    EXPECT_LT(side("edge_on"), 1e-3);
+    EXPECT_GT(side("edge_10"), 0.01);
+}
+
 TEST(ShippedViews, AreReadableAndSayWhenNobodyVerifiedThem) {
     const std::vector<fs::path> files = shipped_view_files();
     EXPECT_GE(files.size(), builtin_scenes().size());

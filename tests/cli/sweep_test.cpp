@@ -66,7 +66,7 @@ TEST(Sweep, FetchesGrowWithTheSamplesOnTheAxis) {
         folder);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     for (const CellRecord& cell : read_results(folder / "out").cells)
-        EXPECT_DOUBLE_EQ(*cell.fetches_per_pixel, cell.parameters.at("samples").get<double>()) << cell.id;
+        EXPECT_DOUBLE_EQ(*cell.fetches_per_pixel, cell.parameters.at("samples").number()) << cell.id;
 }
 
 TEST(Sweep, HasOneFrontOverTheViewsOfSeveralScenes) {
@@ -146,7 +146,7 @@ TEST(Claims, OneViewAtSeveralRadiiIsKeptApart) {
     std::map<std::string, int> cells_by_id;
     for (const CellRecord& cell : results.cells) {
         EXPECT_EQ(++cells_by_id[cell.id], 1) << cell.id;
-        EXPECT_EQ(cell.parameters.at("radius").get<double>(), radius_by_key.at(cell.view_key));
+        EXPECT_EQ(cell.parameters.at("radius").number(), radius_by_key.at(cell.view_key));
     }
     EXPECT_EQ(results.cells.size(), 4u);
 }

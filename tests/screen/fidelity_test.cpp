@@ -38,7 +38,7 @@ class Fidelity : public ::testing::TestWithParam<std::string> {
         const GBufferImages images = renderer_.read_gbuffer();
         const published::Picture picture(CameraFrame(front_camera(), width, height), images);
         const published::Estimator estimate =
-            make(picture, method().values("default").at("radius").get<double>());
+            make(picture, method().values("default").at("radius").number());
         ImageF visibility(width, height, 1.0F);
         for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) {

@@ -143,7 +143,7 @@ TEST_P(EveryResolution, GivesNearlyTheFullPicture) {
     // noise, were measured here.
     const bool takes_root = GetParam() == "filament-ssao" || GetParam() == "unity-ssao";
     const auto final_power = request.parameters.find("final_power");
-    const double power = final_power == request.parameters.end() ? 1 : final_power->second.get<double>();
+    const double power = final_power == request.parameters.end() ? 1 : final_power->second.number();
     const std::vector<Pass>& passes = request.method->passes;
     for (const auto resolution : {Resolution::half, Resolution::dual, Resolution::half_gbuffer}) {
         request.resolution = resolution;

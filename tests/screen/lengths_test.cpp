@@ -34,8 +34,8 @@ TEST_P(Lengths, OfEveryPresetGrowWithTheRadiusByTheirPowerUnlessTheyAreAbsolute)
             if (p.length_power == 0 || absolute) {
                 EXPECT_EQ(drawn.at(p.id), own.at(p.id)) << preset << ", " << p.id;
             } else {
-                EXPECT_DOUBLE_EQ(drawn.at(p.id).get<double>(),
-                                 own.at(p.id).get<double>() * std::pow(3.0, p.length_power))
+                EXPECT_DOUBLE_EQ(drawn.at(p.id).number(),
+                                 own.at(p.id).number() * std::pow(3.0, p.length_power))
                     << preset << ", " << p.id;
             }
         }
@@ -76,11 +76,11 @@ TEST(RunLengths, SetByHandAreTakenLiterally) {
     const ParameterValues values = values_for_radius(alchemy, 1.0, "default", {{"sigma", 0.2}});
     EXPECT_EQ(values.at("sigma"), 0.2);
     EXPECT_EQ(values.at("radius"), 1.0);
-    EXPECT_DOUBLE_EQ(values.at("epsilon").get<double>(), 4 * 1e-4);  // an area: twice the radius
+    EXPECT_DOUBLE_EQ(values.at("epsilon").number(), 4 * 1e-4);  // an area: twice the radius
     // A radius set by hand is that method's alone: its other lengths stay those of the run.
     const ParameterValues wide = values_for_radius(alchemy, 1.0, "default", {{"radius", 5.0}});
     EXPECT_EQ(wide.at("radius"), 5.0);
-    EXPECT_DOUBLE_EQ(wide.at("sigma").get<double>(), 2 * 0.128);
+    EXPECT_DOUBLE_EQ(wide.at("sigma").number(), 2 * 0.128);
 }
 
 TEST(RunLengths, OutOfTheirRangeAreAnErrorThatNamesMethodLengthAndRadius) {
@@ -101,10 +101,10 @@ TEST(RunLengths, OfFiltersAndOfTheLightsFollowTheRadiusToo) {
         for (const double radius_m : {1e-6, 1e6})
             EXPECT_NO_THROW(values_for_radius(one, radius_m, "default"));
     }
-    EXPECT_DOUBLE_EQ(values_for_radius(load_lighting(), 1.0, "default").at("reach").get<double>(), 10);
+    EXPECT_DOUBLE_EQ(values_for_radius(load_lighting(), 1.0, "default").at("reach").number(), 10);
     const MethodDescriptor& filter = find_method(filters, "normal-depth");
     // Gravås's decimetre goes with a radius of 0.5 m.
-    EXPECT_DOUBLE_EQ(values_for_radius(filter, 1.0, "default").at("distance_unit").get<double>(), 0.2);
+    EXPECT_DOUBLE_EQ(values_for_radius(filter, 1.0, "default").at("distance_unit").number(), 0.2);
 }
 
 }  // namespace

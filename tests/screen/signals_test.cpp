@@ -178,7 +178,7 @@ std::vector<Case> cases(bool endless) {
     const int steps = endless ? 400 : 100;
     const ParameterValues slices = {
         {"slices", 32}, {"steps", steps}, {"step_power", 1.0}, {"radius", radius}};
-    const auto with = [&](ParameterValues settings, const std::string& id, const nlohmann::json& value) {
+    const auto with = [&](ParameterValues settings, const std::string& id, const ParameterValue& value) {
         settings[id] = value;
         return settings;
     };

@@ -263,7 +263,7 @@ TEST_F(Claims, TheFieldIsHeardInManyVoices) {
         if (list.id != "field") continue;
         for (const Claim& claim : list.claims) {
             sources.insert(claim.source);
-            measured += claim.checks.empty() ? 0 : 1;
+            measured += claim.settings.empty() ? 0 : 1;
         }
     }
     EXPECT_GE(measured, 20u);

@@ -27,9 +27,9 @@ ImageF trace_few_rays(const ReferenceScene& reference, const CameraFrame& frame,
                       const MethodRequest& request) {
     constexpr std::uint64_t kOfItsOwn = 0x66657720726179ull;
     TruthSettings settings;
-    settings.samples = request.parameters.at("rays").get<int>();
+    settings.samples = request.parameters.at("rays").number();
     settings.seed = mix_bits(request.seed ^ kOfItsOwn);
-    const TruthQuery query{Falloff::binary, request.parameters.at("radius").get<double>(), 0};
+    const TruthQuery query{Falloff::binary, request.parameters.at("radius").number(), 0};
     return reference.trace(frame, {query}, settings, "few rays").visibility.front();
 }
 

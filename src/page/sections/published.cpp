@@ -76,10 +76,8 @@ json published_parameters(const json& row) {
 json our_parameters(const CellRecord& cell) {
     json list = json::array();
     for (const auto& [name, value] : cell.parameters) {
-        const std::string text = value.is_number()   ? short_text(value.get<double>())
-                                 : value.is_string() ? value.get<std::string>()
-                                                     : value.dump();
-        list.push_back({{"name", name}, {"value", text}});
+        list.push_back(
+            {{"name", name}, {"value", value.is_number() ? short_text(value.number()) : value.text()}});
     }
     if (cell.filter != "none") list.push_back({{"name", "filter"}, {"value", cell.filter}});
     return list;

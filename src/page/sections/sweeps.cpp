@@ -170,7 +170,7 @@ json rows_model(const Rows& rows, const SweepRecord& sweep) {
 std::string light_text(const ViewRecord& view) {
     std::vector<std::string> parameters;
     for (const auto& [id, value] : view.lighting_parameters)
-        parameters.push_back(fmt::format("{} {}", id, value.dump()));
+        parameters.push_back(fmt::format("{} {}", id, value.text()));
     return fmt::format("lit by {} ({}); G-buffer {} ms; ± is half the quartiles' distance", view.lighting,
                        fmt::join(parameters, ", "),
                        with_spread(view.gbuffer, column_decimals({view.gbuffer.median_ms})));

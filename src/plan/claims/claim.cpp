@@ -91,13 +91,38 @@ class Reader {
         claim.own = object.text_or("own", "");
         claim.note = object.text_or("note", "");
         claim.cannot = object.text_or("cannot", "");
-        for (StrictObject& check : object.objects_or_empty("checks"))
-            claim.checks.push_back(read_check(check));
-        if (claim.checks.empty() == claim.cannot.empty())
+        if (object.has("checks") == !claim.cannot.empty())
             throw file_error(claim.id + " needs either checks or a reason why it cannot be told",
                              object.where());
+        if (object.has("over")) {
+            read_settings(object, claim);
+        } else if (object.has("checks")) {
+            claim.settings.push_back({"", read_checks(object)});
+        }
         object.finish();
         return claim;
+    }
+
+    std::vector<ClaimCheck> read_checks(StrictObject& claim) {
+        std::vector<ClaimCheck> checks;
+        for (StrictObject& check : claim.objects("checks")) checks.push_back(read_check(check));
+        if (checks.empty()) throw file_error("is empty", claim.where("checks"), "at least one check");
+        return checks;
+    }
+
+    // The same checks once for each setting, whose values the named cells take.
+    void read_settings(StrictObject& object, Claim& claim) {
+        const std::string name = object.text("over");
+        StrictObject range = top_.object("open_constants").object(name);
+        claim.open = range.text("why");
+        for (StrictObject& setting : range.objects("settings")) {
+            const std::string about = setting.text("about");
+            set_ = setting.object("cells").members();
+            claim.settings.push_back({about, read_checks(object)});
+            setting.finish();
+        }
+        set_.clear();
+        range.finish();
     }
 
     ClaimCheck read_check(StrictObject& object) {
@@ -132,6 +157,9 @@ class Reader {
             if (found == named_.end())
                 throw file_error("names the cell " + name.dump() + ", which is not there", where);
             json base = merged(found->second, where);
+            for (const auto& [changed, changes] : set_) {
+                if (changed == found->first) base["set"].update(changes);
+            }
             if (cell.is_string()) return base;
             for (const auto& [key, value] : cell.items()) {
                 if (key == "like") continue;
@@ -187,13 +215,9 @@ class Reader {
         cell.plan.method = object.text("method");
         cell.plan.preset = object.text_or("preset", "default");
         if (object.has("filter")) cell.plan.filter = object.text("filter");
-        if (object.has("set")) {
-            for (auto& [id, member] : object.object("set").members()) cell.plan.overrides[id] = member;
-        }
-        if (object.has("filter_set")) {
-            for (auto& [id, member] : object.object("filter_set").members())
-                cell.plan.filter_overrides[id] = member;
-        }
+        if (object.has("set")) cell.plan.overrides = parameter_values(object.object("set"));
+        if (object.has("filter_set"))
+            cell.plan.filter_overrides = parameter_values(object.object("filter_set"));
         cell.plan.own_truth = object.boolean_or("own_truth", false);
         if (object.has("modes")) read_modes(object.object("modes"), cell.plan.modes);
         cell.plan.keep_image = false;
@@ -219,6 +243,7 @@ class Reader {
     StrictObject top_;
     ClaimSources sources_;
     std::map<std::string, json> named_;
+    std::vector<std::pair<std::string, json>> set_;  ///< values of constants that are left open, by cell
 };
 
 }  // namespace
@@ -274,19 +299,27 @@ void scale_views(std::vector<ClaimList>& lists, double factor) {
     }
 }
 
+namespace {
+
+void plan_check(ExperimentPlan& plan, const ClaimList& list, const ClaimCheck& check) {
+    const Timed needs = find_quantity(check.quantity, "claims").needs;
+    for (const ClaimCell& cell : check.cells) {
+        ViewPlan view = list.views.at(cell.view);
+        view.own_parameters = true;
+        view.lit = needs != Timed::passes;
+        CellPlan asked = cell.plan;
+        asked.whole_frames = needs == Timed::whole_frames;
+        shared_cell(plan.views[shared_view(plan, std::move(view))], std::move(asked));
+    }
+}
+
+}  // namespace
+
 void plan_claims(ExperimentPlan& plan, const std::vector<ClaimList>& lists) {
     for (const ClaimList& list : lists) {
         for (const Claim& claim : list.claims) {
-            for (const ClaimCheck& check : claim.checks) {
-                const Timed needs = find_quantity(check.quantity, "claims").needs;
-                for (const ClaimCell& cell : check.cells) {
-                    ViewPlan view = list.views.at(cell.view);
-                    view.own_parameters = true;
-                    view.lit = needs != Timed::passes;
-                    CellPlan asked = cell.plan;
-                    asked.whole_frames = needs == Timed::whole_frames;
-                    shared_cell(plan.views[shared_view(plan, std::move(view))], std::move(asked));
-                }
+            for (const ClaimSetting& setting : claim.settings) {
+                for (const ClaimCheck& check : setting.checks) plan_check(plan, list, check);
             }
         }
     }

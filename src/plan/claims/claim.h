@@ -39,14 +39,23 @@ struct ClaimCheck {
     std::string about;  ///< what it shows, in words
 };
 
+/// What decides a claim where constants that its source does not print have these values.
+struct ClaimSetting {
+    std::string about;  ///< the values, in words; empty where nothing is left open
+    std::vector<ClaimCheck> checks;
+};
+
 /// One statement of a source and what decides it here.
 struct Claim {
     std::string id;      ///< "H01"
     std::string source;  ///< what says it, as source_reference() has it
     std::string place;   ///< where in the source
     std::string text;    ///< in our own words
-    std::vector<ClaimCheck> checks;
-    std::string cannot;  ///< why nothing here can tell; set where there are no checks
+    /// More than one where the source leaves constants open, over their plausible range. A claim is decided
+    /// only where it is at all of them alike.
+    std::vector<ClaimSetting> settings;
+    std::string open;    ///< which constants are left open, and where their range is taken from
+    std::string cannot;  ///< why nothing here can tell; set where there are no settings
     std::string own;     ///< what the source's own printed numbers say of it; empty where they agree
     std::string note;    ///< how our measurement differs from what the source looked at
 };

@@ -21,6 +21,15 @@ const std::vector<BuiltinScene>& builtin_scenes() {
          builtin::generate_railing},
         {"yard", "a pit, a wall, a box and a floating sphere: what the stress tests distort",
          builtin::generate_yard},
+        {"layers", "occluders behind screens of 2 to 32 depth layers (Vermeer 2020, figure 9.7)",
+         builtin::generate_layers},
+        {"grazing", "a board and a wall that turn towards the line of sight (Vermeer 2020, figure 9.20)",
+         builtin::generate_grazing},
+        {"vault", "few triangles under smooth normals (Vermeer 2020, figures 4.6 and 4.9)",
+         builtin::generate_vault},
+        {"hairball", "a million thin triangles, many layers deep", builtin::generate_hairball},
+        {"courtyard", "a court of trees, tables and arcades: many instances, foliage",
+         builtin::generate_courtyard},
     };
     return scenes;
 }

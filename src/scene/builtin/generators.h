@@ -16,5 +16,10 @@ Scene generate_sphere();
 Scene generate_pit();
 Scene generate_railing();
 Scene generate_yard();
+Scene generate_layers();
+Scene generate_grazing();
+Scene generate_vault();
+Scene generate_hairball();
+Scene generate_courtyard();
 
 }  // namespace aoscore::builtin

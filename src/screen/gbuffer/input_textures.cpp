@@ -63,7 +63,7 @@ GLuint InputTextures::texture(const std::string& listed, const PassBuild& build,
 GLuint InputTextures::depth_mips(const PassBuild& build, GLuint linear_depth) {
     const DepthMips& mips = build.method->depth_mips;
     const bool has_radius = !mips.radius_parameter.empty();
-    const double radius = has_radius ? build.parameters->at(mips.radius_parameter).get<double>() : 0;
+    const double radius = has_radius ? build.parameters->at(mips.radius_parameter).number() : 0;
     return derived_.depth_mips(*gbuffer_, linear_depth, mips.filter, radius, build.mirror);
 }
 

@@ -16,8 +16,7 @@ ParameterValues lengths_for_radius(const MethodDescriptor& method, double radius
         if (p.length_power == 0 || overrides.contains(p.id)) continue;
         const bool is_radius = p.id == method.reference_radius.parameter;
         const double value =
-            is_radius ? radius_m
-                      : own.at(p.id).get<double>() * std::pow(radius_m / reference_m, p.length_power);
+            is_radius ? radius_m : own.at(p.id).number() * std::pow(radius_m / reference_m, p.length_power);
         if (!p.accepts(value)) {
             throw usage_error(
                 fmt::format("becomes {:g} {} at an AO radius of {:g} m", value, p.unit, radius_m),
@@ -32,7 +31,7 @@ ParameterValues lengths_for_radius(const MethodDescriptor& method, double radius
 
 std::optional<double> reference_radius(const MethodDescriptor& method, std::string_view preset) {
     if (!method.reference_radius.parameter.empty())
-        return method.values(preset).at(method.reference_radius.parameter).get<double>();
+        return method.values(preset).at(method.reference_radius.parameter).number();
     if (method.reference_radius.metres > 0) return method.reference_radius.metres;
     return std::nullopt;
 }

@@ -27,16 +27,16 @@ std::string valid_values(const Parameter& p) {
     return {};
 }
 
-bool in_range(const Parameter& p, const nlohmann::json& value) {
+bool in_range(const Parameter& p, const ParameterValue& value) {
     if (!value.is_number()) return false;
-    const double v = value.get<double>();
+    const double v = value.number();
     if (p.type == Parameter::Type::integer && v != std::floor(v)) return false;
     return v >= p.lowest && v <= p.highest;
 }
 
 }  // namespace
 
-bool Parameter::accepts(const nlohmann::json& value) const {
+bool Parameter::accepts(const ParameterValue& value) const {
     switch (type) {
         case Type::integer:
         case Type::real:
@@ -44,8 +44,7 @@ bool Parameter::accepts(const nlohmann::json& value) const {
         case Type::boolean:
             return value.is_boolean();
         case Type::choice:
-            return value.is_string() &&
-                   std::find(choices.begin(), choices.end(), value.get<std::string>()) != choices.end();
+            return value.is_word() && std::ranges::find(choices, value.word()) != choices.end();
     }
     return false;
 }
@@ -88,7 +87,7 @@ ParameterValues MethodDescriptor::values(std::string_view preset, const Paramete
                 throw unknown_name("no parameter", name, ids_of(parameters), id);
             }
             if (!parameter->accepts(value)) {
-                throw usage_error(fmt::format("is {}", value.dump()), id + "." + name, parameter->valid());
+                throw usage_error(fmt::format("is {}", value.quoted()), id + "." + name, parameter->valid());
             }
             result[name] = value;
         }

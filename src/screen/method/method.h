@@ -1,6 +1,6 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include "core/parameter_value.h"
 
 #include <filesystem>
 #include <map>
@@ -15,7 +15,7 @@ struct Parameter {
     enum class Type { integer, real, boolean, choice };
     std::string id;
     Type type = Type::real;
-    nlohmann::json default_value;
+    ParameterValue default_value;
     double lowest = 0, highest = 0;    ///< integer, real
     std::vector<std::string> choices;  ///< choice: the shader sees the index
     std::string unit;                  ///< "m", "rad", "px", "uv", ""
@@ -24,11 +24,10 @@ struct Parameter {
     std::string signal = {};  ///< the only one that it decides (see core/signal.h); empty: visibility, too
 
     /// Whether a value has this parameter's type and lies in its range.
-    bool accepts(const nlohmann::json& value) const;
+    bool accepts(const ParameterValue& value) const;
     /// What it accepts, in words.
     std::string valid() const;
 };
-using ParameterValues = std::map<std::string, nlohmann::json>;
 
 /// A table of points that the program generates for a method (seeded, by MethodRequest::seed) and compiles
 /// into its shader as `k_<id>[]`. Members that begin with '@' name the parameter that holds the value.

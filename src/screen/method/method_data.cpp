@@ -80,7 +80,7 @@ json kernel_data(const Kernel& kernel, const MethodDescriptor& method, std::uint
         full.size = std::to_string(largest);
         full.scale = "none";
         for (std::string* member : {&full.directions, &full.radii, &full.sequence}) {
-            if (member->starts_with('@')) *member = setting.at(member->substr(1)).get<std::string>();
+            if (member->starts_with('@')) *member = setting.at(member->substr(1)).word();
         }
         json points = json::array();
         for (const glm::vec3& p : generate_kernel(full, seed)) {

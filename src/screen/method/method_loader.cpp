@@ -75,9 +75,9 @@ Parameter parse_parameter(const std::string& id, StrictObject object) {
     }
     if (p.length_power != 0 && p.type != Parameter::Type::real)
         throw file_error("is no real number", object.where("length_power"), "real parameters alone");
-    p.default_value = object.raw("default");
+    p.default_value = parameter_value(object.raw("default"), object.where("default"));
     if (!p.accepts(p.default_value)) {
-        throw file_error(fmt::format("is {}", p.default_value.dump()), object.where("default"), p.valid());
+        throw file_error(fmt::format("is {}", p.default_value.quoted()), object.where("default"), p.valid());
     }
     object.finish();
     return p;
@@ -87,12 +87,13 @@ std::map<std::string, ParameterValues> parse_presets(const MethodDescriptor& met
     std::map<std::string, ParameterValues> result;
     for (const auto& [name, value] : presets.members()) {
         check_id(name, presets.where(name), '-');
-        for (const auto& [id, setting] : StrictObject(value, presets.where(name)).members()) {
+        for (const auto& [id, stated] : StrictObject(value, presets.where(name)).members()) {
             const std::string where = presets.where(name) + "." + id;
             const Parameter* parameter = method.find_parameter(id);
             if (parameter == nullptr) throw file_error("is no parameter", where, "a declared parameter");
+            const ParameterValue setting = parameter_value(stated, where);
             if (!parameter->accepts(setting)) {
-                throw file_error(fmt::format("is {}", setting.dump()), where, parameter->valid());
+                throw file_error(fmt::format("is {}", setting.quoted()), where, parameter->valid());
             }
             result[name][id] = setting;
         }

@@ -162,8 +162,8 @@ class Sweep {
 }  // namespace
 
 ImageF line_sweep(const ProcessorInput& input, const ParameterValues& parameters) {
-    const int directions = static_cast<int>(parameters.at("directions").get<double>());
-    const double edge = parameters.at("edge").get<double>();
+    const int directions = static_cast<int>(parameters.at("directions").number());
+    const double edge = parameters.at("edge").number();
     // One picture a direction, added in order: the same sum for any number of threads.
     std::vector<ImageF> sums(static_cast<std::size_t>(directions));
     ImageF result(input.linear_depth->width, input.linear_depth->height, 0);
@@ -191,7 +191,7 @@ ImageF line_sweep(const ProcessorInput& input, const ParameterValues& parameters
 }
 
 double line_sweep_fetches(const ParameterValues& parameters) {
-    return 2 * parameters.at("directions").get<double>();
+    return 2 * parameters.at("directions").number();
 }
 
 }  // namespace aoscore

@@ -27,8 +27,8 @@ std::string glsl_number(double value) {
     return text;
 }
 
-int choice_index(const Parameter& p, const nlohmann::json& value) {
-    const auto found = std::find(p.choices.begin(), p.choices.end(), value.get<std::string>());
+int choice_index(const Parameter& p, const ParameterValue& value) {
+    const auto found = std::find(p.choices.begin(), p.choices.end(), value.word());
     return static_cast<int>(found - p.choices.begin());
 }
 
@@ -43,14 +43,14 @@ std::string_view glsl_type(Parameter::Type type) {
     }
 }
 
-std::string glsl_value(const Parameter& p, const nlohmann::json& value) {
+std::string glsl_value(const Parameter& p, const ParameterValue& value) {
     switch (p.type) {
         case Parameter::Type::integer:
-            return std::to_string(static_cast<long long>(value.get<double>()));
+            return std::to_string(static_cast<long long>(value.number()));
         case Parameter::Type::real:
-            return glsl_number(value.get<double>());
+            return glsl_number(value.number());
         case Parameter::Type::boolean:
-            return value.get<bool>() ? "true" : "false";
+            return value.boolean() ? "true" : "false";
         case Parameter::Type::choice:
             return std::to_string(choice_index(p, value));
     }
@@ -75,9 +75,8 @@ Kernel resolved(const Kernel& kernel, const PassBuild& build) {
     for (std::string* member :
          {&result.size, &result.directions, &result.radii, &result.scale, &result.sequence}) {
         if (!member->starts_with('@')) continue;
-        const nlohmann::json& value = build.parameters->at(member->substr(1));
-        *member = value.is_string() ? value.get<std::string>()
-                                    : std::to_string(static_cast<long long>(value.get<double>()));
+        const ParameterValue& value = build.parameters->at(member->substr(1));
+        *member = value.is_word() ? value.word() : std::to_string(static_cast<long long>(value.number()));
     }
     return result;
 }
@@ -136,7 +135,7 @@ void add_body(ShaderSource& source, const PassBuild& build, const Pass& pass) {
         std::map<std::string, int> counts;
         for (const Parameter& p : build.method->parameters) {
             if (p.type == Parameter::Type::integer)
-                counts["p_" + p.id] = static_cast<int>(build.parameters->at(p.id).get<double>());
+                counts["p_" + p.id] = static_cast<int>(build.parameters->at(p.id).number());
         }
         source.unroll(std::move(counts));
     }
@@ -245,16 +244,16 @@ PassProgram::PassProgram(const PassBuild& build, const Pass& pass, const ShaderS
 void PassProgram::set_parameters(const PassBuild& build) const {
     for (const Parameter& p : build.method->parameters) {
         const GLint location = program_.location("p_" + p.id);
-        const nlohmann::json& value = build.parameters->at(p.id);
+        const ParameterValue& value = build.parameters->at(p.id);
         switch (p.type) {
             case Parameter::Type::real:
-                gl::Uniform1f(location, value.get<float>());
+                gl::Uniform1f(location, static_cast<float>(value.number()));
                 break;
             case Parameter::Type::boolean:
-                gl::Uniform1i(location, value.get<bool>() ? 1 : 0);
+                gl::Uniform1i(location, value.boolean() ? 1 : 0);
                 break;
             case Parameter::Type::integer:
-                gl::Uniform1i(location, static_cast<GLint>(value.get<double>()));
+                gl::Uniform1i(location, static_cast<GLint>(value.number()));
                 break;
             case Parameter::Type::choice:
                 gl::Uniform1i(location, choice_index(p, value));
