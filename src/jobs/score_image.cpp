@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
+
 namespace aoscore {
 namespace {
 
@@ -26,6 +28,16 @@ class Comparison {
         if (truth.halves.empty()) return;
         halves_.emplace(truth.halves[query][0], truth.halves[query][1], &maps_[1], &maps_[2]);
         input_.halves = &*halves_;
+    }
+    /// Against the first query; `valid` must be the mask that the side was made for.
+    Comparison(const Truth& truth, const TruthSide& side, const ImageF& image, const Mask& valid)
+        : Comparison(truth, 0, image, valid) {
+        const std::span<const PreparedImage> prepared = side.images();
+        if (prepared.empty()) return;
+        input_.prepared_truth = &prepared[0];
+        if (!halves_) return;
+        halves_->first_prepared = &prepared[1];
+        halves_->second_prepared = &prepared[2];
     }
     Comparison(const Comparison&) = delete;
     Comparison& operator=(const Comparison&) = delete;
@@ -41,6 +53,13 @@ class Comparison {
 MetricMap metrics_against(const Truth& truth, std::size_t query, const ImageF& image, const Mask& valid) {
     const Comparison comparison(truth, query, image, valid);
     return evaluate(comparison.input(), unranked_metrics());
+}
+
+MetricMap raw_metrics(const Truth& truth, const Ground& ground, const TruthSide& side, const ImageF& raw) {
+    std::size_t nonfinite = 0;
+    const Mask valid = finite_pixels(truth.visibility[0], raw, ground.contract.valid, nonfinite);
+    if (nonfinite > 0) return metrics_against(truth, 0, raw, valid);
+    return evaluate(Comparison(truth, side, raw, valid).input(), unranked_metrics());
 }
 
 void require_ground(const CameraContract& contract) {
@@ -60,22 +79,18 @@ std::string Score::error() const {
     return nonfinite > 0 ? fmt::format("{} pixels are NaN or infinite", nonfinite) : "";
 }
 
-Score score_image(const Truth& truth, const Ground& ground, const MethodOutput& image,
+Score score_image(const Truth& truth, const Ground& ground, const TruthSide& side, const MethodOutput& image,
                   const ScoreSettings& settings) {
     require_ground(ground.contract);
     Score score;
     const Mask valid =
         finite_pixels(truth.visibility[0], image.visibility, ground.contract.valid, score.nonfinite);
     if (score.nonfinite > 0) return score;
-    const Comparison ranked(truth, 0, image.visibility, valid);
+    const Comparison ranked(truth, side, image.visibility, valid);
     score.ranked = evaluate(ranked.input());
-    score.analysis = analyse(ranked.input(), ground.facts, settings.mask_threshold, settings.seed);
-    if (settings.filtered) {
-        std::size_t nonfinite = 0;
-        const Mask raw_valid =
-            finite_pixels(truth.visibility[0], image.raw, ground.contract.valid, nonfinite);
-        score.raw = metrics_against(truth, 0, image.raw, raw_valid);
-    }
+    score.analysis =
+        analyse(ranked.input(), ground.facts, settings.mask_threshold, settings.seed, &side.divisions());
+    if (settings.filtered) score.raw = raw_metrics(truth, ground, side, image.raw);
     for (const auto& [id, of_signal] : image.signals) {
         const TruthSignal known = truth_signal(truth, id);
         score.signals[id] =

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "jobs/ground.h"
+#include "jobs/truth_side.h"
 #include "reference/truth.h"
 #include "results/record_of.h"
 #include "results/results.h"
@@ -43,9 +44,9 @@ struct ScoreSettings {
     std::uint64_t seed = 1;       ///< of the resampling
 };
 
-/// Every metric and the analysis, against the truth's first query. Throws gate_failed where no pixel is
-/// valid, and internal_error where ray tracer and rasteriser disagree.
-Score score_image(const Truth& truth, const Ground& ground, const MethodOutput& image,
+/// Every metric and the analysis, against the truth's first query; `side` is of this truth and ground. Throws
+/// gate_failed where no pixel is valid, and internal_error where ray tracer and rasteriser disagree.
+Score score_image(const Truth& truth, const Ground& ground, const TruthSide& side, const MethodOutput& image,
                   const ScoreSettings& settings);
 
 /// The metrics that are kept of truths beside the ranking's, against one query of the truth.

@@ -158,6 +158,7 @@ void ViewMaker::make(const Job& job) {
             return trace();
         case ArtifactKind::contract:
             ground_ = find_ground(frame_, truth_->truth, *gbuffer_, work_.scene.bounds);
+            truth_side_.reset();
             return;
         case ArtifactKind::view:
             view_ = recorded_view(work_, described_, *truth_, *ground_);
@@ -213,7 +214,9 @@ void ViewMaker::make_image(const Job& job) {
 
 void ViewMaker::make_score(const Job& job) {
     const ScoreSettings settings{cell(job).contestant->is_filtered(), work_.mask_threshold, work_.seed};
-    const Score& score = scores_[job.key] = score_image(truth_->truth, *ground_, image_->second, settings);
+    if (!truth_side_) truth_side_.emplace(truth_->truth, *ground_);
+    const Score& score = scores_[job.key] =
+        score_image(truth_->truth, *ground_, *truth_side_, image_->second, settings);
     if (!score.error().empty()) throw internal_error(score.error());
     keep(job, to_json(score));
 }

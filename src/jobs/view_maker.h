@@ -75,6 +75,7 @@ class ViewMaker final : public Maker {
     std::optional<CachedTruth> truth_;
     std::optional<Ground> ground_;
     std::optional<std::pair<Key, MethodOutput>> image_;
+    std::optional<TruthSide> truth_side_;  ///< of the ranking's truth on the ground
     std::uint64_t rays_ = 0;
 
     std::optional<ViewRecord> view_;

@@ -3,6 +3,7 @@
 #include "core/known_names.h"
 #include "metrics/intervals/extrapolation.h"
 #include "metrics/measures/mean_error.h"
+#include "metrics/prepared_image.h"
 
 #include <fmt/format.h>
 
@@ -41,10 +42,15 @@ std::map<std::string, MetricValue> evaluate(const MetricInput& input, std::span<
 
     std::size_t nonfinite = 0;
     finite_pixels(input.truth, input.test, input.valid, nonfinite);
+    const PreparedImage test(input.test, input.valid);
+    MetricInput shared = input;
+    // Against one truth alone every image is looked at once by each metric, and keeping it would only cost
+    // memory.
+    if (input.halves != nullptr && input.prepared_test == nullptr) shared.prepared_test = &test;
     std::map<std::string, MetricValue> values;
     for (const Metric* row : rows) {
         values[std::string(row->id)] =
-            nonfinite == 0 ? measured(*row, input)
+            nonfinite == 0 ? measured(*row, shared)
                            : undefined(fmt::format("{} valid pixels are NaN or infinite", nonfinite));
     }
     return values;

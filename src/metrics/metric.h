@@ -10,6 +10,7 @@
 
 namespace aoscore {
 
+class PreparedImage;
 struct DrawnSums;
 struct MapSums;
 
@@ -20,6 +21,8 @@ struct TruthHalves {
     const ImageF& second;
     MapSums* first_maps = nullptr;  ///< as MetricInput::maps, of the same metrics against each half
     MapSums* second_maps = nullptr;
+    const PreparedImage* first_prepared = nullptr;  ///< as MetricInput::prepared_truth
+    const PreparedImage* second_prepared = nullptr;
 };
 
 /// What a metric looks at. All images have one size; visibility in [0,1], 1 = open.
@@ -29,7 +32,9 @@ struct MetricInput {
     const Mask& valid;                       ///< pixels that count; finite in both images
     const ImageF* standard_error = nullptr;  ///< of the truth, where it is known
     MapSums* maps = nullptr;  ///< where metrics that are means of a map leave what they add up, if wanted
-    const TruthHalves* halves = nullptr;  ///< of the truth, where it has two
+    const TruthHalves* halves = nullptr;            ///< of the truth, where it has two
+    const PreparedImage* prepared_truth = nullptr;  ///< of `truth` and `valid`, where others need it as well
+    const PreparedImage* prepared_test = nullptr;   ///< of `test` and `valid`
 };
 
 struct MetricValue {

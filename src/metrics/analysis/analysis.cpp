@@ -11,7 +11,7 @@
 namespace aoscore {
 
 std::optional<ErrorAnalysis> analyse(const MetricInput& input, const PixelFacts& facts, double mask_threshold,
-                                     std::uint64_t seed) {
+                                     std::uint64_t seed, const std::vector<PixelDivision>* divisions) {
     const std::optional<BestFit> fit = best_fit(input);
     if (!fit) return std::nullopt;
     ErrorAnalysis analysis;
@@ -20,7 +20,8 @@ std::optional<ErrorAnalysis> analyse(const MetricInput& input, const PixelFacts&
     analysis.missing = summarize_mask(masks.missing, input, facts.causes);
     analysis.false_occlusion = summarize_mask(masks.false_occlusion, input, {});
     analysis.regions = worst_regions(masks, input, facts.causes);
-    analysis.splits = error_splits(input, facts);
+    analysis.splits =
+        divisions != nullptr ? error_splits(input, facts, *divisions) : error_splits(input, facts);
     analysis.distribution = error_distribution(input);
     analysis.tile_pattern = tile_pattern(input);
     analysis.blocks = block_errors(input, masks);

@@ -35,8 +35,10 @@ struct ErrorAnalysis {
 
 /// SSIM, MS-SSIM and FLIP have intervals where evaluate() left their sums in `input.maps`. `mask_threshold`
 /// in visibility; `seed` of the resampling. Empty without a valid pixel or where a valid one is NaN or
-/// infinite. Throws sizes_differ.
+/// infinite. `divisions` are pixel_divisions() of mask and facts, where other tests need them as well; null:
+/// they are made. Throws sizes_differ.
 std::optional<ErrorAnalysis> analyse(const MetricInput& input, const PixelFacts& facts, double mask_threshold,
-                                     std::uint64_t seed);
+                                     std::uint64_t seed,
+                                     const std::vector<PixelDivision>* divisions = nullptr);
 
 }  // namespace aoscore

@@ -3,11 +3,14 @@
 #include "core/threads.h"
 #include "metrics/measures/mean_error.h"
 #include "metrics/measures/noise.h"
+#include "metrics/measures/power.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <span>
 #include <vector>
 
 namespace aoscore {
@@ -18,9 +21,11 @@ constexpr double kMostStrength = 4, kMostExponent = 8;
 struct Curve {
     double strength = 1, exponent = 1;
 
-    double operator()(double visibility) const {
-        const double base = std::max(1 - strength * (1 - visibility), 0.0);
-        return std::min(exponent == 1 ? base : std::pow(base, exponent), 1.0);
+    /// Changes visibilities in place.
+    void apply(std::span<double> visibilities) const {
+        for (double& value : visibilities) value = std::max(1 - strength * (1 - value), 0.0);
+        if (exponent != 1) raise(visibilities, exponent);
+        for (double& value : visibilities) value = std::min(value, 1.0);
     }
 };
 
@@ -30,38 +35,44 @@ struct Curve {
 class Levels {
   public:
     explicit Levels(const MetricInput& input) {
+        struct Sums {
+            double count = 0, test = 0, truth = 0;
+        };
+        std::array<Sums, kLevels> levels{};
         for (std::size_t i = 0; i < input.truth.size(); ++i) {
             if (input.valid.pixels[i] == 0) continue;
             const double test = std::clamp(double{input.test.pixels[i]}, 0.0, 1.0);
-            Level& level = levels_[static_cast<std::size_t>(test * (kLevels - 1) + 0.5)];
+            Sums& level = levels[static_cast<std::size_t>(test * (kLevels - 1) + 0.5)];
             level.count += 1;
             level.test += test;
             level.truth += double{input.truth.pixels[i]};
         }
-        for (Level& level : levels_) {
+        for (const Sums& level : levels) {
             if (level.count == 0) continue;
-            level.test /= level.count;
-            level.truth /= level.count;
+            counts_.push_back(level.count);
+            tests_.push_back(level.test / level.count);
+            truths_.push_back(level.truth / level.count);
         }
+        fitted_ = tests_;
     }
 
     /// Sum of squared errors but for a constant: the spread of the truth within levels.
-    double badness(const Curve& curve) const {
+    double badness(const Curve& curve) {
+        std::ranges::copy(tests_, fitted_.begin());
+        curve.apply(fitted_);
         double sum = 0;
-        for (const Level& level : levels_) {
-            if (level.count == 0) continue;
-            const double error = curve(level.test) - level.truth;
-            sum += level.count * error * error;
+        for (std::size_t i = 0; i < fitted_.size(); ++i) {
+            const double error = fitted_[i] - truths_[i];
+            sum += counts_[i] * error * error;
         }
         return sum;
     }
 
   private:
     static constexpr std::size_t kLevels = 1024;
-    struct Level {
-        double count = 0, test = 0, truth = 0;
-    };
-    std::array<Level, kLevels> levels_{};
+    // Of the levels that have pixels.
+    std::vector<double> counts_, tests_, truths_;
+    std::vector<double> fitted_;
 };
 
 /// Where a function of one variable is least in [low, high]: the best of a few even steps, then by golden
@@ -101,7 +112,7 @@ double least_at(double low, double high, Function function) {
 
 /// Strength and exponent make up for each other nearly, in a narrow curved valley: hence the best strength
 /// for every exponent that is tried.
-Curve search(const Levels& levels) {
+Curve search(Levels& levels) {
     const auto best_strength = [&](double exponent) {
         return least_at(0, kMostStrength, [&](double strength) {
             return levels.badness({strength, exponent});
@@ -115,15 +126,41 @@ Curve search(const Levels& levels) {
     return {best_strength(exponent), exponent};
 }
 
-ImageF fitted(const ImageF& test, const Mask& valid, const Curve& curve) {
-    ImageF result(test.width, test.height);
-    parallel_for(static_cast<std::size_t>(test.height), [&](std::size_t y) {
-        const std::size_t first = y * static_cast<std::size_t>(test.width);
-        for (std::size_t i = first; i < first + static_cast<std::size_t>(test.width); ++i) {
-            if (valid.pixels[i] != 0) result.pixels[i] = static_cast<float>(curve(double{test.pixels[i]}));
-        }
-    });
-    return result;
+/// Mean squared error and mean error of the image after the curve, rounded as an image is.
+struct FittedError {
+    double squared = 0, signed_sum = 0, count = 0;
+    double mse() const { return squared / count; }
+    double bias() const { return signed_sum / count; }
+};
+
+FittedError error_of_row(const MetricInput& input, const Curve& curve, int y) {
+    const std::size_t first = input.valid.index(0, y), width = static_cast<std::size_t>(input.valid.width);
+    std::vector<double> values(width);
+    for (std::size_t x = 0; x < width; ++x)
+        values[x] = input.valid.pixels[first + x] != 0 ? double{input.test.pixels[first + x]} : 0.0;
+    curve.apply(values);
+    FittedError sum;
+    for (std::size_t x = 0; x < width; ++x) {
+        if (input.valid.pixels[first + x] == 0) continue;
+        const double error = double{static_cast<float>(values[x])} - double{input.truth.pixels[first + x]};
+        sum.squared += error * error;
+        sum.signed_sum += error;
+        ++sum.count;
+    }
+    return sum;
+}
+
+FittedError fitted_error(const MetricInput& input, const Curve& curve) {
+    std::vector<FittedError> rows(static_cast<std::size_t>(input.valid.height));
+    parallel_for(rows.size(),
+                 [&](std::size_t y) { rows[y] = error_of_row(input, curve, static_cast<int>(y)); });
+    FittedError all;
+    for (const FittedError& row : rows) {
+        all.squared += row.squared;
+        all.signed_sum += row.signed_sum;
+        all.count += row.count;
+    }
+    return all;
 }
 
 }  // namespace
@@ -131,19 +168,17 @@ ImageF fitted(const ImageF& test, const Mask& valid, const Curve& curve) {
 std::optional<BestFit> best_fit(const MetricInput& input) {
     const std::optional<double> as_it_is = mean_squared_error(input);
     if (!as_it_is || !std::isfinite(*as_it_is)) return std::nullopt;
-    Curve curve = search(Levels(input));
-    ImageF image = fitted(input.test, input.valid, curve);
-    double mse = *mean_squared_error({input.truth, image, input.valid});
-    if (mse > *as_it_is) {  // Off by the search's levels: there is nothing to gain.
+    Levels levels(input);
+    Curve curve = search(levels);
+    FittedError error = fitted_error(input, curve);
+    if (error.mse() > *as_it_is) {  // Off by the search's levels: there is nothing to gain.
         curve = {};
-        image = fitted(input.test, input.valid, curve);
-        mse = *mean_squared_error({input.truth, image, input.valid});
+        error = fitted_error(input, curve);
     }
-    BestFit fit{curve.strength, curve.exponent, std::sqrt(mse), {}, 0};
-    fit.bias = *mean_over_valid({input.truth, image, input.valid}, [](double error) { return error; });
+    BestFit fit{curve.strength, curve.exponent, std::sqrt(error.mse()), {}, error.bias()};
     if (knows_noise(input)) {
         const double variance = *mean_noise_variance(input);
-        if (std::isfinite(variance)) fit.rmse_debiased = std::sqrt(std::max(mse - variance, 0.0));
+        if (std::isfinite(variance)) fit.rmse_debiased = std::sqrt(std::max(error.mse() - variance, 0.0));
     }
     return fit;
 }

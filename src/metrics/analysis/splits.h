@@ -1,5 +1,6 @@
 #pragma once
 
+#include "metrics/analysis/pixel_divisions.h"
 #include "metrics/analysis/pixel_facts.h"
 #include "metrics/metric.h"
 
@@ -28,10 +29,13 @@ struct Split {
     std::vector<SplitBin> bins;
 };
 
-/// All rows of the table in splits.cpp for which the facts are known: by sign of the error, cause of the
-/// occlusion, distance from a depth edge, tilt, view depth, distance from the image border. Bins that are not
-/// names have fixed bounds, except view depth, whose bins hold a fifth of the pixels each. Empty without a
-/// valid pixel. Throws sizes_differ.
+/// By sign of the error and cause of the occlusion (where it is known), then by each of `divisions`, which
+/// are pixel_divisions() of the input's mask and these facts. Bins that are not names have fixed bounds,
+/// except view depth, whose bins hold a fifth of the pixels each. Empty without a valid pixel. Throws
+/// sizes_differ.
+std::vector<Split> error_splits(const MetricInput& input, const PixelFacts& facts,
+                                const std::vector<PixelDivision>& divisions);
+/// The same where the divisions are needed only once.
 std::vector<Split> error_splits(const MetricInput& input, const PixelFacts& facts);
 
 }  // namespace aoscore

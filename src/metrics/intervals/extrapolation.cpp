@@ -17,6 +17,8 @@ MetricInput against_half(const MetricInput& input, std::size_t half) {
     const TruthHalves& halves = *input.halves;
     MetricInput against{half == 0 ? halves.first : halves.second, input.test, input.valid};
     against.maps = half == 0 ? halves.first_maps : halves.second_maps;
+    against.prepared_truth = half == 0 ? halves.first_prepared : halves.second_prepared;
+    against.prepared_test = input.prepared_test;
     return against;
 }
 

@@ -15,7 +15,7 @@ namespace {
 constexpr int kBandRows = 64;
 
 // Several doubles side by side. Written out, because GCC 12 would rather look for them among the taps.
-constexpr std::size_t kLanes = 4;
+constexpr std::size_t kLanes = 8;
 typedef double Lanes __attribute__((vector_size(kLanes * sizeof(double))));
 
 enum class Symmetry { even, odd };

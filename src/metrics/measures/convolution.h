@@ -6,7 +6,7 @@
 
 // Built twice, with wider registers where the machine has them: the same roundings in the same order.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define AOSCORE_WIDER_WHERE_POSSIBLE __attribute__((target_clones("avx2", "default")))
+#define AOSCORE_WIDER_WHERE_POSSIBLE __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
 #define AOSCORE_WIDER_WHERE_POSSIBLE
 #endif

@@ -25,13 +25,6 @@ double lightness(double luminance) {
     return lightness(luminance, std::cbrt(luminance));
 }
 
-void to_lightness(std::span<double> luminances) {
-    for (double& luminance : luminances) luminance = std::clamp(luminance, 0.0, 1.0);
-    std::vector<double> roots(luminances.begin(), luminances.end());
-    raise(roots, 1.0 / 3);
-    for (std::size_t i = 0; i < roots.size(); ++i) luminances[i] = lightness(luminances[i], roots[i]);
-}
-
 struct Lab {
     double l, a, b;
 };
@@ -55,15 +48,20 @@ double largest_color_difference() {
 
 }  // namespace
 
-void flip_color_differences(std::span<double> truth, std::span<double> test) {
+void to_lightness(std::span<double> luminances) {
+    for (double& luminance : luminances) luminance = std::clamp(luminance, 0.0, 1.0);
+    std::vector<double> roots(luminances.begin(), luminances.end());
+    raise(roots, 1.0 / 3);
+    for (std::size_t i = 0; i < roots.size(); ++i) luminances[i] = lightness(luminances[i], roots[i]);
+}
+
+void flip_color_differences(std::span<double> differences, const double* truth, const double* test) {
     static const double largest = largest_color_difference();
     static const double knee = kKnee * largest;
-    to_lightness(truth);
-    to_lightness(test);
-    for (std::size_t i = 0; i < truth.size(); ++i)
-        truth[i] = std::abs(truth[i] - test[i]);  // HyAB, of grays.
-    raise(truth, kExponent);
-    for (double& difference : truth) {
+    for (std::size_t i = 0; i < differences.size(); ++i)
+        differences[i] = std::abs(truth[i] - test[i]);  // HyAB, of grays.
+    raise(differences, kExponent);
+    for (double& difference : differences) {
         difference = difference < knee ? kAtKnee / knee * difference
                                        : kAtKnee + (difference - knee) / (largest - knee) * (1 - kAtKnee);
     }

@@ -31,6 +31,9 @@ class FlipFilter {
     std::span<double> operator[](Response response) {
         return std::span(responses_).subspan(response * width_, width_);
     }
+    std::span<const double> operator[](Response response) const {
+        return std::span(responses_).subspan(response * width_, width_);
+    }
 
   private:
     /// What is kept of a row that was pushed.

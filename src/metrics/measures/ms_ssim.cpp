@@ -2,6 +2,7 @@
 #include "metrics/measures.h"
 #include "metrics/measures/mean_error.h"
 #include "metrics/measures/structural_similarity.h"
+#include "metrics/prepared_image.h"
 
 #include <fmt/format.h>
 
@@ -19,34 +20,6 @@ namespace {
 constexpr std::array<double, 5> kExponents = {0.0448, 0.2856, 0.3001, 0.2363, 0.1333};
 constexpr int kSmallestSide_px = (2 * kSsimBorder_px + 1) << (kExponents.size() - 1);
 constexpr std::size_t kFewestSquares = 15;  ///< that an interval can be had from
-
-struct WeightedPair {
-    ImageF truth, test, weight;
-};
-
-/// Half the size (an odd last row or column is dropped): weighted means of 2x2 pixels, and their mean weight.
-WeightedPair halved(const WeightedPair& pair) {
-    const int width = pair.truth.width / 2, height = pair.truth.height / 2;
-    WeightedPair half{ImageF(width, height), ImageF(width, height), ImageF(width, height)};
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            double weight = 0, truth = 0, test = 0;
-            for (int corner = 0; corner < 4; ++corner) {
-                const std::size_t i = pair.truth.index(2 * x + corner % 2, 2 * y + corner / 2);
-                const double w = pair.weight.pixels[i];
-                if (w == 0) continue;  // The values may be NaN there.
-                weight += w;
-                truth += w * pair.truth.pixels[i];
-                test += w * pair.test.pixels[i];
-            }
-            if (weight == 0) continue;
-            half.weight.at(x, y) = static_cast<float>(weight / 4);
-            half.truth.at(x, y) = static_cast<float>(truth / weight);
-            half.test.at(x, y) = static_cast<float>(test / weight);
-        }
-    }
-    return half;
-}
 
 /// Adds what each block does to exponent * log(mean of a factor).
 void add_influences(std::vector<double>& influences, const std::vector<double>& sums,
@@ -70,11 +43,16 @@ MetricValue measure::ms_ssim(const MetricInput& input) {
     std::vector<double> influences;
     double product = 1;
     bool anticorrelated = false;
-    WeightedPair pair{input.truth, input.test, weights_of(input.valid)};
+    ScaledImage truth(input.truth, input.prepared_truth), test(input.test, input.prepared_test);
+    PixelWeights weights(input.valid);
     for (std::size_t scale = 0; scale < kExponents.size(); ++scale) {
-        if (scale > 0) pair = halved(pair);
+        if (scale > 0) {
+            truth.halve(weights);
+            test.halve(weights);
+            weights = weights.halved();
+        }
         const SsimSums sums =
-            structural_similarity(pair.truth, pair.test, pair.weight, grid, static_cast<int>(scale));
+            structural_similarity(truth.windowed(), test.windowed(), weights, grid, static_cast<int>(scale));
         const std::optional<SsimMeans> means = sums.means();
         if (!means)
             return undefined(fmt::format("no valid pixel {} px inside the border at 1/{} size",

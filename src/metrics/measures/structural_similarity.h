@@ -2,16 +2,13 @@
 
 #include "core/image.h"
 #include "metrics/intervals/block_grid.h"
+#include "metrics/measures/pixel_weights.h"
+#include "metrics/measures/window_moments.h"
 
 #include <optional>
 #include <vector>
 
 namespace aoscore {
-
-/// How much each pixel counts: 1 where it is valid, else 0.
-ImageF weights_of(const Mask& valid);
-
-inline constexpr int kSsimBorder_px = 5;  ///< half of the 11x11 window, left out all around
 
 struct SsimMeans {
     double ssim = 0;
@@ -29,13 +26,18 @@ struct SsimSums {
     std::optional<SsimMeans> means() const;
 };
 
-/// Where the weight (0 to 1) is 0 the images may hold anything. Sums over the pixels that are at least
-/// kSsimBorder_px inside, by block of `grid`; the images may be its image halved some times.
+/// An image, and its moments where they were found before.
+struct WindowedImage {
+    const ImageF& image;
+    const WindowMoments* moments = nullptr;
+};
+
+/// Where the weight is 0 the images may hold anything. Sums over the pixels that are at least kSsimBorder_px
+/// inside, by block of `grid`; the images may be its image halved some times.
 /// The moments of the 11x11 Gaussian window (standard deviation 1.5, K1 0.01, K2 0.03, range 1, population
-/// covariance) are normalised convolutions: pixels of weight 0 contribute nothing. Zhou Wang, Alan Bovik,
-/// Hamid Sheikh, Eero Simoncelli, "Image Quality Assessment: From Error Visibility to Structural Similarity",
-/// 2004; Hans Knutsson, Carl-Fredrik Westin, "Normalized and Differential Convolution", 1993.
-SsimSums structural_similarity(const ImageF& truth, const ImageF& test, const ImageF& weight,
-                               const BlockGrid& grid, int halvings = 0);
+/// covariance) are normalised convolutions, see WindowMoments. Zhou Wang, Alan Bovik, Hamid Sheikh, Eero
+/// Simoncelli, "Image Quality Assessment: From Error Visibility to Structural Similarity", 2004.
+SsimSums structural_similarity(const WindowedImage& truth, const WindowedImage& test,
+                               const PixelWeights& weights, const BlockGrid& grid, int halvings = 0);
 
 }  // namespace aoscore

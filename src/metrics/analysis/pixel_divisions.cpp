@@ -1,0 +1,116 @@
+#include "metrics/analysis/pixel_divisions.h"
+
+#include "core/threads.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace aoscore {
+namespace {
+
+/// Between the bounds, which are in ascending order, one below the first and one above the last.
+std::vector<std::string> labels_between(const std::vector<double>& bounds) {
+    std::vector<std::string> labels;
+    labels.push_back(fmt::format("below {:.3g}", bounds.front()));
+    for (std::size_t i = 0; i + 1 < bounds.size(); ++i)
+        labels.push_back(fmt::format("{:.3g} to {:.3g}", bounds[i], bounds[i + 1]));
+    labels.push_back(fmt::format("{:.3g} or more", bounds.back()));
+    return labels;
+}
+
+/// The division of the pixels by number(x, y).
+template <class Number>
+PixelDivision divided(const Mask& valid, const std::vector<double>& bounds, Number number) {
+    PixelDivision division;
+    division.bins = labels_between(bounds);
+    division.bin_of = Image<std::uint8_t>(valid.width, valid.height);
+    parallel_for(static_cast<std::size_t>(valid.height), [&](std::size_t row) {
+        const int y = static_cast<int>(row);
+        for (int x = 0; x < valid.width; ++x) {
+            const auto above = std::ranges::upper_bound(bounds, number(x, y));
+            division.bin_of.at(x, y) = static_cast<std::uint8_t>(
+                valid.at(x, y) != 0 ? above - bounds.begin()
+                                    : static_cast<std::ptrdiff_t>(division.bins.size()));
+        }
+    });
+    return division;
+}
+
+PixelDivision by_image(const ImageF& image, const Mask& valid, const std::vector<double>& bounds) {
+    if (image.empty() || bounds.empty()) return {};
+    return divided(valid, bounds, [&](int x, int y) { return double{image.at(x, y)}; });
+}
+
+PixelDivision by_edge_distance(const Mask& valid, const PixelFacts& facts) {
+    return by_image(facts.edge_distance_px, valid, {2, 4, 8, 16, 32});
+}
+
+PixelDivision by_tilt(const Mask& valid, const PixelFacts& facts) {
+    return by_image(facts.tilt, valid, {0.1, 0.25, 0.5, 0.75});
+}
+
+PixelDivision by_depth(const Mask& valid, const PixelFacts& facts) {
+    if (facts.depth_m.empty()) return {};
+    std::vector<float> depths;
+    for (std::size_t i = 0; i < valid.size(); ++i) {
+        if (valid.pixels[i] != 0) depths.push_back(facts.depth_m.pixels[i]);
+    }
+    if (depths.empty()) return {};
+    std::vector<double> bounds;
+    auto from = depths.begin();
+    for (const std::size_t fifth : {1U, 2U, 3U, 4U}) {
+        const auto at = depths.begin() + static_cast<std::ptrdiff_t>(fifth * depths.size() / 5);
+        std::nth_element(from, at, depths.end());
+        bounds.push_back(double{*at});
+        from = at;  // Nothing before it is larger.
+    }
+    bounds.erase(std::unique(bounds.begin(), bounds.end()), bounds.end());
+    return by_image(facts.depth_m, valid, bounds);
+}
+
+PixelDivision by_border_distance(const Mask& valid, const PixelFacts&) {
+    return divided(valid, {16, 64, 128, 256}, [&](int x, int y) {
+        return double{1} * std::min({x, y, valid.width - 1 - x, valid.height - 1 - y});
+    });
+}
+
+/// One way to divide the pixels; without bins where the facts for it are not known.
+struct Kind {
+    std::string_view id, label, unit, meaning;
+    PixelDivision (*divide)(const Mask& valid, const PixelFacts& facts);
+};
+
+constexpr Kind kKinds[] = {
+    {"edge_distance", "Distance from a depth edge", "px",
+     "Methods that know one depth layer err most beside a jump in depth: halos "
+     "and lost occluders.",
+     by_edge_distance},
+    {"tilt", "Tilt of the surface", "",
+     "Cosine between normal and line of sight, 1 where the surface faces the "
+     "camera.",
+     by_tilt},
+    {"depth", "View depth", "m", "Distance along the line of sight; each bin holds a fifth of the pixels.",
+     by_depth},
+    {"border_distance", "Distance from the image border", "px",
+     "Beyond the border nothing is known to a screen-space method.", by_border_distance},
+};
+
+}  // namespace
+
+std::vector<PixelDivision> pixel_divisions(const Mask& valid, const PixelFacts& facts) {
+    std::vector<PixelDivision> divisions;
+    for (const Kind& kind : kKinds) {
+        PixelDivision division = kind.divide(valid, facts);
+        if (division.bins.empty()) continue;
+        division.id = kind.id;
+        division.label = kind.label;
+        division.unit = kind.unit;
+        division.meaning = kind.meaning;
+        divisions.push_back(std::move(division));
+    }
+    return divisions;
+}
+
+}  // namespace aoscore

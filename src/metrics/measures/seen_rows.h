@@ -1,0 +1,84 @@
+#pragma once
+
+#include "core/image.h"
+#include "metrics/measures/flip_area.h"
+#include "metrics/measures/flip_filter.h"
+#include "metrics/measures/seen_image.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace aoscore {
+
+/// A row of a SeenImage within an area, from the area's left on.
+struct SeenRow {
+    const double *lightness, *edges, *points;
+};
+
+/// Which pixels of an area count, and what FLIP's filters make of that where some do not.
+class ValidRows {
+  public:
+    /// Both must outlive it.
+    ValidRows(const Mask& valid, const FlipArea& area);
+
+    const FlipArea& area() const { return area_; }
+    const Mask& mask() const { return valid_; }
+    /// The filters' responses to 1 where a pixel counts, in row `y` of the image; null where all pixels count
+    /// in the area and its margin. Rows must be asked for from the area's top on, each at least once.
+    const FlipFilter* responses(int y);
+
+  private:
+    bool has_invalid() const;
+    void push(int y);
+
+    const Mask& valid_;
+    const FlipArea& area_;
+    std::optional<FlipFilter> filter_;
+    std::vector<double> row_;  ///< with margins
+    int next_ = 0;             ///< the row whose responses come next
+};
+
+/// Row after row of what FLIP finds in an image, within an area.
+class SeenRows {
+  public:
+    virtual ~SeenRows() = default;
+    /// From the area's top on; stays until it is asked again.
+    virtual SeenRow next() = 0;
+};
+
+/// Filtered as they are asked for.
+class FilteredRows final : public SeenRows {
+  public:
+    /// Both must outlive it. Several images can share the rows of one mask when they go on together.
+    FilteredRows(const ImageF& image, ValidRows& valid);
+    SeenRow next() override;
+
+  private:
+    void push(int y);
+    void without_invalid(const FlipFilter& valid);
+    void find_lengths(std::vector<double>& lengths, FlipFilter::Response in_x,
+                      FlipFilter::Response in_y) const;
+
+    const ImageF& image_;
+    ValidRows& valid_;
+    FlipFilter filter_;
+    std::vector<double> row_;  ///< with margins
+    std::vector<double> lightness_, edges_, points_;
+    int next_;
+};
+
+/// Of an image that was filtered before.
+class StoredRows final : public SeenRows {
+  public:
+    /// Both must outlive it.
+    StoredRows(const SeenImage& seen, const FlipArea& area) : seen_(seen), area_(area), next_(area.top) {}
+    SeenRow next() override;
+
+  private:
+    const SeenImage& seen_;
+    const FlipArea& area_;
+    int next_;
+};
+
+}  // namespace aoscore

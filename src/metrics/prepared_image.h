@@ -1,0 +1,65 @@
+#pragma once
+
+#include "core/image.h"
+#include "metrics/measures/pixel_weights.h"
+#include "metrics/measures/seen_image.h"
+#include "metrics/measures/structural_similarity.h"
+#include "metrics/measures/window_moments.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace aoscore {
+
+/// What metrics that look at a pixel's surroundings make of one image alone: an image that is compared with
+/// several others, as a truth is, need not be filtered for each of them. Made when it is first asked for, and
+/// kept; one thread may ask. The numbers are the same bits as without it.
+class PreparedImage {
+  public:
+    /// Both must outlive it. What is invalid may be NaN.
+    PreparedImage(const ImageF& image, const Mask& valid) : image_(image), valid_(valid) {}
+
+    /// What FLIP finds in it.
+    const SeenImage& seen() const;
+    /// Halved that many times, with its moments under SSIM's window (where it is larger than the window).
+    WindowedImage windowed(std::size_t halvings) const;
+
+    /// What all of it takes of memory, bytes a pixel: three numbers for FLIP, and two for SSIM at the first
+    /// scale, a quarter of them at the second, and so on, beside the images and weights of these scales.
+    static constexpr double kBytesPerPixel = 3 * 8 + (2 * 8 + 2 * 4) * 4.0 / 3;
+
+  private:
+    struct Scale {
+        ImageF halved;  ///< empty where it is the image itself
+        std::optional<WindowMoments> moments;
+    };
+
+    void add_scale() const;
+    const ImageF& image_at(std::size_t halvings) const;
+
+    const ImageF& image_;
+    const Mask& valid_;
+    mutable std::optional<SeenImage> seen_;
+    mutable std::optional<PixelWeights> weights_;  ///< of the last scale
+    mutable std::vector<Scale> scales_;
+};
+
+/// An image at one scale after the other, prepared or not.
+class ScaledImage {
+  public:
+    /// `prepared` is null where it was not; all must outlive it.
+    ScaledImage(const ImageF& image, const PreparedImage* prepared) : image_(image), prepared_(prepared) {}
+
+    WindowedImage windowed() const;
+    /// Goes on to half the size; `weights` are those of the size it had.
+    void halve(const PixelWeights& weights);
+
+  private:
+    const ImageF& image_;
+    const PreparedImage* prepared_;
+    ImageF halved_;
+    std::size_t halvings_ = 0;
+};
+
+}  // namespace aoscore
