@@ -55,17 +55,21 @@ double largest_excess(std::span<const CellRecord> cells, const ScoreGoal& goal) 
         if (!cell.analysis) continue;
         for (const auto& [metric, half_width] : cell.analysis->truth_noise) {
             if (metric != kRankingMetric && !goal.every_metric) continue;
-            const double allowed =
-                metric == kRankingMetric ? goal.error : ScoreGoal::kOtherMetrics * goal.error;
-            excess = std::max(excess, half_width / allowed);
+            excess = std::max(excess, half_width / allowed_noise(goal, metric));
         }
     }
     return excess;
 }
 
-ViewRun with_samples(const ViewRun& run, int samples) {
+/// Rays a pixel of the view's truth and of the methods' own.
+struct Rays {
+    int ranked, own;
+};
+
+ViewRun with_rays(const ViewRun& run, const Rays& rays) {
     ViewRun more = run;
-    more.work.truth.samples = samples;
+    more.work.truth.samples = rays.ranked;
+    more.work.own_truth.samples = rays.own;
     more.jobs = view_jobs(more.work);
     return more;
 }
@@ -82,7 +86,20 @@ void require_in_reach(const ScoreGoal& goal, double excess, int samples, double 
         fmt::format("{:.2g} or more on this view", goal.error * excess * std::pow(most, kSlope)));
 }
 
+int more_rays(int samples, double excess, const std::string& what) {
+    const int next = samples * (excess > kFar ? 4 : 2);
+    log_info(
+        fmt::format("{}: at {} rays a pixel the truth's noise leaves the scores {:.2g} times as wide as "
+                    "asked for; going on to {}",
+                    what, samples, excess, next));
+    return next;
+}
+
 }  // namespace
+
+double allowed_noise(const ScoreGoal& goal, std::string_view metric) {
+    return metric == kRankingMetric ? goal.error : ScoreGoal::kOtherMetrics * goal.error;
+}
 
 ScoreState score_state(std::span<const CellRecord> cells, const ScoreGoal& goal) {
     const double excess = largest_excess(cells, goal);
@@ -94,22 +111,21 @@ ViewOutcome run_to_goal(const ViewRun& run, const ArtifactStore& store) {
     ViewOutcome outcome = run_view(run, store);
     if (!run.plan.score_goal) return outcome;
     const ScoreGoal& goal = *run.plan.score_goal;
-    ScoreState state = score_state(outcome.cells, goal);
-    for (int samples = run.work.truth.samples; !state.reached;) {
-        require_in_reach(goal, state.excess, samples, outcome.view.truth_seconds, run.work.key);
-        const int next = samples * (state.excess > kFar ? 4 : 2);
-        log_info(
-            fmt::format("{}: at {} rays a pixel the truth's noise leaves the scores {:.2g} times as wide as "
-                        "asked for; going on to {}",
-                        run.work.key, samples, state.excess, next));
-        samples = next;
-        ViewOutcome more = run_view(with_samples(run, samples), store);
+    for (Rays rays{run.work.truth.samples, run.work.own_truth.samples};;) {
+        const ScoreState state = score_state(outcome.cells, goal);
+        const double own_excess = outcome.own_noise / goal.error;
+        if (state.reached && own_excess <= 1) return outcome;
+        if (!state.reached) {
+            require_in_reach(goal, state.excess, rays.ranked, outcome.view.truth_seconds, run.work.key);
+            rays.ranked = more_rays(rays.ranked, state.excess, run.work.key);
+        }
+        if (own_excess > 1)
+            rays.own = more_rays(rays.own, own_excess, run.work.key + ", methods' own truths");
+        ViewOutcome more = run_view(with_rays(run, rays), store);
         more.rays += outcome.rays;
         more.measured = std::max(more.measured, outcome.measured);
         outcome = std::move(more);
-        state = score_state(outcome.cells, goal);
     }
-    return outcome;
 }
 
 }  // namespace aoscore

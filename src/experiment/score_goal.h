@@ -6,8 +6,12 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
 
 namespace aoscore {
+
+/// Half the width that the truth's noise may leave a metric's interval.
+double allowed_noise(const ScoreGoal& goal, std::string_view metric);
 
 /// How far the truth's noise leaves a view's scores from what a goal asks for.
 struct ScoreState {

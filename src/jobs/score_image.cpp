@@ -2,9 +2,12 @@
 
 #include "core/error.h"
 #include "jobs/contest/truth_image.h"
+#include "jobs/truth_record.h"
 #include "jobs/truth_signals.h"
 #include "metrics/analysis/analysis.h"
 #include "metrics/evaluate.h"
+#include "metrics/intervals/extrapolation.h"
+#include "metrics/intervals/truth_noise.h"
 #include "metrics/signal_metric.h"
 #include "results/record_json.h"
 #include "results/results_members.h"
@@ -41,6 +44,14 @@ class Comparison {
 MetricMap metrics_against(const Truth& truth, std::size_t query, const ImageF& image, const Mask& valid) {
     const Comparison comparison(truth, query, image, valid);
     return evaluate(comparison.input(), unranked_metrics());
+}
+
+/// As analyse() finds it, of what evaluate() has measured.
+std::map<std::string, double> noise_of(const MetricInput& input) {
+    if (input.halves == nullptr) return {};
+    const OcclusionMasks masks = occlusion_masks(input);
+    return truth_noise(block_errors(input, masks), block_errors(against_half(input, 0), masks),
+                       block_errors(against_half(input, 1), masks));
 }
 
 void require_ground(const CameraContract& contract) {
@@ -84,11 +95,15 @@ Score score_image(const Truth& truth, const Ground& ground, const MethodOutput& 
     return score;
 }
 
-MetricMap score_against(const Truth& truth, const TruthQuery& query, const Ground& ground,
-                        const ImageF& image) {
+OwnScore score_own(const Truth& truth, const TruthQuery& query, const Ground& ground, const ImageF& image) {
+    const std::size_t q = query_index(truth, query);
     std::size_t nonfinite = 0;
-    const Mask valid = finite_pixels(truth.visibility[0], image, ground.contract.valid, nonfinite);
-    return metrics_against(truth, query_index(truth, query), image, valid);
+    const Mask valid = finite_pixels(truth.visibility[q], image, ground.contract.valid, nonfinite);
+    const Comparison comparison(truth, q, image, valid);
+    OwnScore score{query_record(truth, q, ground.contract.valid), {}, {}};
+    score.metrics = evaluate(comparison.input(), unranked_metrics());
+    score.truth_noise = noise_of(comparison.input());
+    return score;
 }
 
 nlohmann::json to_json(const Score& score) {
@@ -99,12 +114,12 @@ Score score_from_json(const nlohmann::json& json, const std::string& where) {
     return record_json::record_from_json<Score>(json, where);
 }
 
-nlohmann::json to_json(const MetricMap& metrics) {
-    return record_json::checked_json(metrics, "metrics");
+nlohmann::json to_json(const OwnScore& score) {
+    return record_json::checked_json(score, "own score");
 }
 
-MetricMap metrics_from_json(const nlohmann::json& json, const std::string& where) {
-    return record_json::record_from_json<MetricMap>(json, where);
+OwnScore own_score_from_json(const nlohmann::json& json, const std::string& where) {
+    return record_json::record_from_json<OwnScore>(json, where);
 }
 
 }  // namespace aoscore

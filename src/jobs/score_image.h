@@ -48,14 +48,27 @@ struct ScoreSettings {
 Score score_image(const Truth& truth, const Ground& ground, const MethodOutput& image,
                   const ScoreSettings& settings);
 
+/// How far an image is from a truth of its method's own.
+struct OwnScore {
+    TruthRecord truth;
+    MetricMap metrics;
+    std::map<std::string, double> truth_noise;  ///< as ErrorAnalysis has it
+};
+
+template <class Visit, RecordOf<OwnScore> Record>
+void visit_members(Visit& visit, Record& score) {
+    visit("truth", score.truth);
+    visit("metrics", score.metrics);
+    visit("truth_noise", score.truth_noise);
+}
+
 /// The metrics that are kept of truths beside the ranking's, against one query of the truth.
-MetricMap score_against(const Truth& truth, const TruthQuery& query, const Ground& ground,
-                        const ImageF& image);
+OwnScore score_own(const Truth& truth, const TruthQuery& query, const Ground& ground, const ImageF& image);
 
 nlohmann::json to_json(const Score& score);
 /// Throws file_error for another form.
 Score score_from_json(const nlohmann::json& json, const std::string& where);
-nlohmann::json to_json(const MetricMap& metrics);
-MetricMap metrics_from_json(const nlohmann::json& json, const std::string& where);
+nlohmann::json to_json(const OwnScore& score);
+OwnScore own_score_from_json(const nlohmann::json& json, const std::string& where);
 
 }  // namespace aoscore
