@@ -1,6 +1,7 @@
 #include "experiment/planned_runs.h"
 
 #include "core/log.h"
+#include "experiment/score_goal.h"
 #include "plan/live_output.h"
 #include "plan/scene_views.h"
 #include "scene/view_choice.h"
@@ -160,6 +161,7 @@ ViewWork view_work(const ExperimentPlan& plan, const PreparedView& p, const Regi
             .fixed_pass = fixed_pass_request(registry, p.plan->lit, plan.seed, drawn_for_m),
             .timing_goal = p.plan->timing_goal,
             .timed = !plan.first_answer,
+            .untold = !plan.first_answer,
             .seed = plan.seed,
             .keep_gbuffer = plan.keep_gbuffer,
             .kept_inputs = gbuffer_inputs_of(registry),
@@ -186,7 +188,8 @@ ViewRun view_run(const ExperimentPlan& plan, const PreparedView& p, const Regist
 
 }  // namespace
 
-PlannedRuns::PlannedRuns(const ExperimentPlan& plan, const ArtifactStore& store) : plan_(plan) {
+PlannedRuns::PlannedRuns(const ExperimentPlan& plan, const ArtifactStore& store)
+    : plan_(plan), store_(store) {
     std::vector<std::string> left_out;  // the plan says which: it names none of them
     registry_ = load_registry(plan.methods_dir, {}, left_out);
     registry_.folders = plan.folders;
@@ -195,7 +198,8 @@ PlannedRuns::PlannedRuns(const ExperimentPlan& plan, const ArtifactStore& store)
 }
 
 void PlannedRuns::lay_out(const std::filesystem::path& folder) {
-    for (const PreparedView& p : prepared_) runs_.push_back(view_run(plan_, p, registry_, tools_, folder));
+    for (const PreparedView& p : prepared_)
+        runs_.push_back(with_known_rays(view_run(plan_, p, registry_, tools_, folder), store_));
 }
 
 }  // namespace aoscore

@@ -8,6 +8,7 @@
 #include "metrics/evaluate.h"
 #include "metrics/intervals/extrapolation.h"
 #include "metrics/intervals/truth_noise.h"
+#include "metrics/measures/noise.h"
 #include "metrics/signal_metric.h"
 #include "results/record_json.h"
 #include "results/results_members.h"
@@ -41,9 +42,11 @@ class Comparison {
     MetricInput input_;
 };
 
-MetricMap metrics_against(const Truth& truth, std::size_t query, const ImageF& image, const Mask& valid) {
-    const Comparison comparison(truth, query, image, valid);
-    return evaluate(comparison.input(), unranked_metrics());
+/// Those of `ids` that are wanted, of all metrics when it is empty.
+MetricMap measured(const MetricInput& input, const ScoreSettings& settings,
+                   const std::vector<std::string>& ids = {}) {
+    if (settings.untold) return evaluate(input, ids);
+    return evaluate(input, told_metrics(mean_noise_variance(input).value_or(0), ids));
 }
 
 /// As analyse() finds it, of what evaluate() has measured.
@@ -79,13 +82,14 @@ Score score_image(const Truth& truth, const Ground& ground, const MethodOutput& 
         finite_pixels(truth.visibility[0], image.visibility, ground.contract.valid, score.nonfinite);
     if (score.nonfinite > 0) return score;
     const Comparison ranked(truth, 0, image.visibility, valid);
-    score.ranked = evaluate(ranked.input());
+    score.ranked = measured(ranked.input(), settings);
     score.analysis = analyse(ranked.input(), ground.facts, settings.mask_threshold, settings.seed);
     if (settings.filtered) {
         std::size_t nonfinite = 0;
         const Mask raw_valid =
             finite_pixels(truth.visibility[0], image.raw, ground.contract.valid, nonfinite);
-        score.raw = metrics_against(truth, 0, image.raw, raw_valid);
+        const Comparison raw(truth, 0, image.raw, raw_valid);
+        score.raw = measured(raw.input(), settings, unranked_metrics());
     }
     for (const auto& [id, of_signal] : image.signals) {
         const TruthSignal known = truth_signal(truth, id);

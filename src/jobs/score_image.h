@@ -41,6 +41,9 @@ struct ScoreSettings {
     bool filtered = false;        ///< the image has been: then it is scored before its filter as well
     double mask_threshold = 0.1;  ///< of missing and false occlusion, in visibility
     std::uint64_t seed = 1;       ///< of the resampling
+    /// Also by metrics that the truth's noise hides (told_metrics()): their values are far off, but say how
+    /// many more rays they need.
+    bool untold = true;
 };
 
 /// Every metric and the analysis, against the truth's first query. Throws gate_failed where no pixel is

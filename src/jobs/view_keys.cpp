@@ -118,7 +118,7 @@ Key ViewKeys::image(const CellWork& cell) const {
 Key ViewKeys::score(const CellWork& cell) const {
     KeyBuilder key("score");
     key.input(image(cell)).input(truth(std::span(work_.queries).first(1))).input(contract());
-    return key.value(work_.mask_threshold).value(work_.seed).key();
+    return key.value(work_.mask_threshold).value(work_.seed).value(work_.untold).key();
 }
 
 Key ViewKeys::own_score(const CellWork& cell) const {

@@ -216,7 +216,8 @@ void ViewMaker::make_image(const Job& job) {
 }
 
 void ViewMaker::make_score(const Job& job) {
-    const ScoreSettings settings{cell(job).contestant->is_filtered(), work_.mask_threshold, work_.seed};
+    const ScoreSettings settings{cell(job).contestant->is_filtered(), work_.mask_threshold, work_.seed,
+                                 work_.untold};
     const Score& score = scores_[job.key] = score_image(truth_->truth, *ground_, image_->second, settings);
     if (!score.error().empty()) throw internal_error(score.error());
     keep(job, to_json(score));

@@ -46,7 +46,8 @@ struct ViewWork {
     std::vector<CellWork> cells;
     MethodRequest fixed_pass;  ///< timed among the cells, with the lighting where that is timed
     std::optional<TimingGoal> timing_goal;
-    bool timed = true;  ///< whether costs are wanted: times, and fetches a pixel
+    bool timed = true;   ///< whether costs are wanted: times, and fetches a pixel
+    bool untold = true;  ///< whether metrics are wanted that the truth's noise hides; see ScoreSettings
     double mask_threshold = 0.1;
     std::uint64_t seed = 1;
     bool keep_gbuffer = true;

@@ -91,6 +91,10 @@ TEST(ScoreGoal, GoesWithNoOtherWayToNameRays) {
 TEST(OwnTruths, AreTracedApartWithAsFewRaysAsTheirRmseNeeds) {
     const auto folder = output_dir();
     ASSERT_EQ(run_aoscore("run hussain-table-5 --scale 0.08 --out page", folder).exit_code, 0);
+    std::size_t kept = 0;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(folder / "truth-cache"))
+        kept += file.path().extension() == ".truth";
+    EXPECT_EQ(kept, 2U) << "the halves of the ranking's truth alone";
     const Results results = read_results(folder / "page");
     const ViewRecord& view = results.views.at(0);
     ASSERT_EQ(view.truths.size(), 4U);
