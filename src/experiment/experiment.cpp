@@ -170,8 +170,10 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
     StagedFolder staged(target);
     const std::filesystem::path& folder = staged.path();
     planned.lay_out(folder);
+    const bool known =
+        std::ranges::all_of(planned.runs(), [&](const ViewRun& r) { return is_scored(r, store); });
+    if (plan.first_answer && known) return {};
     const Results results = ExperimentRun(plan, planned, store, watch).run();
-    if (plan.first_answer && results.work.cells_measured == 0) return results;
     write_results(results, folder);
     const bool pictured =
         std::ranges::any_of(results.cells, [](const CellRecord& cell) { return !cell.image_file.empty(); });
@@ -180,6 +182,7 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
     if (!results.sweeps.empty()) write_atomically(folder / "sweep.csv", sweeps_as_csv(results));
     if (finish) finish(folder);
     staged.publish();
+    store.settle(folder, target);
     return results;
 }
 

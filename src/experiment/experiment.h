@@ -11,8 +11,8 @@ namespace aoscore {
 /// Runs the plan: for each view the truth, the G-buffer and every cell; images and results.json land in
 /// `folder`, all at once when everything is done: a run that is stopped leaves what was there before.
 /// `finish`, when given, is called with the folder in which the results still wait, to add to them (the
-/// page); not where the plan asks for a first answer and nothing of it was measured now: then the whole plan
-/// is as near, and nothing is written. A cell that fails becomes a failed row and the rest goes on. Throws
+/// page). Where the plan asks for a first answer that was measured before, the whole plan is as near, and
+/// nothing is done. A cell that fails becomes a failed row and the rest goes on. Throws
 /// before anything is written when the plan names what does not exist or a scene that cannot be read;
 /// interrupted_error on Ctrl-C.
 Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& folder,

@@ -1,6 +1,7 @@
 #include "experiment/planned_runs.h"
 
 #include "core/log.h"
+#include "experiment/score_goal.h"
 #include "plan/live_output.h"
 #include "plan/scene_views.h"
 #include "scene/view_choice.h"
@@ -86,12 +87,12 @@ void name_views(std::vector<PreparedView>& prepared) {
     }
 }
 
-/// All truths of a view: the ranking's first, then every method's own.
-std::vector<TruthQuery> wanted_queries(const std::vector<ResolvedCell>& cells, double radius_m) {
-    std::vector<TruthQuery> queries{{Falloff::binary, radius_m, 0}};
-    for (const ResolvedCell& cell : cells) {
-        if (cell.plan.own_truth && std::find(queries.begin(), queries.end(), cell.own) == queries.end())
-            queries.push_back(cell.own);
+/// What methods are held against beside the ranking's truth, which `ranked` asks for.
+std::vector<TruthQuery> own_queries(const std::vector<CellWork>& cells, const TruthQuery& ranked) {
+    std::vector<TruthQuery> queries;
+    for (const CellWork& cell : cells) {
+        if (cell.own && *cell.own != ranked && std::ranges::find(queries, *cell.own) == queries.end())
+            queries.push_back(*cell.own);
     }
     return queries;
 }
@@ -110,13 +111,13 @@ TruthSettings truth_settings(const ViewPlan& plan, std::uint64_t seed) {
     return settings;
 }
 
-CellWork cell_work(const ResolvedCell& cell, const PreparedView& view, const Registry& registry,
-                   std::optional<double> drawn_for_m) {
+CellWork cell_work(const ResolvedCell& cell, const ExperimentPlan& plan, const PreparedView& view,
+                   const Registry& registry, std::optional<double> drawn_for_m) {
     CellWork work;
     work.id = fmt::format("{}/{}", view.key, cell_name(cell.plan));
     work.contestant = contestant_on(view.view.id, cell, registry);
     work.timed = cell.request;
-    if (cell.plan.own_truth) work.own = cell.own;
+    if (cell.plan.own_truth && !plan.first_answer) work.own = cell.own;
     work.keep_image = cell.plan.keep_image;
     work.whole_frames = cell.plan.whole_frames;
     if (work.whole_frames) light(work.timed, registry.lighting, drawn_for_m);
@@ -138,7 +139,11 @@ ViewWork view_work(const ExperimentPlan& plan, const PreparedView& p, const Regi
                    SceneTools& tools, const std::filesystem::path& folder) {
     const std::optional<double> drawn_for_m = drawn_for(*p.plan, p.radius);
     std::vector<CellWork> cells;
-    for (const ResolvedCell& cell : p.cells) cells.push_back(cell_work(cell, p, registry, drawn_for_m));
+    for (const ResolvedCell& cell : p.cells) cells.push_back(cell_work(cell, plan, p, registry, drawn_for_m));
+    const TruthQuery ranked{Falloff::binary, p.radius.metres, 0};
+    const TruthSettings truth = truth_settings(*p.plan, plan.seed);
+    TruthSettings own_truth = truth;
+    own_truth.extras = {};
     return {.scene = *p.scene,
             .view = p.view,
             .tools = tools,
@@ -148,12 +153,15 @@ ViewWork view_work(const ExperimentPlan& plan, const PreparedView& p, const Regi
             .height = p.plan->height,
             .key = p.key,
             .radius_m = p.radius.metres,
-            .queries = wanted_queries(p.cells, p.radius.metres),
-            .truth = truth_settings(*p.plan, plan.seed),
+            .queries = {ranked},
+            .truth = truth,
+            .own_queries = own_queries(cells, ranked),
+            .own_truth = own_truth,
             .cells = std::move(cells),
             .fixed_pass = fixed_pass_request(registry, p.plan->lit, plan.seed, drawn_for_m),
             .timing_goal = p.plan->timing_goal,
             .timed = !plan.first_answer,
+            .untold = !plan.first_answer,
             .seed = plan.seed,
             .keep_gbuffer = plan.keep_gbuffer,
             .kept_inputs = gbuffer_inputs_of(registry),
@@ -180,7 +188,8 @@ ViewRun view_run(const ExperimentPlan& plan, const PreparedView& p, const Regist
 
 }  // namespace
 
-PlannedRuns::PlannedRuns(const ExperimentPlan& plan, const ArtifactStore& store) : plan_(plan) {
+PlannedRuns::PlannedRuns(const ExperimentPlan& plan, const ArtifactStore& store)
+    : plan_(plan), store_(store) {
     std::vector<std::string> left_out;  // the plan says which: it names none of them
     registry_ = load_registry(plan.methods_dir, {}, left_out);
     registry_.folders = plan.folders;
@@ -189,7 +198,8 @@ PlannedRuns::PlannedRuns(const ExperimentPlan& plan, const ArtifactStore& store)
 }
 
 void PlannedRuns::lay_out(const std::filesystem::path& folder) {
-    for (const PreparedView& p : prepared_) runs_.push_back(view_run(plan_, p, registry_, tools_, folder));
+    for (const PreparedView& p : prepared_)
+        runs_.push_back(with_known_rays(view_run(plan_, p, registry_, tools_, folder), store_));
 }
 
 }  // namespace aoscore

@@ -25,7 +25,8 @@ struct PreparedView {
 class PlannedRuns {
   public:
     /// Loads every scene and looks up all names before any work is done or file is written, so that a wrong
-    /// name costs nothing. `plan` must outlive it. Throws usage_error and file_error for what does not exist.
+    /// name costs nothing. `plan` and `store` must outlive it. Throws usage_error and file_error for what
+    /// does not exist.
     PlannedRuns(const ExperimentPlan& plan, const ArtifactStore& store);
 
     /// Lays out the jobs; images go below `folder`.
@@ -38,6 +39,7 @@ class PlannedRuns {
 
   private:
     const ExperimentPlan& plan_;
+    const ArtifactStore& store_;
     Registry registry_;
     std::vector<PreparedView> prepared_;
     SceneTools tools_;

@@ -3,11 +3,15 @@
 #include "core/error.h"
 #include "core/log.h"
 #include "metrics/roles.h"
+#include "store/key.h"
+#include "store/truth/truth_cache.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -20,6 +24,8 @@ constexpr double kSlope = -0.75;
 constexpr double kDay_s = 86400;
 /// Beyond this a doubling was never seen to be enough, and its scores are spared.
 constexpr double kFar = 8;
+/// Where one cell has so much of what noise may leave it, all others were seen to have no more than allowed.
+constexpr double kProbeMargin = 0.7;
 
 /// A value that ranks, and the half width that noise leaves it.
 struct Ranked {
@@ -55,19 +61,35 @@ double largest_excess(std::span<const CellRecord> cells, const ScoreGoal& goal) 
         if (!cell.analysis) continue;
         for (const auto& [metric, half_width] : cell.analysis->truth_noise) {
             if (metric != kRankingMetric && !goal.every_metric) continue;
-            const double allowed =
-                metric == kRankingMetric ? goal.error : ScoreGoal::kOtherMetrics * goal.error;
-            excess = std::max(excess, half_width / allowed);
+            excess = std::max(excess, half_width / allowed_noise(goal, metric));
         }
     }
     return excess;
 }
 
-ViewRun with_samples(const ViewRun& run, int samples) {
+/// Rays a pixel of the view's truth and of the methods' own.
+struct Rays {
+    int ranked, own;
+};
+
+ViewRun with_rays(const ViewRun& run, const Rays& rays) {
     ViewRun more = run;
-    more.work.truth.samples = samples;
+    more.work.truth.samples = rays.ranked;
+    more.work.own_truth.samples = rays.own;
     more.jobs = view_jobs(more.work);
     return more;
+}
+
+/// The run with its first cell alone: nothing is kept in files, and nothing timed.
+ViewRun probe_of(const ViewRun& run) {
+    ViewRun probe = run;
+    probe.cells.erase(probe.cells.begin() + 1, probe.cells.end());
+    probe.work.cells.erase(probe.work.cells.begin() + 1, probe.work.cells.end());
+    probe.work.cells.front().keep_image = false;
+    probe.work.cells.front().own.reset();
+    probe.work.own_queries.clear();
+    probe.work.timed = false;
+    return probe;
 }
 
 void require_in_reach(const ScoreGoal& goal, double excess, int samples, double seconds,
@@ -82,7 +104,20 @@ void require_in_reach(const ScoreGoal& goal, double excess, int samples, double 
         fmt::format("{:.2g} or more on this view", goal.error * excess * std::pow(most, kSlope)));
 }
 
+int more_rays(int samples, double excess, const std::string& what) {
+    const int next = samples * (excess > kFar ? 4 : 2);
+    log_info(
+        fmt::format("{}: at {} rays a pixel the truth's noise leaves the scores {:.2g} times as wide as "
+                    "asked for; going on to {}",
+                    what, samples, excess, next));
+    return next;
+}
+
 }  // namespace
+
+double allowed_noise(const ScoreGoal& goal, std::string_view metric) {
+    return metric == kRankingMetric ? goal.error : ScoreGoal::kOtherMetrics * goal.error;
+}
 
 ScoreState score_state(std::span<const CellRecord> cells, const ScoreGoal& goal) {
     const double excess = largest_excess(cells, goal);
@@ -90,26 +125,83 @@ ScoreState score_state(std::span<const CellRecord> cells, const ScoreGoal& goal)
     return {excess <= 1 || decided, excess};
 }
 
-ViewOutcome run_to_goal(const ViewRun& run, const ArtifactStore& store) {
-    ViewOutcome outcome = run_view(run, store);
-    if (!run.plan.score_goal) return outcome;
-    const ScoreGoal& goal = *run.plan.score_goal;
-    ScoreState state = score_state(outcome.cells, goal);
-    for (int samples = run.work.truth.samples; !state.reached;) {
-        require_in_reach(goal, state.excess, samples, outcome.view.truth_seconds, run.work.key);
-        const int next = samples * (state.excess > kFar ? 4 : 2);
-        log_info(
-            fmt::format("{}: at {} rays a pixel the truth's noise leaves the scores {:.2g} times as wide as "
-                        "asked for; going on to {}",
-                        run.work.key, samples, state.excess, next));
-        samples = next;
-        ViewOutcome more = run_view(with_samples(run, samples), store);
-        more.rays += outcome.rays;
-        more.measured = std::max(more.measured, outcome.measured);
-        outcome = std::move(more);
-        state = score_state(outcome.cells, goal);
+namespace {
+
+/// Of the rays that the run's goal takes: they follow from what it scores, and how sure that is to be.
+Key rays_key(const ViewRun& run) {
+    const ViewRun first = with_rays(run, {ScoreGoal::kFirstSamples, ScoreGoal::kFirstSamples});
+    KeyBuilder key("rays", "score");
+    for (const CellKeys& cell : first.jobs.cells) {
+        key.input(cell.score);
+        if (cell.own_score) key.input(*cell.own_score);
     }
-    return outcome;
+    return key.value(run.plan.score_goal->error).value(run.plan.score_goal->every_metric).key();
+}
+
+/// Looks for the rays that a run's goal takes, and remembers them in the store.
+class GoalSearch {
+  public:
+    GoalSearch(const ViewRun& run, const ArtifactStore& store)
+        : run_(run), goal_(*run.plan.score_goal), store_(store) {}
+
+    ViewOutcome run() {
+        // Methods are much alike in how many rays they need: one of them finds the number, then all are
+        // scored.
+        const Key key = rays_key(run_);
+        if (!store_.has(key.hex) && goal_.every_metric && run_.cells.size() > 1) {
+            const ViewRun probe = probe_of(run_);
+            ScoreGoal narrower = goal_;
+            narrower.error *= kProbeMargin;
+            while (!enough(probe, narrower)) continue;
+        }
+        const std::size_t probed = outcome_.measured;
+        while (!enough(run_, goal_)) continue;
+        outcome_.measured = std::min(outcome_.measured + probed, run_.cells.size());
+        store_.put(key.hex, {{"ranked", rays_.ranked}, {"own", rays_.own}});
+        // Few rays are soon traced again, and the tiles of many queries would be most of a cache.
+        forget_truth(run_.work.truth_cache, with_rays(run_, rays_).work.own_truth_request());
+        return std::move(outcome_);
+    }
+
+  private:
+    /// Measures the run; whether its rays are enough for `goal`. Where they are not, there will be more.
+    bool enough(const ViewRun& run, const ScoreGoal& goal) {
+        ViewOutcome outcome = run_view(with_rays(run, rays_), store_);
+        outcome.rays += outcome_.rays;
+        outcome.measured = std::max(outcome.measured, outcome_.measured);
+        outcome_ = std::move(outcome);
+        const ScoreState state = score_state(outcome_.cells, goal);
+        const double own_excess = outcome_.own_noise / goal.error;
+        if (!state.reached) {
+            require_in_reach(goal_, state.excess * goal.error / goal_.error, rays_.ranked,
+                             outcome_.view.truth_seconds, run_.work.key);
+            rays_.ranked = more_rays(rays_.ranked, state.excess, run_.work.key);
+        }
+        if (own_excess > 1)
+            rays_.own = more_rays(rays_.own, own_excess, run_.work.key + ", methods' own truths");
+        return state.reached && own_excess <= 1;
+    }
+
+    const ViewRun& run_;
+    const ScoreGoal& goal_;
+    const ArtifactStore& store_;
+    Rays rays_{run_.work.truth.samples, run_.work.own_truth.samples};
+    ViewOutcome outcome_;
+};
+
+}  // namespace
+
+ViewRun with_known_rays(const ViewRun& run, const ArtifactStore& store) {
+    if (!run.plan.score_goal) return run;
+    const std::optional<nlohmann::json> found = store.find(rays_key(run).hex);
+    if (!found || !found->is_object()) return run;
+    const Rays first{run.work.truth.samples, run.work.own_truth.samples};
+    return with_rays(run, {found->value("ranked", first.ranked), found->value("own", first.own)});
+}
+
+ViewOutcome run_to_goal(const ViewRun& run, const ArtifactStore& store) {
+    if (!run.plan.score_goal) return run_view(run, store);
+    return GoalSearch(run, store).run();
 }
 
 }  // namespace aoscore

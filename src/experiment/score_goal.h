@@ -6,8 +6,12 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
 
 namespace aoscore {
+
+/// Half the width that the truth's noise may leave a metric's interval.
+double allowed_noise(const ScoreGoal& goal, std::string_view metric);
 
 /// How far the truth's noise leaves a view's scores from what a goal asks for.
 struct ScoreState {
@@ -19,8 +23,12 @@ struct ScoreState {
 /// Of the cells that have scores; reached where none has.
 ScoreState score_state(std::span<const CellRecord> cells, const ScoreGoal& goal);
 
+/// The run with the rays that its goal took before, where the store remembers them.
+ViewRun with_known_rays(const ViewRun& run, const ArtifactStore& store);
+
 /// Measures a view with more and more rays, twice or four times as many each time, until its goal is reached;
-/// what was traced before is gone on from. Throws usage_error where the goal would take more rays than a
+/// what was traced before is gone on from. Where every metric counts, one cell finds how many rays they take
+/// before the others are scored. Throws usage_error where the goal would take more rays than a
 /// pixel can have, or more than a day, as far as the first rays tell.
 ViewOutcome run_to_goal(const ViewRun& run, const ArtifactStore& store);
 

@@ -2,9 +2,11 @@
 
 #include "core/log.h"
 #include "core/progress.h"
+#include "experiment/score_goal.h"
 #include "jobs/executor.h"
 #include "jobs/own_truth.h"
 #include "jobs/view_maker.h"
+#include "metrics/roles.h"
 #include "plan/run_modes.h"
 #include "plan/view_description.h"
 #include "screen/method/lengths.h"
@@ -74,7 +76,7 @@ CellRecord described_cell(const ViewRun& run, std::size_t i) {
         record.parameters[std::string(kFilterPrefix) + id] = value;
     for (const LengthRecord& length : cell.lengths) record.parameters.emplace(length.id, length.value);
     if (!cell.plan.own_truth) return record;
-    record.own_truth = cell.own == run.work.queries.front() ? "ranked" : truth_id(cell.own);
+    record.own_truth = cell.own == run.work.queries.front() ? kRankedTruth : truth_id(cell.own);
     return record;
 }
 
@@ -105,6 +107,20 @@ void record_times(const StoredTimes& times, const ViewRecord& view, CellRecord& 
     if (record.lighting.median_ms) record.frame = frame;
 }
 
+/// The metrics without those that the truth's noise leaves more unsure than the goal allows: methods' own
+/// truths have as many rays as the metric that ranks needs, which are too few for SSIM.
+MetricMap sure_metrics(const OwnScore& own, const std::optional<ScoreGoal>& goal) {
+    MetricMap metrics = own.metrics;
+    if (!goal) return metrics;
+    for (const auto& [id, half_width] : own.truth_noise) {
+        if (half_width <= allowed_noise(*goal, id) || !metrics.contains(id)) continue;
+        metrics.at(id) = {std::nullopt, fmt::format("the noise of the method's own truth, {} rays a pixel, "
+                                                    "leaves it unsure by {:.2g}",
+                                                    own.truth.samples, half_width)};
+    }
+    return metrics;
+}
+
 /// Puts a view's results together from its artifacts.
 class Assembly {
   public:
@@ -116,8 +132,19 @@ class Assembly {
         if (maker_.gbuffer_ms() != nullptr) view.gbuffer = summarize(*maker_.gbuffer_ms());
         if (there(run_.jobs.truth_file)) view.truth_file = run_.work.truth_file();
         if (there(run_.jobs.gbuffer_file)) view.gbuffer_file = run_.work.gbuffer_file();
+        for (std::size_t i = 0; i < run_.jobs.cells.size(); ++i) add_own_truth(i, view.truths);
         warn_of_small_radius(run_.work.view, view);
         return view;
+    }
+
+    double own_noise() const {
+        double most = 0;
+        for (std::size_t i = 0; i < run_.jobs.cells.size(); ++i) {
+            const OwnScore* own = own_score(i);
+            if (own != nullptr && own->truth_noise.contains(kRankingMetric))
+                most = std::max(most, own->truth_noise.at(kRankingMetric));
+        }
+        return most;
     }
 
     CellRecord cell(std::size_t i, const ViewRecord& view) const {
@@ -135,8 +162,7 @@ class Assembly {
             record.raw = score->raw;
             record.signals = score->signals;
         }
-        if (keys.own_score && maker_.own_score(*keys.own_score) != nullptr)
-            record.own = *maker_.own_score(*keys.own_score);
+        if (const OwnScore* own = own_score(i)) record.own = sure_metrics(*own, run_.plan.score_goal);
         if (keys.fetches && maker_.fetches(*keys.fetches) != nullptr)
             record.fetches_per_pixel = *maker_.fetches(*keys.fetches);
         const StoredTimes* times = keys.times ? maker_.times(*keys.times) : nullptr;
@@ -145,6 +171,18 @@ class Assembly {
     }
 
   private:
+    const OwnScore* own_score(std::size_t i) const {
+        const std::optional<Key>& key = run_.jobs.cells[i].own_score;
+        return key ? maker_.own_score(*key) : nullptr;
+    }
+
+    void add_own_truth(std::size_t i, std::vector<TruthRecord>& truths) const {
+        const OwnScore* own = own_score(i);
+        if (own == nullptr || run_.work.ranks_by(*run_.work.cells[i].own)) return;
+        if (std::ranges::find(truths, own->truth.id, &TruthRecord::id) == truths.end())
+            truths.push_back(own->truth);
+    }
+
     bool there(const std::optional<Key>& key) const { return key && !done_.has_failed(*key); }
 
     /// Why the cell failed; empty where it did not.
@@ -220,6 +258,7 @@ ViewOutcome run_view(const ViewRun& run, const ArtifactStore& store) {
         outcome.measured += std::ranges::find(done.taken, score) == done.taken.end();
     }
     outcome.rays = maker.rays();
+    outcome.own_noise = assembly.own_noise();
     return outcome;
 }
 

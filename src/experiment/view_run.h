@@ -35,6 +35,8 @@ struct ViewOutcome {
     std::vector<CellRecord> cells;  ///< in the order of ViewRun::cells
     std::uint64_t rays = 0;         ///< traced now
     std::size_t measured = 0;       ///< cells that were scored now
+    /// The most that the noise of methods' own truths leaves a value of the metric that ranks.
+    double own_noise = 0;
 };
 
 /// Takes from the store what is there, and makes the rest: truth, G-buffer, every cell's image and scores; at

@@ -86,6 +86,11 @@ bool is_known(const ViewRun& run, const ArtifactStore& store) {
     return std::ranges::all_of(run.jobs.graph.wanted(), [&](const Key& key) { return store.has(key.hex); });
 }
 
+bool is_scored(const ViewRun& run, const ArtifactStore& store) {
+    return std::ranges::all_of(run.jobs.cells,
+                               [&](const CellKeys& keys) { return store.has(keys.score.hex); });
+}
+
 void learn_pace(const ArtifactStore& store, const ViewRun& run, const ViewOutcome& outcome, double seconds) {
     if (!store.enabled() || outcome.measured == 0 || outcome.rays == 0) return;
     const double truth_s = outcome.view.truth_seconds;

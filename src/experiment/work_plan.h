@@ -25,6 +25,9 @@ WorkPlan plan_work(std::span<const ViewRun> runs, const ArtifactStore& store);
 /// Whether everything that the run asks for is in the store.
 bool is_known(const ViewRun& run, const ArtifactStore& store);
 
+/// Whether all of its cells were scored before.
+bool is_scored(const ViewRun& run, const ArtifactStore& store);
+
 /// Remembers how long a view took on this machine, for the next estimate.
 void learn_pace(const ArtifactStore& store, const ViewRun& run, const ViewOutcome& outcome, double seconds);
 

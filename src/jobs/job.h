@@ -18,6 +18,7 @@ enum class ArtifactKind : std::uint8_t {
     gbuffer_times,  ///< runs of the G-buffer alone, milliseconds
     gbuffer,        ///< what the methods read
     truth,          ///< visibility with its standard error
+    own_truth,      ///< the same for the methods' own radii and falloffs
     contract,       ///< which pixels both paths see alike, and what is known of each
     view,           ///< the facts of truth and contract that stand in the results
     truth_file,
@@ -31,12 +32,12 @@ enum class ArtifactKind : std::uint8_t {
     stress_setting,  ///< what a stressed view is like before any subject is run on it
     stress_cell,     ///< one subject on a stressed view
 };
-inline constexpr std::size_t kArtifactKinds = 15;
+inline constexpr std::size_t kArtifactKinds = 16;
 /// Their names in lists of jobs, in the order of ArtifactKind.
 inline constexpr std::array<std::string_view, kArtifactKinds> kArtifactKindIds{
-    "gbuffer_times", "gbuffer",      "truth",      "contract",       "view",
-    "truth_file",    "gbuffer_file", "image",      "score",          "own_score",
-    "fetches",       "times",        "unstressed", "stress_setting", "stress_cell"};
+    "gbuffer_times", "gbuffer",      "truth",          "own_truth",  "contract",  "view",
+    "truth_file",    "gbuffer_file", "image",          "score",      "own_score", "fetches",
+    "times",         "unstressed",   "stress_setting", "stress_cell"};
 constexpr std::string_view id_of(ArtifactKind kind) {
     return kArtifactKindIds[static_cast<std::size_t>(kind)];
 }

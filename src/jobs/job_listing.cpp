@@ -28,7 +28,7 @@ bool is_kept(ArtifactKind kind) {
 
 /// Whether it lies in the store under its key; truths lie there by the tile.
 bool has_entry(ArtifactKind kind) {
-    return is_kept(kind) && kind != ArtifactKind::truth;
+    return is_kept(kind) && kind != ArtifactKind::truth && kind != ArtifactKind::own_truth;
 }
 
 JobGraph only(const JobGraph& graph, const Key& key) {

@@ -2,9 +2,13 @@
 
 #include "core/error.h"
 #include "jobs/contest/truth_image.h"
+#include "jobs/truth_record.h"
 #include "jobs/truth_signals.h"
 #include "metrics/analysis/analysis.h"
 #include "metrics/evaluate.h"
+#include "metrics/intervals/extrapolation.h"
+#include "metrics/intervals/truth_noise.h"
+#include "metrics/measures/noise.h"
 #include "metrics/signal_metric.h"
 #include "results/record_json.h"
 #include "results/results_members.h"
@@ -50,16 +54,29 @@ class Comparison {
     MetricInput input_;
 };
 
-MetricMap metrics_against(const Truth& truth, std::size_t query, const ImageF& image, const Mask& valid) {
-    const Comparison comparison(truth, query, image, valid);
-    return evaluate(comparison.input(), unranked_metrics());
+/// Those of `ids` that are wanted, of all metrics when it is empty.
+MetricMap measured(const MetricInput& input, const ScoreSettings& settings,
+                   const std::vector<std::string>& ids = {}) {
+    if (settings.untold) return evaluate(input, ids);
+    return evaluate(input, told_metrics(mean_noise_variance(input).value_or(0), ids));
 }
 
-MetricMap raw_metrics(const Truth& truth, const Ground& ground, const TruthSide& side, const ImageF& raw) {
+/// As analyse() finds it, of what evaluate() has measured.
+std::map<std::string, double> noise_of(const MetricInput& input) {
+    if (input.halves == nullptr) return {};
+    const OcclusionMasks masks = occlusion_masks(input);
+    return truth_noise(block_errors(input, masks), block_errors(against_half(input, 0), masks),
+                       block_errors(against_half(input, 1), masks));
+}
+
+MetricMap raw_metrics(const Truth& truth, const Ground& ground, const TruthSide& side, const ImageF& raw,
+                      const ScoreSettings& settings) {
     std::size_t nonfinite = 0;
     const Mask valid = finite_pixels(truth.visibility[0], raw, ground.contract.valid, nonfinite);
-    if (nonfinite > 0) return metrics_against(truth, 0, raw, valid);
-    return evaluate(Comparison(truth, side, raw, valid).input(), unranked_metrics());
+    // The side is that of all valid pixels.
+    if (nonfinite > 0)
+        return measured(Comparison(truth, 0, raw, valid).input(), settings, unranked_metrics());
+    return measured(Comparison(truth, side, raw, valid).input(), settings, unranked_metrics());
 }
 
 void require_ground(const CameraContract& contract) {
@@ -87,10 +104,10 @@ Score score_image(const Truth& truth, const Ground& ground, const TruthSide& sid
         finite_pixels(truth.visibility[0], image.visibility, ground.contract.valid, score.nonfinite);
     if (score.nonfinite > 0) return score;
     const Comparison ranked(truth, side, image.visibility, valid);
-    score.ranked = evaluate(ranked.input());
+    score.ranked = measured(ranked.input(), settings);
     score.analysis =
         analyse(ranked.input(), ground.facts, settings.mask_threshold, settings.seed, &side.divisions());
-    if (settings.filtered) score.raw = raw_metrics(truth, ground, side, image.raw);
+    if (settings.filtered) score.raw = raw_metrics(truth, ground, side, image.raw, settings);
     for (const auto& [id, of_signal] : image.signals) {
         const TruthSignal known = truth_signal(truth, id);
         score.signals[id] =
@@ -99,11 +116,15 @@ Score score_image(const Truth& truth, const Ground& ground, const TruthSide& sid
     return score;
 }
 
-MetricMap score_against(const Truth& truth, const TruthQuery& query, const Ground& ground,
-                        const ImageF& image) {
+OwnScore score_own(const Truth& truth, const TruthQuery& query, const Ground& ground, const ImageF& image) {
+    const std::size_t q = query_index(truth, query);
     std::size_t nonfinite = 0;
-    const Mask valid = finite_pixels(truth.visibility[0], image, ground.contract.valid, nonfinite);
-    return metrics_against(truth, query_index(truth, query), image, valid);
+    const Mask valid = finite_pixels(truth.visibility[q], image, ground.contract.valid, nonfinite);
+    const Comparison comparison(truth, q, image, valid);
+    OwnScore score{query_record(truth, q, ground.contract.valid), {}, {}};
+    score.metrics = evaluate(comparison.input(), unranked_metrics());
+    score.truth_noise = noise_of(comparison.input());
+    return score;
 }
 
 nlohmann::json to_json(const Score& score) {
@@ -114,12 +135,12 @@ Score score_from_json(const nlohmann::json& json, const std::string& where) {
     return record_json::record_from_json<Score>(json, where);
 }
 
-nlohmann::json to_json(const MetricMap& metrics) {
-    return record_json::checked_json(metrics, "metrics");
+nlohmann::json to_json(const OwnScore& score) {
+    return record_json::checked_json(score, "own score");
 }
 
-MetricMap metrics_from_json(const nlohmann::json& json, const std::string& where) {
-    return record_json::record_from_json<MetricMap>(json, where);
+OwnScore own_score_from_json(const nlohmann::json& json, const std::string& where) {
+    return record_json::record_from_json<OwnScore>(json, where);
 }
 
 }  // namespace aoscore

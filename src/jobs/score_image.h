@@ -42,6 +42,9 @@ struct ScoreSettings {
     bool filtered = false;        ///< the image has been: then it is scored before its filter as well
     double mask_threshold = 0.1;  ///< of missing and false occlusion, in visibility
     std::uint64_t seed = 1;       ///< of the resampling
+    /// Also by metrics that the truth's noise hides (told_metrics()): their values are far off, but say how
+    /// many more rays they need.
+    bool untold = true;
 };
 
 /// Every metric and the analysis, against the truth's first query; `side` is of this truth and ground. Throws
@@ -49,14 +52,27 @@ struct ScoreSettings {
 Score score_image(const Truth& truth, const Ground& ground, const TruthSide& side, const MethodOutput& image,
                   const ScoreSettings& settings);
 
+/// How far an image is from a truth of its method's own.
+struct OwnScore {
+    TruthRecord truth;
+    MetricMap metrics;
+    std::map<std::string, double> truth_noise;  ///< as ErrorAnalysis has it
+};
+
+template <class Visit, RecordOf<OwnScore> Record>
+void visit_members(Visit& visit, Record& score) {
+    visit("truth", score.truth);
+    visit("metrics", score.metrics);
+    visit("truth_noise", score.truth_noise);
+}
+
 /// The metrics that are kept of truths beside the ranking's, against one query of the truth.
-MetricMap score_against(const Truth& truth, const TruthQuery& query, const Ground& ground,
-                        const ImageF& image);
+OwnScore score_own(const Truth& truth, const TruthQuery& query, const Ground& ground, const ImageF& image);
 
 nlohmann::json to_json(const Score& score);
 /// Throws file_error for another form.
 Score score_from_json(const nlohmann::json& json, const std::string& where);
-nlohmann::json to_json(const MetricMap& metrics);
-MetricMap metrics_from_json(const nlohmann::json& json, const std::string& where);
+nlohmann::json to_json(const OwnScore& score);
+OwnScore own_score_from_json(const nlohmann::json& json, const std::string& where);
 
 }  // namespace aoscore

@@ -15,21 +15,6 @@
 namespace aoscore {
 namespace {
 
-TruthRecord query_record(const Truth& truth, std::size_t q, const Mask& valid) {
-    const TruthQuery& query = truth.queries[q];
-    TruthRecord record;
-    record.id = q == 0 ? "ranked" : truth_id(query);
-    record.falloff = falloff_name(query.falloff);
-    if (std::isfinite(query.radius_m)) record.radius_m = query.radius_m;
-    if (query.falloff == Falloff::alchemy) record.u_m = query.u_m;
-    record.channel = fmt::format("V{}.Y", q);
-    record.se_channel = fmt::format("SE{}.Y", q);
-    const NoiseFloor floor = noise_floor(truth.standard_error[q], valid).value_or(NoiseFloor{});
-    record.mean_standard_error = floor.mean_standard_error;
-    record.noise_floor_rmse = floor.rmse();
-    return record;
-}
-
 bool is_untraced(const Truth& truth, const Tile& tile) {
     for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1; ++x) {
@@ -40,6 +25,20 @@ bool is_untraced(const Truth& truth, const Tile& tile) {
 }
 
 }  // namespace
+
+TruthRecord query_record(const Truth& truth, std::size_t q, const Mask& valid) {
+    const TruthQuery& query = truth.queries[q];
+    TruthRecord record;
+    record.id = truth_id(query);
+    record.falloff = falloff_name(query.falloff);
+    if (std::isfinite(query.radius_m)) record.radius_m = query.radius_m;
+    if (query.falloff == Falloff::alchemy) record.u_m = query.u_m;
+    record.samples = truth.samples;
+    const NoiseFloor floor = noise_floor(truth.standard_error[q], valid).value_or(NoiseFloor{});
+    record.mean_standard_error = floor.mean_standard_error;
+    record.noise_floor_rmse = floor.rmse();
+    return record;
+}
 
 TruthSavings truth_savings(const Truth& truth) {
     TruthSavings savings;
@@ -73,7 +72,10 @@ void record_truth(const Truth& truth, const Mask& valid, ViewRecord& view) {
     for (const std::uint8_t surface : truth.hits.surface.pixels) view.background_pixels += surface == 0;
     view.savings = truth_savings(truth);
     for (std::size_t q = 0; q < truth.queries.size(); ++q) {
-        view.truths.push_back(query_record(truth, q, valid));
+        TruthRecord& record = view.truths.emplace_back(query_record(truth, q, valid));
+        if (q == 0) record.id = kRankedTruth;
+        record.channel = fmt::format("V{}.Y", q);
+        record.se_channel = fmt::format("SE{}.Y", q);
     }
     for (std::size_t c = 0; c < kCauses; ++c) {
         const ImageF& occlusion = truth.occlusion_by_cause[c];

@@ -16,6 +16,7 @@ class Layout {
             jobs_.gbuffer_times = want(keys_.gbuffer_times(), ArtifactKind::gbuffer_times, {});
         gbuffer_ = add(keys_.gbuffer(work_.drawn_inputs()), ArtifactKind::gbuffer, {});
         truth_ = add(keys_.truth(work_.queries), ArtifactKind::truth, {});
+        if (!work_.own_queries.empty()) own_truth_ = add(keys_.own_truths(), ArtifactKind::own_truth, {});
         contract_ = add(keys_.contract(), ArtifactKind::contract, {gbuffer_, truth_});
         jobs_.view = want(keys_.view(), ArtifactKind::view, {truth_, contract_});
         if (work_.pictured()) {
@@ -61,8 +62,8 @@ class Layout {
             jobs_.graph.want(of_cell(keys_.score(cell), ArtifactKind::score, {keys.image, truth_, contract_}))
                 .key;
         if (cell.own) {
-            Job own =
-                of_cell(keys_.own_score(cell), ArtifactKind::own_score, {keys.image, truth_, contract_});
+            const Key& truth = work_.ranks_by(*cell.own) ? truth_ : own_truth_;
+            Job own = of_cell(keys_.own_score(cell), ArtifactKind::own_score, {keys.image, truth, contract_});
             own.after = {keys.score};
             keys.own_score = jobs_.graph.want(own).key;
         }
@@ -81,7 +82,7 @@ class Layout {
     const ViewWork& work_;
     ViewKeys keys_;
     ViewJobs jobs_;
-    Key gbuffer_, truth_, contract_;
+    Key gbuffer_, truth_, own_truth_, contract_;
 };
 
 }  // namespace

@@ -22,6 +22,16 @@ std::string albedo_digest(const Scene& scene) {
     return digest.hex();
 }
 
+// Of these queries of a truth that is asked for like this.
+Key truth_key(TruthRequest request, std::span<const TruthQuery> queries) {
+    // Where pixels are traced until all queries are sure, each of them changes the rays of the others.
+    if (request.settings.max_error == 0) request.queries.assign(queries.begin(), queries.end());
+    KeyBuilder key("truth");
+    key.text(request.picture_key()).text(request.wanted_key()).value(request.settings.halves);
+    for (const TruthQuery& query : queries) key.value(query.falloff).value(query.radius_m).value(query.u_m);
+    return key.key();
+}
+
 }  // namespace
 
 bool ViewKeys::orthographic() const {
@@ -59,18 +69,17 @@ Key ViewKeys::gbuffer_times() const {
 }
 
 Key ViewKeys::truth(std::span<const TruthQuery> queries) const {
-    TruthRequest request = work_.truth_request();
-    // Where pixels are traced until all queries are sure, each of them changes the rays of the others.
-    if (request.settings.max_error == 0) request.queries.assign(queries.begin(), queries.end());
-    KeyBuilder key("truth");
-    key.text(request.picture_key()).text(request.wanted_key()).value(request.settings.halves);
-    for (const TruthQuery& query : queries) key.value(query.falloff).value(query.radius_m).value(query.u_m);
-    return key.key();
+    return truth_key(work_.truth_request(), queries);
 }
 
-// What else there is in the truth belongs to the first query.
+// What else there is in the view's truth belongs to its first query.
 Key ViewKeys::own_truth(const TruthQuery& query) const {
-    return truth(std::vector<TruthQuery>{work_.queries.front(), query});
+    if (work_.ranks_by(query)) return truth(std::vector<TruthQuery>{work_.queries.front(), query});
+    return truth_key(work_.own_truth_request(), std::span(&query, 1));
+}
+
+Key ViewKeys::own_truths() const {
+    return truth_key(work_.own_truth_request(), work_.own_queries);
 }
 
 // Of the truth it takes the primary hits alone, which no number of rays changes.
@@ -109,7 +118,7 @@ Key ViewKeys::image(const CellWork& cell) const {
 Key ViewKeys::score(const CellWork& cell) const {
     KeyBuilder key("score");
     key.input(image(cell)).input(truth(std::span(work_.queries).first(1))).input(contract());
-    return key.value(work_.mask_threshold).value(work_.seed).key();
+    return key.value(work_.mask_threshold).value(work_.seed).value(work_.untold).key();
 }
 
 Key ViewKeys::own_score(const CellWork& cell) const {

@@ -22,8 +22,10 @@ class ViewKeys {
     Key gbuffer_times() const;
     /// Of these queries of the view's truth.
     Key truth(std::span<const TruthQuery> queries) const;
-    /// Of a query beside the first.
+    /// Of the truth that has the query of a method.
     Key own_truth(const TruthQuery& query) const;
+    /// Of all queries that are traced apart from the view's.
+    Key own_truths() const;
     Key contract() const;
     Key view() const;
     Key truth_file() const;

@@ -45,7 +45,7 @@ const Score* ViewMaker::score(const Key& key) const {
     return found_in(scores_, key);
 }
 
-const MetricMap* ViewMaker::own_score(const Key& key) const {
+const OwnScore* ViewMaker::own_score(const Key& key) const {
     return found_in(own_scores_, key);
 }
 
@@ -100,7 +100,7 @@ void ViewMaker::read_payload(const Job& job, const nlohmann::json& payload) {
             scores_[job.key] = score_from_json(payload, where);
             break;
         case ArtifactKind::own_score:
-            own_scores_[job.key] = metrics_from_json(payload, where);
+            own_scores_[job.key] = own_score_from_json(payload, where);
             break;
         case ArtifactKind::fetches:
             fetches_[job.key] = number_from(payload, where);
@@ -119,6 +119,8 @@ bool ViewMaker::take_input(const Job& job) {
             return gbuffer_.has_value();
         case ArtifactKind::truth:
             return truth_.has_value();
+        case ArtifactKind::own_truth:
+            return own_truth_.has_value();
         case ArtifactKind::contract:
             return ground_.has_value();
         case ArtifactKind::image:
@@ -155,7 +157,11 @@ void ViewMaker::make(const Job& job) {
             gbuffer_ = work_.tools.ready_renderer().read_gbuffer();
             return;
         case ArtifactKind::truth:
-            return trace();
+            truth_ = trace(work_.truth_request(), "truth " + work_.key);
+            return;
+        case ArtifactKind::own_truth:
+            own_truth_ = trace(work_.own_truth_request(), "methods' own truths " + work_.key);
+            return;
         case ArtifactKind::contract:
             ground_ = find_ground(frame_, truth_->truth, *gbuffer_, work_.scene.bounds);
             truth_side_.reset();
@@ -174,9 +180,7 @@ void ViewMaker::make(const Job& job) {
         case ArtifactKind::score:
             return make_score(job);
         case ArtifactKind::own_score:
-            own_scores_[job.key] =
-                score_against(truth_->truth, cell(job).own.value(), *ground_, image_->second.visibility);
-            return keep(job, to_json(own_scores_[job.key]));
+            return make_own_score(job);
         case ArtifactKind::fetches:
             fetches_[job.key] =
                 fetches_per_pixel(work_.tools.ready_renderer(), *cell(job).contestant->timed_request(),
@@ -193,14 +197,14 @@ void ViewMaker::draw(const std::set<std::string>& inputs) {
     drawn_inputs_ = inputs;
 }
 
-// All truths of the view come from the same rays: the ranking's first, then every method's own.
-void ViewMaker::trace() {
+// All queries of a request come from the same rays.
+CachedTruth ViewMaker::trace(TruthRequest request, const std::string& what) {
     const ReferenceScene& reference = work_.tools.reference();
-    TruthRequest request = work_.truth_request();
     request.build = reference.build();
     const TruthLabel label{scene_name(work_.scene), work_.view.id, work_.command};
-    truth_ = trace_truth(work_.truth_cache, reference, request, label, "truth " + work_.key);
-    rays_ = truth_->origin == TruthOrigin::cached ? 0 : truth_->truth.rays;
+    CachedTruth traced = trace_truth(work_.truth_cache, reference, request, label, what);
+    if (traced.origin != TruthOrigin::cached) rays_ += traced.truth.rays;
+    return traced;
 }
 
 void ViewMaker::make_image(const Job& job) {
@@ -213,12 +217,20 @@ void ViewMaker::make_image(const Job& job) {
 }
 
 void ViewMaker::make_score(const Job& job) {
-    const ScoreSettings settings{cell(job).contestant->is_filtered(), work_.mask_threshold, work_.seed};
+    const ScoreSettings settings{cell(job).contestant->is_filtered(), work_.mask_threshold, work_.seed,
+                                 work_.untold};
     if (!truth_side_) truth_side_.emplace(truth_->truth, *ground_);
     const Score& score = scores_[job.key] =
         score_image(truth_->truth, *ground_, *truth_side_, image_->second, settings);
     if (!score.error().empty()) throw internal_error(score.error());
     keep(job, to_json(score));
+}
+
+void ViewMaker::make_own_score(const Job& job) {
+    const TruthQuery& query = cell(job).own.value();
+    const Truth& truth = work_.ranks_by(query) ? truth_->truth : own_truth_->truth;
+    own_scores_[job.key] = score_own(truth, query, *ground_, image_->second.visibility);
+    keep(job, to_json(own_scores_[job.key]));
 }
 
 // The fixed pass is timed among them.

@@ -36,7 +36,7 @@ class ViewMaker final : public Maker {
     const ViewRecord* view() const { return view_ ? &*view_ : nullptr; }
     const std::vector<double>* gbuffer_ms() const { return gbuffer_ms_ ? &*gbuffer_ms_ : nullptr; }
     const Score* score(const Key& key) const;
-    const MetricMap* own_score(const Key& key) const;
+    const OwnScore* own_score(const Key& key) const;
     const double* fetches(const Key& key) const;
     const StoredTimes* times(const Key& key) const;
 
@@ -57,9 +57,10 @@ class ViewMaker final : public Maker {
     void keep(const Job& job, const nlohmann::json& payload) { store_.put(job.key.hex, payload); }
 
     void draw(const std::set<std::string>& inputs);
-    void trace();
+    CachedTruth trace(TruthRequest request, const std::string& what);
     void make_image(const Job& job);
     void make_score(const Job& job);
+    void make_own_score(const Job& job);
 
     const CellWork& cell(const Job& job) const { return work_.cells[job.cell]; }
 
@@ -72,7 +73,7 @@ class ViewMaker final : public Maker {
     std::set<std::string> drawn_inputs_;
     double drawn_ms_ = 0;  ///< of the last time
     std::optional<GBufferImages> gbuffer_;
-    std::optional<CachedTruth> truth_;
+    std::optional<CachedTruth> truth_, own_truth_;
     std::optional<Ground> ground_;
     std::optional<std::pair<Key, MethodOutput>> image_;
     std::optional<TruthSide> truth_side_;  ///< of the ranking's truth on the ground
@@ -81,7 +82,7 @@ class ViewMaker final : public Maker {
     std::optional<ViewRecord> view_;
     std::optional<std::vector<double>> gbuffer_ms_;
     std::map<Key, Score> scores_;
-    std::map<Key, MetricMap> own_scores_;
+    std::map<Key, OwnScore> own_scores_;
     std::map<Key, double> fetches_;
     std::map<Key, StoredTimes> times_;
 };

@@ -38,6 +38,14 @@ TruthRequest ViewWork::truth_request() const {
     return {scene.digest, view.camera, width, height, queries, truth, TraceBuild()};
 }
 
+TruthRequest ViewWork::own_truth_request() const {
+    return {scene.digest, view.camera, width, height, own_queries, own_truth, TraceBuild()};
+}
+
+bool ViewWork::ranks_by(const TruthQuery& query) const {
+    return std::ranges::find(queries, query) != queries.end();
+}
+
 std::string ViewWork::truth_file() const {
     return fmt::format("views/{}-truth.exr", file_name(key));
 }

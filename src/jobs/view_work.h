@@ -39,12 +39,15 @@ struct ViewWork {
     int width = 0, height = 0;
     std::string key;                  ///< of the view in the results: "atrium/wide"
     double radius_m = 0;              ///< of the ranking
-    std::vector<TruthQuery> queries;  ///< the ranking's first, then every method's own
+    std::vector<TruthQuery> queries;  ///< of the view's truth: the ranking's first
     TruthSettings truth;
+    std::vector<TruthQuery> own_queries = {};  ///< methods' own that are none of these: traced apart
+    TruthSettings own_truth = {};              ///< how those are traced
     std::vector<CellWork> cells;
     MethodRequest fixed_pass;  ///< timed among the cells, with the lighting where that is timed
     std::optional<TimingGoal> timing_goal;
-    bool timed = true;  ///< whether costs are wanted: times, and fetches a pixel
+    bool timed = true;   ///< whether costs are wanted: times, and fetches a pixel
+    bool untold = true;  ///< whether metrics are wanted that the truth's noise hides; see ScoreSettings
     double mask_threshold = 0.1;
     std::uint64_t seed = 1;
     bool keep_gbuffer = true;
@@ -62,8 +65,11 @@ struct ViewWork {
     /// The same with those that are kept in a file, where one is.
     std::set<std::string> drawn_inputs() const;
     CameraFrame frame() const { return {view.camera, width, height}; }
-    /// How its truth is asked for.
+    /// How its truth is asked for, and that of the methods' own queries.
     TruthRequest truth_request() const;
+    TruthRequest own_truth_request() const;
+    /// Whether the view's truth has this query.
+    bool ranks_by(const TruthQuery& query) const;
 
     /// Below `folder`.
     std::string truth_file() const;

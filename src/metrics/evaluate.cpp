@@ -32,6 +32,15 @@ std::vector<std::string> unranked_metrics() {
     return ids;
 }
 
+std::vector<std::string> told_metrics(double noise_variance, std::span<const std::string> ids) {
+    std::vector<std::string> told;
+    for (const Metric& row : metrics()) {
+        if (!ids.empty() && std::ranges::find(ids, row.id) == ids.end()) continue;
+        if (row.left_by_variance * noise_variance <= 1) told.emplace_back(row.id);
+    }
+    return told;
+}
+
 std::map<std::string, MetricValue> evaluate(const MetricInput& input, std::span<const std::string> ids) {
     require_one_size(input);
     std::vector<const Metric*> rows;

@@ -5,6 +5,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace aoscore {
 
@@ -19,5 +20,9 @@ const Metric& metric(std::string_view id);
 
 /// The ids of the metrics that are measured before the filter and against a method's own truth, too.
 std::vector<std::string> unranked_metrics();
+
+/// Those of `ids` (of all metrics when it is empty) that a truth whose noise has this mean variance can tell:
+/// the others are extrapolated, and may be off by more than what the extrapolation takes off.
+std::vector<std::string> told_metrics(double noise_variance, std::span<const std::string> ids = {});
 
 }  // namespace aoscore

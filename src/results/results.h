@@ -30,16 +30,20 @@ struct Timing {
     std::optional<double> spread_ms;  ///< half the distance between the quartiles
 };
 
+/// The id of the truth that all methods of a view are ranked by.
+inline constexpr char kRankedTruth[] = "ranked";
+
 /// One truth that a test image was held against.
 struct TruthRecord {
     std::string id;                  ///< "ranked", or the method's own, such as "quadratic-0.549"
     std::string falloff;             ///< "binary", "quadratic", "alchemy", "xegtao"
     std::optional<double> radius_m;  ///< empty for infinity
     std::optional<double> u_m;       ///< of the falloff "alchemy"
-    std::string channel;             ///< of the view's truth file: "V0.Y"
-    std::string se_channel;          ///< "SE0.Y"
+    std::string channel;             ///< of the view's truth file: "V0.Y"; empty where it is in no file
+    std::string se_channel;          ///< "SE0.Y"; empty likewise
     double mean_standard_error = 0;  ///< over valid pixels
     double noise_floor_rmse = 0;     ///< sqrt of the mean variance: the RMSE a perfect method would show
+    int samples = 0;                 ///< rays a pixel, as in ViewRecord::samples
 };
 
 /// A signal beside visibility that a view's truth holds, in the channels that core/signal.h names.
@@ -316,7 +320,7 @@ struct WorkRecord {
 };
 
 struct Results {
-    static constexpr int kSchemaVersion = 6;
+    static constexpr int kSchemaVersion = 7;
     std::string program_version;
     std::string created_utc;  ///< 2026-11-22T02:11:47Z
     std::string command;      ///< that makes it again

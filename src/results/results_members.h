@@ -30,6 +30,7 @@ void visit_members(Visit& visit, Record& truth) {
     visit("se_channel", truth.se_channel);
     visit("mean_standard_error", truth.mean_standard_error);
     visit("noise_floor_rmse", truth.noise_floor_rmse);
+    visit("samples", truth.samples);
 }
 
 template <class Visit, RecordOf<CauseRecord> Record>

@@ -16,8 +16,17 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
+constexpr const char* kPlace = "place";  ///< of a file that the store has no copy of
+constexpr const char* kFileDigest = "file_digest";
+
 std::string digest_of(const std::string& bytes) {
     return Digest().text(bytes).hex();
+}
+
+/// Whether the file is there and has these bytes.
+bool holds(const fs::path& file, const std::string& digest) {
+    std::error_code ec;
+    return fs::is_regular_file(file, ec) && digest_of(read_file(file)) == digest;
 }
 
 /// The payload of an entry's file. Throws file_error where it is not what was put under the key.
@@ -76,10 +85,14 @@ bool ArtifactStore::has(const std::string& key) const {
 std::optional<fs::path> ArtifactStore::file(const std::string& key) const {
     const std::optional<json> facts = find(key);
     if (!facts) return std::nullopt;
+    const std::string digest = facts->value(kFileDigest, "");
+    if (facts->contains(kPlace)) {
+        const fs::path place = facts->at(kPlace).get<std::string>();
+        return holds(place, digest) ? std::optional(place) : std::nullopt;
+    }
     const fs::path path = entry(key, facts->value("extension", ""));
     try {
-        if (digest_of(read_file(path)) != facts->value("file_digest", ""))
-            throw file_error("is damaged", path.string());
+        if (digest_of(read_file(path)) != digest) throw file_error("is damaged", path.string());
         return path;
     } catch (const Error& e) {
         log_warning(fmt::format("{}; made again", e.what()));
@@ -89,8 +102,10 @@ std::optional<fs::path> ArtifactStore::file(const std::string& key) const {
 
 bool ArtifactStore::fetch_file(const std::string& key, const fs::path& target) const {
     const std::optional<fs::path> path = file(key);
-    if (path) write_atomically(target, read_file(*path));
-    return path.has_value();
+    if (!path) return false;
+    write_atomically(target, read_file(*path));
+    placed_.emplace_back(key, target);
+    return true;
 }
 
 void ArtifactStore::put_file(const std::string& key, const fs::path& source) const {
@@ -98,7 +113,26 @@ void ArtifactStore::put_file(const std::string& key, const fs::path& source) con
     const std::string bytes = read_file(source);
     const std::string extension = source.extension().string();
     keep(entry(key, extension), bytes);
-    put(key, {{"extension", extension}, {"file_digest", digest_of(bytes)}});
+    put(key, {{"extension", extension}, {kFileDigest, digest_of(bytes)}});
+    placed_.emplace_back(key, source);
+}
+
+void ArtifactStore::settle(const fs::path& staged, const fs::path& published) const {
+    for (const auto& [key, file] : std::exchange(placed_, {})) {
+        std::optional<json> facts = find(key);
+        if (!facts || !facts->is_object()) continue;
+        const fs::path place = fs::absolute(published / file.lexically_relative(staged)).lexically_normal();
+        const fs::path copy = entry(key, facts->value("extension", ""));
+        if (facts->value(kPlace, "") == place.string()) continue;
+        std::error_code ec;
+        if (holds(place, facts->value(kFileDigest, ""))) {
+            (*facts)[kPlace] = place.string();
+            put(key, *facts);
+        } else {
+            fs::remove(entry(key, ".json"), ec);
+        }
+        fs::remove(copy, ec);
+    }
 }
 
 ArtifactStore::Size ArtifactStore::size() const {
@@ -128,9 +162,10 @@ std::vector<fs::path> ArtifactStore::damaged() const {
         const std::string key = file.path().stem().string();
         try {
             const json payload = checked_payload(file.path(), key);
-            if (!payload.is_object() || !payload.contains("file_digest")) continue;
+            if (!payload.is_object() || !payload.contains(kFileDigest)) continue;
+            if (payload.contains(kPlace)) continue;  // what became of it is its owner's affair
             const fs::path image = entry(key, payload.value("extension", ""));
-            if (digest_of(read_file(image)) != payload.at("file_digest")) paths.push_back(image);
+            if (digest_of(read_file(image)) != payload.at(kFileDigest)) paths.push_back(image);
         } catch (const Error&) {
             paths.push_back(file.path());
         }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace aoscore {
@@ -35,6 +36,10 @@ class ArtifactStore {
     /// Copies that file to `target`; false where there is none, or it is damaged.
     bool fetch_file(const std::string& key, const std::filesystem::path& target) const;
     void put_file(const std::string& key, const std::filesystem::path& source) const;
+    /// What was put or fetched below `staged` now lies below `published`, and is kept there alone: the store
+    /// drops its copies, and remembers where they are. A file in whose place another lies by now is
+    /// forgotten. Whoever changes or removes a published file makes it missing, no more.
+    void settle(const std::filesystem::path& staged, const std::filesystem::path& published) const;
 
     struct Size {
         std::size_t entries = 0;
@@ -53,6 +58,7 @@ class ArtifactStore {
 
     std::filesystem::path folder_;
     mutable bool warned_ = false;
+    mutable std::vector<std::pair<std::string, std::filesystem::path>> placed_;  ///< by key, for settle()
 };
 
 }  // namespace aoscore

@@ -137,14 +137,28 @@ TEST(Reuse, APageOfPicturesComesBackWhole) {
     const std::string score = "score wall --view facing --methods alchemy --size 48x32 --samples 8";
     const Results cold = results_of(score, folder);
     const std::string picture = read_file(folder / "out" / cold.cells.at(0).image_file);
+    EXPECT_EQ(results_of(score, folder).work.passes, 0u);
     fs::remove_all(folder / "out");
     const Results warm = results_of(score, folder);
-    EXPECT_EQ(warm.work.passes, 0u);
+    EXPECT_GT(warm.work.passes, 0u) << "images lie in the results alone, and are drawn again without them";
+    EXPECT_EQ(warm.work.cells_measured, 0u);
     EXPECT_EQ(warm.work.rays, 0u);
     EXPECT_EQ(read_file(folder / "out" / warm.cells.at(0).image_file), picture);
     EXPECT_TRUE(fs::exists(folder / "out" / warm.views.at(0).truth_file));
     EXPECT_TRUE(fs::exists(folder / "out/index.html"));
     expect_same_numbers(cold, warm);
+}
+
+TEST(Reuse, AnImageOfTheResultsIsTakenFromWhereverTheyLie) {
+    const auto folder = output_dir();
+    const std::string score = "score wall --view facing --methods alchemy --size 48x32 --samples 8";
+    const Results first = results_of(score, folder);
+    for (const auto& file : fs::recursive_directory_iterator(folder / "truth-cache"))
+        EXPECT_NE(file.path().extension(), ".exr") << "a second copy of what the results hold";
+    ASSERT_EQ(testing::run_aoscore(score + " --out elsewhere", folder).exit_code, 0);
+    EXPECT_EQ(read_results(folder / "elsewhere").work.passes, 0u);
+    EXPECT_EQ(read_file(folder / "elsewhere" / first.cells.at(0).image_file),
+              read_file(folder / "out" / first.cells.at(0).image_file));
 }
 
 TEST(Reuse, AnEditedShaderRepeatsItsOwnMethodOnly) {

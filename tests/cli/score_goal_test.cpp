@@ -5,8 +5,10 @@
 #include "results/results.h"
 #include "support/support.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 
@@ -83,6 +85,38 @@ TEST(ScoreGoal, GoesWithNoOtherWayToNameRays) {
     for (const char* other : {" --samples 8", " --error 0.01"})
         EXPECT_EQ(run_aoscore(std::string(kScore) + " --score-error 0.01" + other, output_dir()).exit_code,
                   64);
+}
+
+// The truth that a method claims to approximate, traced by itself with many rays, tells the same error.
+TEST(OwnTruths, AreTracedApartWithAsFewRaysAsTheirRmseNeeds) {
+    const auto folder = output_dir();
+    ASSERT_EQ(run_aoscore("run hussain-table-5 --scale 0.08 --out page", folder).exit_code, 0);
+    std::size_t kept = 0;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(folder / "truth-cache"))
+        kept += file.path().extension() == ".truth";
+    EXPECT_EQ(kept, 2U) << "the halves of the ranking's truth alone";
+    const Results results = read_results(folder / "page");
+    const ViewRecord& view = results.views.at(0);
+    ASSERT_EQ(view.truths.size(), 4U);
+    for (const TruthRecord& truth : view.truths) {
+        EXPECT_EQ(truth.channel.empty(), truth.id != kRankedTruth);
+        if (truth.id == kRankedTruth) continue;
+        EXPECT_LT(truth.samples, view.samples) << truth.id;
+    }
+    const CellRecord& cell = results.cells.at(0);
+    ASSERT_EQ(cell.own_truth, "binary-0.391");
+    const std::string alone =
+        fmt::format("reference {} --view {} --size {}x{} --radius 0.391 --samples 1024 --out own.exr",
+                    view.scene, view.view, view.width, view.height);
+    ASSERT_EQ(run_aoscore(alone, folder).exit_code, 0);
+    ASSERT_EQ(
+        run_aoscore("compare own.exr page/" + cell.image_file + " --export scores.json", folder).exit_code,
+        0);
+    const auto scores = nlohmann::json::parse(read_file(folder / "scores.json"));
+    EXPECT_NEAR(*cell.own.at(kRankingMetric).value,
+                scores.at("metrics").at(kRankingMetric).at("value").get<double>(), 2 * ScoreGoal().error);
+    EXPECT_FALSE(cell.own.at(kStructureMetric).value) << "so few rays do not tell it";
+    EXPECT_THAT(cell.own.at(kStructureMetric).note, HasSubstr("unsure"));
 }
 
 TEST(HalvedTruth, IsTheSameForAnyNumberOfThreads) {

@@ -142,6 +142,20 @@ TEST(MetricRoles, AreRowsOfTheTableThatAreMeasuredUnrankedToo) {
     EXPECT_EQ(metric(kNoisyRankingMetric).without_noise, kRankingMetric);
 }
 
+TEST_P(EveryMetric, IsToldByAnExactTruthAndByNoNoisierOneThatHidesIt) {
+    bool before = true;
+    for (const double variance : {0.0, 1e-5, 1e-3, 1e-1}) {
+        const std::vector<std::string> told = told_metrics(variance);
+        const bool now = std::ranges::find(told, GetParam().id) != told.end();
+        EXPECT_TRUE(before || !now) << "at a noise of variance " << variance;
+        EXPECT_TRUE(now || variance > 0);
+        EXPECT_TRUE(now || GetParam().noise == Metric::Noise::extrapolated);
+        before = now;
+    }
+    const std::vector<std::string> asked{std::string(GetParam().id)};
+    EXPECT_EQ(told_metrics(0, asked), asked);
+}
+
 // A metric that is best for identical images must be worse for each of these, whichever way it points.
 TEST_P(EveryMetric, DoesNotPraiseABlankImage) {
     const Pair good = natural_pair(200, 180);

@@ -35,6 +35,47 @@ TEST(ArtifactStore, FindsWhatWasPutAndNothingElse) {
     EXPECT_FALSE(store.find("f" + kKey.substr(1)));
 }
 
+/// A file that was put from `staged` and then moved to `published`.
+struct Published {
+    fs::path folder = testing::output_dir();
+    fs::path staged = folder / "staged", published = folder / "published";
+    ArtifactStore store{folder / "store"};
+
+    Published() {
+        write_atomically(staged / "cells/a.exr", "a picture");
+        store.put_file(kKey, staged / "cells/a.exr");
+        fs::create_directories(published / "cells");
+        fs::rename(staged / "cells/a.exr", published / "cells/a.exr");
+    }
+};
+
+TEST(ArtifactStore, KeepsNoCopyOfWhatIsPublished) {
+    const Published p;
+    p.store.settle(p.staged, p.published);
+    EXPECT_EQ(only_file(p.folder / "store", ".exr"), fs::path());
+    ASSERT_EQ(p.store.file(kKey), fs::absolute(p.published / "cells/a.exr"));
+    ASSERT_TRUE(p.store.fetch_file(kKey, p.folder / "again.exr"));
+    EXPECT_EQ(read_file(p.folder / "again.exr"), "a picture");
+}
+
+TEST(ArtifactStore, MissesAPublishedFileThatWasChangedOrRemovedAndCallsNothingDamaged) {
+    const Published p;
+    p.store.settle(p.staged, p.published);
+    std::ofstream(p.published / "cells/a.exr") << "another picture";
+    EXPECT_FALSE(p.store.file(kKey));
+    fs::remove(p.published / "cells/a.exr");
+    EXPECT_FALSE(p.store.file(kKey));
+    EXPECT_THAT(p.store.damaged(), IsEmpty());
+}
+
+TEST(ArtifactStore, ForgetsAFileInWhosePlaceALaterOneWasPublished) {
+    const Published p;
+    std::ofstream(p.published / "cells/a.exr") << "one of more rays";
+    p.store.settle(p.staged, p.published);
+    EXPECT_FALSE(p.store.has(kKey));
+    EXPECT_EQ(p.store.size().bytes, 0U);
+}
+
 TEST(ArtifactStore, WithoutAFolderKeepsNothing) {
     const ArtifactStore store{fs::path()};
     store.put(kKey, 1);

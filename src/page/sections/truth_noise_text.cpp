@@ -29,10 +29,10 @@ std::string truth_noise_text(const Results& results, const ViewRecord& view) {
 std::string first_answer_text(const Results& results) {
     if (std::ranges::all_of(results.views, &ViewRecord::final_answer)) return "";
     return "This page is the first answer of a run that goes on. The debiased RMSE and the order of the "
-           "ranking are "
-           "final within their intervals. All other numbers become more exact with more rays, and costs are "
-           "measured "
-           "last; the run then writes this page again.";
+           "ranking are final within their intervals. All other numbers become more exact with more rays. "
+           "Those that few rays do not tell, such as SSIM, methods' errors against their own truths, and "
+           "costs "
+           "are not measured yet; the run then writes this page again.";
 }
 
 }  // namespace aoscore

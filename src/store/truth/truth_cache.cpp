@@ -326,11 +326,16 @@ CachedTruth TruthCache::trace(const ReferenceScene& reference, const TruthReques
 
 namespace {
 
+TruthRequest half_of(const TruthRequest& request, std::size_t half) {
+    TruthRequest one = request;
+    one.settings = settings_of_half(request.settings, half);
+    return one;
+}
+
 /// One half of `request`, traced with `samples` rays a pixel.
 CachedTruth trace_half(const fs::path& folder, const ReferenceScene& reference, const TruthRequest& request,
                        std::size_t half, int samples, const TruthLabel& label, const std::string& what) {
-    TruthRequest one = request;
-    one.settings = settings_of_half(request.settings, half);
+    TruthRequest one = half_of(request, half);
     one.settings.samples = samples;
     return trace_truth(folder, reference, one, label, fmt::format("{}, half {} of 2", what, half + 1));
 }
@@ -366,6 +371,18 @@ CachedTruth trace_halves(const fs::path& folder, const ReferenceScene& reference
 }
 
 }  // namespace
+
+void forget_truth(const fs::path& folder, const TruthRequest& request) {
+    if (folder.empty()) return;
+    if (request.settings.halves) {
+        for (std::size_t half = 0; half < 2; ++half) forget_truth(folder, half_of(request, half));
+        return;
+    }
+    const fs::path picture = folder / request.picture_key();
+    std::error_code ec;
+    fs::remove(with(picture / request.wanted_key(), kComplete), ec);
+    fs::remove(picture, ec);  // only where it is empty
+}
 
 CachedTruth trace_truth(const fs::path& folder, const ReferenceScene& reference, const TruthRequest& request,
                         const TruthLabel& label, const std::string& what) {
