@@ -192,6 +192,7 @@ TEST_P(Fidelity, TiltedPlaneReadsOpen) {
     // mean has noise.
     const std::map<std::string, double> tolerances = {
         {"ssao", 0.05},
+        {"sd-ssao", 0.05},
         {"hemisphere-ssao", 0.03},
         {"starcraft-ssao", 0.05},
         {"monte-carlo-points", 0.02},
