@@ -9,6 +9,7 @@ TapPart part_of_layers(vec2 tap_px, vec3 position, vec3 normal) {
     for (int picture = 0; picture < depth_pictures(); ++picture) {
         vec4 depths = tap_depths(tap_px, picture);
         for (int k = 0; k < 4; ++k) {
+            if (is_background(depths[k])) continue;
             TapPart part = part_of(layer_position(tap_px, depths[k]) - position, normal);
             most.occlusion = max(most.occlusion, part.occlusion);
             most.height = max(most.height, part.height);

@@ -10,7 +10,7 @@ Rise best_of_layers(vec2 tap_px, March march) {
         vec4 depths = tap_depths(tap_px, picture);
         for (int k = 0; k < 4; ++k) {
             Rise rise = rise_of(layer_position(tap_px, depths[k]), march);
-            if (rise.occlusion > best.occlusion) best = rise;
+            if (!is_background(depths[k]) && rise.occlusion > best.occlusion) best = rise;
         }
     }
     return best;
