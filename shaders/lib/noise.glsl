@@ -1,24 +1,10 @@
 // Per-pixel random numbers. The method declares the choice parameter `noise` with tiled_4x4, hash,
 // interleaved_gradient and none, in any order, and lists the input noise_4x4.
 #include "contract/inputs.glsl"
-
-// Jarzynski and Olano, Hash Functions for GPU Rendering, 2020: a permuted congruential step over four lanes.
-uvec4 pcg4d(uvec4 v) {
-    v = v * 1664525u + 1013904223u;
-    v.x += v.y * v.w;
-    v.y += v.z * v.x;
-    v.z += v.x * v.y;
-    v.w += v.y * v.z;
-    v ^= v >> 16u;
-    v.x += v.y * v.w;
-    v.y += v.z * v.x;
-    v.z += v.x * v.y;
-    v.w += v.y * v.z;
-    return v;
-}
+#include "lib/pcg.glsl"
 
 vec4 hash_noise(ivec2 texel, uint stream) {
-    return vec4(pcg4d(uvec4(uvec2(texel), u_seed, stream)) >> 8u) * (1.0 / 16777216.0);
+    return unit_numbers(pcg4d(uvec4(uvec2(texel), u_seed, stream)));
 }
 
 // Jimenez, Next Generation Post Processing in Call of Duty: Advanced Warfare, 2014; later channels and other seeds are

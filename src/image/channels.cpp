@@ -54,6 +54,10 @@ const std::vector<MadeInput>& made_inputs() {
          .is_direction = true},
         {.id = "depth_mips",
          .meaning = "linear depth in 6 levels; the descriptor's depth_mips says how they are made"},
+        {.id = "depth_layers",
+         .meaning = "several view depths a texel, metres, u_far where there is none; the descriptor's "
+                    "depth_layers says how they are gathered",
+         .layered = true},
         {.id = "noise_4x4", .meaning = "four numbers in [0,1) a texel, each a permutation of (i + ½)/16"},
         {.id = "coarser", .meaning = "visibility of the pass before, at 1/COARSER_SCALE"},
         {.id = "visibility", .meaning = "to be filtered or lit", .filters_only = true},

@@ -98,6 +98,19 @@ GBufferImages ScreenRenderer::read_gbuffer(const CaptureIndex& index) {
     return impl_->gbuffer.read(index);
 }
 
+double ScreenRenderer::draw_depth_layers(const DepthLayers& layers) {
+    DepthLayerBuffer& buffer = impl_->ready_runner().depth_layers();
+    buffer.forget();
+    const Clock clock;
+    buffer.texture(impl_->gbuffer, layers, Mirror::none);
+    gl::Finish();
+    return clock.milliseconds();
+}
+
+std::vector<ImageF> ScreenRenderer::read_depth_layers() {
+    return impl_->ready_runner().depth_layers().read();
+}
+
 std::string ScreenRenderer::gbuffer_digest() {
     impl_->ready_runner();
     return impl_->gbuffer.digest();

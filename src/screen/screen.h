@@ -4,6 +4,7 @@
 #include "core/signal.h"
 #include "scene/scene.h"
 #include "screen/gbuffer/capture.h"
+#include "screen/method/depth_layers.h"
 #include "screen/method/method.h"
 
 #include <cstdint>
@@ -117,6 +118,12 @@ class ScreenRenderer {
     double time_gbuffer();
     /// One picture of what was drawn.
     GBufferImages read_gbuffer(const CaptureIndex& index = {});
+    /// Draws the G-buffer's scene into depth layers, as methods that ask for them read them. Milliseconds to
+    /// glFinish.
+    double draw_depth_layers(const DepthLayers& layers);
+    /// The depth layers that were drawn last: view depth in metres, a picture for each sample; the far
+    /// plane's where a sample is empty.
+    std::vector<ImageF> read_depth_layers();
     /// Digest of all G-buffer textures' bytes: equal before and after a method ran.
     std::string gbuffer_digest();
 

@@ -226,6 +226,34 @@ TEST(Descriptor, FiltersOfAllPresetsExistWithTheNamedPreset) {
     }
 }
 
+std::string with_layers(const std::string& layers, const char* input = "depth_layers") {
+    const std::string asked = replaced(kDescriptor, "\"reference_radius\"",
+                                       fmt::format("\"depth_layers\": {}, \"reference_radius\"", layers));
+    return replaced(asked, "[\"linear_depth\"]", fmt::format("[\"linear_depth\", \"{}\"]", input));
+}
+
+TEST(Descriptor, DepthLayersAreValuesOrParametersThatTakeNothingElse) {
+    for (const auto& [wrong, place] :
+         {std::pair(R"({"samples": 17})", "depth_layers.samples"),
+          std::pair(R"({"samples": 2.5})", "depth_layers.samples"),
+          std::pair(R"({"alpha": 1.5})", "depth_layers.alpha"),
+          std::pair(R"({"alpha": "@step"})", "depth_layers.alpha"),  // its range is wider
+          std::pair(R"({"alpha": "@stride"})", "depth_layers.alpha"),
+          std::pair(R"({"sampling": "dice"})", "depth_layers.sampling"),
+          std::pair(R"({"per_sample": 1})", "depth_layers.per_sample"),
+          std::pair(R"({"seed": -1})", "depth_layers.seed"),
+          std::pair(R"({"layers": 2})", "depth_layers.layers")}) {
+        EXPECT_THAT(loading_error(with_layers(wrong)), HasSubstr(place)) << wrong;
+    }
+    EXPECT_THAT(loading_error(with_layers(R"({"sampling": "dice"})")), HasSubstr("stratified"));
+}
+
+TEST(Descriptor, DepthLayersAreAskedForWhereAPassListsThemAndNowhereElse) {
+    EXPECT_THAT(loading_error(with_layers("{}", "normal_smooth")), HasSubstr("no pass lists"));
+    EXPECT_THAT(loading_error(replaced(kDescriptor, "[\"linear_depth\"]", "[\"depth_layers\"]")),
+                HasSubstr("depth_layers: is missing"));
+}
+
 TEST(Descriptor, UnknownInputIsAnErrorThatListsTheKnownOnes) {
     EXPECT_THAT(loading_error(replaced(kDescriptor, "[\"linear_depth\"]", "[\"depth\"]")),
                 HasSubstr("linear_depth"));

@@ -28,6 +28,13 @@ double Picture::depth(int x, int y) const {
     return static_cast<double>(depth_.at(std::clamp(x, 0, width() - 1), std::clamp(y, 0, height() - 1)));
 }
 
+std::vector<double> Picture::depths(int x, int y) const {
+    if (layers_.empty()) return {depth(x, y)};
+    std::vector<double> all;
+    for (const ImageF& layer : layers_) all.push_back(static_cast<double>(layer.at(x, y)));
+    return all;
+}
+
 bool Picture::surface(int x, int y) const {
     return surface_.at(std::clamp(x, 0, width() - 1), std::clamp(y, 0, height() - 1)) != 0;
 }

@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 /// Published implementations, evaluated in double precision on a G-buffer that a scene's view has drawn: from
@@ -28,6 +29,9 @@ class Picture {
     /// Of the texel, or the nearest one in the picture.
     double depth(int x, int y) const;
     bool surface(int x, int y) const;
+    /// All depths of the texel that were given with take_layers(), else its depth alone.
+    std::vector<double> depths(int x, int y) const;
+    void take_layers(std::vector<ImageF> layers) { layers_ = std::move(layers); }
     glm::dvec3 normal(int x, int y) const;
     glm::dvec3 smooth_normal(int x, int y) const;
 
@@ -48,6 +52,7 @@ class Picture {
   private:
     Mask surface_;
     ImageF depth_;
+    std::vector<ImageF> layers_;
     Image<glm::vec3> normal_, smooth_;
     double near_, far_, tan_x_, tan_y_;
 };

@@ -179,6 +179,33 @@ const std::vector<PublishedCase>& cases() {
          [](const Picture& p) { return vermeer_hbao_plus(p, hash_noise(kSeed), kRadius); },
          {},
          0.02},
+        {"vermeer_sd_ssao",
+         "sd-ssao",
+         "published",
+         {},
+         [](const Picture& p) {
+             const Kernel3 kernel =
+                 points_of({"points", "42", "hemisphere", "volume", "none", "low_discrepancy"}, kSeed);
+             return vermeer_ssao(p, kernel, hash_noise(kSeed), kRadius);
+         },
+         {},
+         0.02},
+        {"vermeer_sd_hbao",
+         "sd-hbao",
+         "published",
+         {},
+         [](const Picture& p) {
+             return vermeer_hbao(p, hash_noise(kSeed), kRadius, std::cos(66.5 * std::numbers::pi / 180));
+         },
+         {},
+         0.02},
+        {"vermeer_sd_hbao_plus",
+         "sd-hbao-plus",
+         "published",
+         {},
+         [](const Picture& p) { return vermeer_hbao_plus(p, hash_noise(kSeed), kRadius); },
+         {},
+         0.02},
         {"crytek_listing",
          "crytek-ssao",
          "listing",
@@ -314,6 +341,9 @@ TEST_P(Published, AgreesWithItsImplementationInDoublePrecisionOnAScenesOwnView) 
     write_png((output_dir() / "raw.png").string(), output.raw);
     write_png((output_dir() / "visibility.png").string(), output.visibility);
 
+    // The layers are an input, as the depth is: depth_layers_test.cpp has the law by which they are drawn.
+    stage().picture->take_layers(request.method->depth_layers ? stage().renderer.read_depth_layers()
+                                                              : std::vector<ImageF>());
     const Picture& picture = *stage().picture;
     const Estimator estimate = c.estimator(picture);
     ImageF whole(kWidth, kHeight, 1.0F);

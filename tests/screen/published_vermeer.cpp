@@ -1,4 +1,5 @@
-// Vermeer, Stochastic-Depth Ambient Occlusion, 2020: algorithms 1 to 3, normals from differences of depth.
+// Vermeer, Stochastic-Depth Ambient Occlusion, 2020: algorithms 1 to 3 over one depth a texel, 7 to 9 over
+// the depths of a stochastic-depth buffer; normals from differences of depth.
 #include "published_methods.h"
 
 #include <algorithm>
@@ -14,23 +15,28 @@ using glm::dvec3;
 
 constexpr int kDirections = 4, kSteps = 4;
 
-// Depth where a place falls, the background's outside of the picture.
-double depth_at(const Picture& picture, const dvec2& place) {
+using Points = std::vector<dvec3>;
+
+// Depths where a place falls, the background's outside of the picture.
+std::vector<double> depths_at(const Picture& picture, const dvec2& place) {
     const int x = static_cast<int>(std::floor(place.x)), y = static_cast<int>(std::floor(place.y));
     const bool inside = x >= 0 && y >= 0 && x < picture.width() && y < picture.height();
-    return inside ? picture.depth(x, y) : picture.far();
+    return inside ? picture.depths(x, y) : std::vector<double>{picture.far()};
 }
 
-// The surface's point in the texel where a place falls.
-dvec3 surface_at(const Picture& picture, const dvec2& place) {
-    return picture.point(std::floor(place.x) + 0.5, std::floor(place.y) + 0.5, depth_at(picture, place));
+// The surfaces' points in the texel where a place falls.
+Points surfaces_at(const Picture& picture, const dvec2& place) {
+    Points points;
+    for (const double depth : depths_at(picture, place))
+        points.push_back(picture.point(std::floor(place.x) + 0.5, std::floor(place.y) + 0.5, depth));
+    return points;
 }
 
-// Of the marched directions, what each one's steps find: `along` gets the direction in view space and the
-// steps' vectors from the pixel.
+// Of the marched directions, what each one's steps find: `along` gets the direction in view space and, of
+// each step, the vectors from the pixel to all surfaces of its texel.
 double sum_over_directions(
     const Picture& picture, const Noise& noise, double radius, int x, int y,
-    const std::function<double(const dvec3& direction, const dvec3 (&steps)[kSteps])>& along) {
+    const std::function<double(const dvec3& direction, const Points (&steps)[kSteps])>& along) {
     const dvec3 p = picture.point(x, y);
     const glm::dvec4 xi = noise(x, y);
     const double step = radius * picture.pixels_per_metre(-p.z) / (kSteps + 1);
@@ -38,9 +44,11 @@ double sum_over_directions(
     for (int i = 0; i < kDirections; ++i) {
         const double angle = (i + xi.x) * 2 * std::numbers::pi / kDirections;
         const dvec2 d(std::cos(angle), std::sin(angle));
-        dvec3 steps[kSteps];
-        for (int j = 0; j < kSteps; ++j)
-            steps[j] = surface_at(picture, dvec2(x + 0.5, y + 0.5) + d * ((j + 1 + xi.y) * step)) - p;
+        Points steps[kSteps];
+        for (int j = 0; j < kSteps; ++j) {
+            steps[j] = surfaces_at(picture, dvec2(x + 0.5, y + 0.5) + d * ((j + 1 + xi.y) * step));
+            for (dvec3& v : steps[j]) v -= p;
+        }
         sum += along({d.x, -d.y, 0}, steps);
     }
     return sum;
@@ -62,27 +70,37 @@ Estimator vermeer_ssao(const Picture& picture, const Kernel3& kernel, const Nois
         double sum = 0;
         for (const dvec3& k : kernel) {
             const dvec3 s = p + frame * k * radius;
-            const double z = -depth_at(picture, picture.place(s));
-            const double t = std::min(radius / std::abs(p.z - z), 1.0);
-            if (z >= s.z) sum += t * t * (3 - 2 * t);
+            double most = 0;
+            for (const double depth : depths_at(picture, picture.place(s))) {
+                const double t = std::min(radius / std::abs(p.z + depth), 1.0);
+                if (-depth >= s.z) most = std::max(most, t * t * (3 - 2 * t));
+            }
+            sum += most;
         }
         return 1 - sum / static_cast<double>(kernel.size());
     };
 }
 
-Estimator vermeer_hbao(const Picture& picture, const Noise& noise, double radius) {
+Estimator vermeer_hbao(const Picture& picture, const Noise& noise, double radius, double least_cosine) {
     constexpr double kBias = std::numbers::pi / 6;
-    return [&picture, noise, radius](int x, int y) {
+    return [&picture, noise, radius, least_cosine](int x, int y) {
         const dvec3 n = picture.face_normal(x, y);
         const double sum = sum_over_directions(
-            picture, noise, radius, x, y, [&](const dvec3& direction, const dvec3(&steps)[kSteps]) {
+            picture, noise, radius, x, y, [&](const dvec3& direction, const Points(&steps)[kSteps]) {
                 double ao = 0;
                 double horizon = std::atan(-glm::dot(direction, n) / std::max(n.z, 1e-4)) + kBias;
-                for (const dvec3& v : steps) {
-                    const double angle = std::atan2(v.z, std::hypot(v.x, v.y));
-                    if (glm::dot(v, v) == 0 || angle <= horizon || glm::length(v) >= radius) continue;
-                    ao += falloff(v, radius) * (std::sin(angle) - std::sin(horizon));
-                    horizon = angle;
+                for (const Points& step : steps) {
+                    double most = 0, highest = horizon;
+                    for (const dvec3& v : step) {
+                        const double angle = std::atan2(v.z, std::hypot(v.x, v.y));
+                        if (glm::dot(v, v) == 0 || angle <= horizon || glm::length(v) >= radius) continue;
+                        if (glm::dot(v, n) <= least_cosine * glm::length(v)) continue;
+                        const double adds = falloff(v, radius) * (std::sin(angle) - std::sin(horizon));
+                        if (adds > most) highest = angle;
+                        most = std::max(most, adds);
+                    }
+                    ao += most;
+                    horizon = highest;
                 }
                 return ao;
             });
@@ -94,12 +112,16 @@ Estimator vermeer_hbao_plus(const Picture& picture, const Noise& noise, double r
     constexpr double kBias = 0.1;
     return [&picture, noise, radius](int x, int y) {
         const dvec3 n = picture.face_normal(x, y);
-        const double sum =
-            sum_over_directions(picture, noise, radius, x, y, [&](const dvec3&, const dvec3(&steps)[kSteps]) {
+        const double sum = sum_over_directions(
+            picture, noise, radius, x, y, [&](const dvec3&, const Points(&steps)[kSteps]) {
                 double ao = 0;
-                for (const dvec3& v : steps) {
-                    const double above = glm::dot(v, n) / std::max(glm::length(v), 1e-30) - kBias;
-                    ao += std::max(falloff(v, radius), 0.0) * std::max(above, 0.0);
+                for (const Points& step : steps) {
+                    double most = 0;
+                    for (const dvec3& v : step) {
+                        const double above = glm::dot(v, n) / std::max(glm::length(v), 1e-30) - kBias;
+                        most = std::max(most, std::max(falloff(v, radius), 0.0) * std::max(above, 0.0));
+                    }
+                    ao += most;
                 }
                 return ao;
             });

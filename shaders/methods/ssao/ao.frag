@@ -1,18 +1,15 @@
-// Screen-space ambient occlusion (Vermeer 2020, algorithm 1; de Vries, LearnOpenGL): O = 1/N sum over hidden points of
-// smoothstep(0, 1, R/|P.z - z|), z the surface's.
+// SSAO over the depth surface (lib/ssao.glsl).
 #include "contract/ao_pass.glsl"
 #include "lib/constants.glsl"
-#include "lib/frame.glsl"
 #include "lib/noise.glsl"
-#include "lib/open_cone.glsl"
-#include "lib/point_test.glsl"
+#include "lib/ssao.glsl"
 
 vec3 shading_normal() {
     if (p_normal_source == normal_source_smooth) return centre_normal_smooth();
     return p_normal_source == normal_source_from_depth ? centre_normal_from_depth() : centre_normal_geometric();
 }
 
-// What the tangent is turned toward: an even angle, or a point of the square, whose diagonals are likelier.
+// An even angle, or a point of the square, whose diagonals are likelier.
 vec3 random_direction() {
     vec4 noise = pixel_noise();
     float angle = kTwoPi * noise.x;
@@ -25,27 +22,6 @@ float surface_z(vec3 point) {
     return -tap_linear_depth(p_outside == outside_clamp ? inside_picture(tap_px) : tap_px);
 }
 
-float visibility(vec2 image_px, vec3 position) {
-    vec3 normal = shading_normal();
-    mat3 view_from_tangent = basis_toward(normal, random_direction());
-    float occlusion = 0.0;
-#ifdef OPEN_CONE
-    vec3 open_sum = vec3(0.0);
-#endif
-#pragma unroll
-    for (int i = 0; i < p_samples; ++i) {
-        vec3 point = position + view_from_tangent * k_points[i] * p_radius;
-        float z = surface_z(point);
-        // |difference| kept from 0: the weight is 1 there.
-        float weight = smoothstep(0.0, 1.0, p_radius / max(abs(position.z - z), 1e-20));
-        float hidden = hides(z, point, p_bias) ? weight : 0.0;
-        occlusion += hidden;
-#ifdef OPEN_CONE
-        open_sum += (1.0 - hidden) * normalize(view_from_tangent * k_points[i]);
-#endif
-    }
-#ifdef OPEN_CONE
-    write_mean_direction(open_sum, float(p_samples) - occlusion, normal);
-#endif
-    return 1.0 - occlusion / float(p_samples);
-}
+float hidden_part(vec3 point, vec3 position) { return hidden_by(surface_z(point), point, position); }
+
+float visibility(vec2 image_px, vec3 position) { return 1.0 - hidden_points(position) / float(p_samples); }

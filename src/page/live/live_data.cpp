@@ -55,7 +55,8 @@ std::string refusal(const json& method) {
     }
     for (const std::string& input : inputs_of(method)) {
         const Channel* channel = find_row(gbuffer_channels(), input);
-        const bool held = channel != nullptr ? channel->on_page : find_row(made_inputs(), input) != nullptr;
+        const MadeInput* made = find_row(made_inputs(), input);
+        const bool held = channel != nullptr ? channel->on_page : made != nullptr && !made->layered;
         if (!held) return fmt::format("reads the input {}, which the page does not hold", input);
     }
     return {};

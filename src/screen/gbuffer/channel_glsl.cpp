@@ -25,7 +25,7 @@ std::string declared_inputs() {
         centres += centre(channel.id, channel.form == ChannelForm::number);
     }
     for (const MadeInput& input : made_inputs()) {
-        if (input.filters_only) continue;
+        if (input.filters_only || input.layered) continue;
         samplers += sampler(input.id, input.meaning);
         if (input.is_direction) centres += centre(input.id, false);
     }

@@ -1,10 +1,8 @@
 #include "screen/gbuffer/gbuffer.h"
 
 #include "core/error.h"
-#include "core/files.h"
 #include "core/hash.h"
 #include "core/known_names.h"
-#include "scene/cofactors.h"
 #include "screen/gbuffer/channel_glsl.h"
 #include "screen/gl/texture.h"
 
@@ -29,56 +27,11 @@ TextureFormat format_of(const Channel& channel) {
     return channel.form == ChannelForm::number ? kR32F : kRgba32F;
 }
 
-// Normals transform by the cofactor matrix, which exists for flattened instances too. Its sign does not
-// matter: normals are turned to the camera. Scaled to keep float in range.
-glm::mat3 normal_matrix(const glm::dmat4& view_from_mesh) {
-    glm::dmat3 matrix = cofactors(glm::dmat3(view_from_mesh));
-    double largest = 0;
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(matrix[column][row]));
-    }
-    if (largest > 0) matrix /= largest;
-    return glm::mat3(matrix);
-}
-
-GLint wrap_mode(Texture::Wrap wrap) {
-    return static_cast<GLint>(wrap);
-}
-
 template <class Pixel>
 Image<Pixel> read_pixels(const gl::Texture& texture, GLenum transfer, const ViewUniforms& view) {
     Image<Pixel> image(view.width, view.height);
     read_texture(texture.name(), transfer, image.pixels.data());
     return image;
-}
-
-struct MeshPlace {
-    const SceneGeometry& geometry;
-    const SceneGeometry::Draw& draw;
-    const glm::dmat4& view_from_scene;
-};
-
-void draw_mesh(const MeshPlace& place, const ShaderProgram& p) {
-    const SceneGeometry& geometry = place.geometry;
-    const SceneGeometry::Range& range = geometry.ranges()[static_cast<std::size_t>(place.draw.range)];
-    const Material& material = geometry.materials()[static_cast<std::size_t>(range.material)];
-    const glm::dmat4 view_from_mesh = place.view_from_scene * place.draw.scene_from_mesh;
-    gl::UniformMatrix4fv(p.location("u_view_from_mesh"), 1, GL_FALSE,
-                         glm::value_ptr(glm::mat4(view_from_mesh)));
-    gl::UniformMatrix3fv(p.location("u_normal_from_mesh"), 1, GL_FALSE,
-                         glm::value_ptr(normal_matrix(view_from_mesh)));
-    gl::Uniform1i(p.location("u_first_triangle"), range.first_triangle);
-    gl::Uniform1f(p.location("u_alpha_cutoff"), material.alpha_cutoff);
-    gl::Uniform4fv(p.location("u_base_color_factor"), 1, glm::value_ptr(material.base_color));
-    const bool textured = material.texture >= 0 && geometry.texture(material.texture) != 0;
-    gl::Uniform1i(p.location("u_has_texture"), textured ? 1 : 0);
-    if (textured) {
-        const Texture& info = geometry.texture_info(material.texture);
-        gl::Uniform2i(p.location("u_wrap"), wrap_mode(info.wrap_s), wrap_mode(info.wrap_t));
-        gl::BindTexture(GL_TEXTURE_2D, geometry.texture(material.texture));
-    }
-    gl::DrawElementsBaseVertex(GL_TRIANGLES, range.index_count, GL_UNSIGNED_INT,
-                               static_cast<const char*>(nullptr) + range.index_offset, range.base_vertex);
 }
 
 }  // namespace
@@ -125,21 +78,11 @@ void GBuffer::allocate(Picture& made) {
     }
 }
 
-const ShaderProgram& GBuffer::program(bool orthographic, bool cutout, bool peeled) {
-    std::string macros = fmt::format("#define ORTHOGRAPHIC {}\n", orthographic ? 1 : 0);
-    if (cutout) macros += "#define CUTOUT\n";
-    if (peeled) macros += "#define PEELED\n";
+std::string GBuffer::output_macros() const {
+    std::string macros;
     for (std::size_t i = 0; i < outputs_.size(); ++i)
         macros += fmt::format("#define {} {}\n", output_macro(outputs_[i]->id), i);
-    const auto found = programs_.find(macros);
-    if (found != programs_.end()) return found->second;
-    const auto folder = home_dir() / "shaders" / "gbuffer";
-    ShaderSource vertex, fragment;
-    vertex.add_block("(G-buffer's macros)", macros);
-    vertex.add_file(folder / "scene.vert", folder);
-    fragment.add_block("(G-buffer's macros)", macros);
-    fragment.add_file(folder / "scene.frag", folder);
-    return programs_.emplace(macros, ShaderProgram("G-buffer", vertex, fragment)).first->second;
+    return macros;
 }
 
 void GBuffer::set_view_uniforms(const ShaderProgram& p, const CaptureIndex& index) const {
@@ -162,6 +105,7 @@ void GBuffer::draw(const SceneGeometry& geometry, const Capture& capture) {
         if (find_row(gbuffer_channels(), channel) == nullptr)
             throw internal_error("no such channel of the G-buffer: " + channel, "draw_gbuffer");
     }
+    geometry_ = &geometry;
     capture_ = capture;
     pictures_.clear();
     outputs_.clear();
@@ -175,47 +119,18 @@ void GBuffer::draw(const SceneGeometry& geometry, const Capture& capture) {
             if (picture.view.width != width() || picture.view.height != height())
                 throw internal_error("the cameras of a capture are of several sizes", "draw_gbuffer");
             allocate(picture);
-            draw_picture(geometry, frame, picture, before);
+            draw_picture(frame, picture, before);
             before = picture.textures.find("hardware_depth")->second.name();
         }
     }
     gl::check("drawing the G-buffer");
 }
 
-void GBuffer::draw_picture(const SceneGeometry& geometry, const CameraFrame& frame, const Picture& drawn,
-                           GLuint before) {
-    const glm::dmat4 view_from_scene = frame.view_from_world();
-    glm::dmat4 clip_from_view = frame.clip_from_view();
-    clip_from_view[1] *= -1.0;  // row 0 at the top
-    gl::Viewport(0, 0, drawn.view.width, drawn.view.height);
+void GBuffer::draw_picture(const CameraFrame& frame, const Picture& drawn, GLuint before) {
     clear(drawn);
     gl::Enable(GL_DEPTH_TEST);
     gl::DepthFunc(GL_LESS);
-    gl::BindVertexArray(geometry.vertex_array());
-    gl::ActiveTexture(GL_TEXTURE2);
-    gl::BindTexture(GL_TEXTURE_2D, before);
-    gl::ActiveTexture(GL_TEXTURE1);
-    gl::BindTexture(GL_TEXTURE_BUFFER, geometry.triangle_normals());
-    gl::ActiveTexture(GL_TEXTURE0);
-
-    const ShaderProgram* current = nullptr;
-    for (const SceneGeometry::Draw& draw : geometry.draws()) {
-        const auto& range = geometry.ranges()[static_cast<std::size_t>(draw.range)];
-        const bool cutout = geometry.materials()[static_cast<std::size_t>(range.material)].is_cutout();
-        const ShaderProgram& wanted = program(drawn.view.orthographic, cutout, before != 0);
-        if (current != &wanted) {
-            current = &wanted;
-            current->use();
-            drawn.view.set(*current);
-            gl::UniformMatrix4fv(current->location("u_clip_from_view"), 1, GL_FALSE,
-                                 glm::value_ptr(glm::mat4(clip_from_view)));
-            gl::Uniform1i(current->location("u_base_color_texture"), 0);
-            gl::Uniform1i(current->location("u_triangle_normals"), 1);
-            gl::Uniform1i(current->location("u_layer_before"), 2);
-        }
-        draw_mesh({geometry, draw, view_from_scene}, *current);
-    }
-    gl::BindVertexArray(0);
+    drawing_.draw({geometry_, geometry_->draws(), &frame, output_macros(), before, {}});
     gl::Disable(GL_DEPTH_TEST);
     gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
 }

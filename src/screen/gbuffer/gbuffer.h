@@ -4,6 +4,7 @@
 #include "image/channels.h"
 #include "scene/camera.h"
 #include "screen/gbuffer/capture.h"
+#include "screen/gbuffer/scene_drawing.h"
 #include "screen/gbuffer/scene_geometry.h"
 #include "screen/gbuffer/view_uniforms.h"
 #include "screen/gl/shader_program.h"
@@ -44,6 +45,8 @@ class GBuffer {
     /// The camera's uniforms of shaders/contract/view.glsl, for this G-buffer or any pass over it.
     void set_view_uniforms(const ShaderProgram& program, const CaptureIndex& index = {}) const;
     const Capture& capture() const { return *capture_; }
+    /// What was drawn, which must still be there.
+    const SceneGeometry& geometry() const { return *geometry_; }
     const CameraFrame& frame(const CaptureIndex& index = {}) const { return capture_->camera(index); }
     /// ORTHOGRAPHIC of shaders/contract/view.glsl.
     bool orthographic() const { return pictures_.front().view.orthographic; }
@@ -58,15 +61,16 @@ class GBuffer {
     void allocate(Picture& made);
     void clear(const Picture& cleared) const;
     /// `before`: the window depth of the layer in front, 0 for the first.
-    void draw_picture(const SceneGeometry& geometry, const CameraFrame& frame, const Picture& drawn,
-                      GLuint before);
-    const ShaderProgram& program(bool orthographic, bool cutout, bool peeled);
+    void draw_picture(const CameraFrame& frame, const Picture& drawn, GLuint before);
+    /// Which channel is which output of scene.frag.
+    std::string output_macros() const;
 
+    const SceneGeometry* geometry_ = nullptr;
     std::optional<Capture> capture_;
     std::vector<const Channel*> outputs_;  // colour attachments in order
     std::vector<Picture> pictures_;        // by Capture::place()
     gl::Framebuffer framebuffer_;
-    std::map<std::string, ShaderProgram> programs_;  // by macros
+    SceneDrawing drawing_{"G-buffer", "scene.frag"};
 };
 
 }  // namespace aoscore

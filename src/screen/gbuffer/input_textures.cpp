@@ -1,6 +1,8 @@
 #include "screen/gbuffer/input_textures.h"
 
 #include "core/error.h"
+#include "core/known_names.h"
+#include "image/channels.h"
 #include "screen/gbuffer/precision.h"
 #include "screen/gl/texture.h"
 #include "screen/method/kernel.h"
@@ -22,6 +24,11 @@ std::string replaced_normal(const std::string& input, Normals normals) {
             return "normal_from_depth_accurate";
     }
     return input;
+}
+
+GLenum texture_target(std::string_view input) {
+    const MadeInput* made = find_row(made_inputs(), input);
+    return made != nullptr && made->layered ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
 }
 
 std::set<std::string> needed_gbuffer_inputs(const MethodRequest& request) {
@@ -54,6 +61,11 @@ GLuint InputTextures::texture(const std::string& listed, const PassBuild& build,
     if (listed == "noise_4x4") return noise(build.seed);
     if (listed == "linear_depth") return linear_depth(settings.precision);
     if (listed == "half_depth") return derived_.half_depth(*gbuffer_, linear_depth(settings.precision));
+    if (listed == "depth_layers") {
+        return layers_.texture(*gbuffer_,
+                               asked_depth_layers(*build.method->depth_layers, *build.parameters, build.seed),
+                               build.mirror);
+    }
     if (listed == "depth_mips") return depth_mips(build, linear_depth(settings.precision));
     if (listed.starts_with("normal_"))
         return normal(replaced_normal(listed, settings.normals), settings.precision);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "screen/gbuffer/depth_layer_buffer.h"
 #include "screen/gbuffer/derived_inputs.h"
 #include "screen/gbuffer/gbuffer.h"
 #include "screen/passes/pass_program.h"
@@ -8,6 +9,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 
 namespace aoscore {
 
@@ -20,6 +22,9 @@ struct InputSettings {
 /// The input that a request reads in place of a listed one, where it asks for other normals.
 std::string replaced_normal(const std::string& input, Normals normals);
 
+/// What its texture is bound to: GL_TEXTURE_2D, or an array of them.
+GLenum texture_target(std::string_view input);
+
 /// Finds, or makes, the texture behind each input that a pass lists.
 class InputTextures {
   public:
@@ -30,8 +35,13 @@ class InputTextures {
     GLuint texture(const std::string& listed, const PassBuild& build, const InputSettings& settings,
                    GLuint previous);
 
-    /// Drops what was computed from the G-buffer.
-    void forget_derived() { derived_.forget(); }
+    /// Drops what was computed from the G-buffer, or drawn beside it.
+    void forget_derived() {
+        derived_.forget();
+        layers_.forget();
+    }
+
+    DepthLayerBuffer& depth_layers() { return layers_; }
 
   private:
     GLuint noise(std::uint64_t seed);
@@ -42,6 +52,7 @@ class InputTextures {
 
     const GBuffer* gbuffer_;
     DerivedInputs derived_;
+    DepthLayerBuffer layers_;
     std::map<std::uint64_t, gl::Texture> noise_4x4_;
 };
 

@@ -21,6 +21,7 @@ class SceneGeometry {
     };
     struct Draw {
         int range = 0;
+        int instance = 0;  ///< of the scene's, whatever the order of drawing
         glm::dmat4 scene_from_mesh{1.0};
     };
     const std::vector<Range>& ranges() const { return ranges_; }

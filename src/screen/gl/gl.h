@@ -11,9 +11,11 @@
     X(BINDFRAMEBUFFER, BindFramebuffer)                 \
     X(BINDTEXTURE, BindTexture)                         \
     X(BINDVERTEXARRAY, BindVertexArray)                 \
+    X(BLENDEQUATION, BlendEquation)                     \
     X(BUFFERDATA, BufferData)                           \
     X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus)   \
     X(CLEARBUFFERFV, ClearBufferfv)                     \
+    X(COLORMASK, ColorMask)                             \
     X(COMPILESHADER, CompileShader)                     \
     X(CREATEPROGRAM, CreateProgram)                     \
     X(CREATESHADER, CreateShader)                       \
@@ -32,6 +34,7 @@
     X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) \
     X(FINISH, Finish)                                   \
     X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D)       \
+    X(FRAMEBUFFERTEXTURELAYER, FramebufferTextureLayer) \
     X(GENBUFFERS, GenBuffers)                           \
     X(GENFRAMEBUFFERS, GenFramebuffers)                 \
     X(GENTEXTURES, GenTextures)                         \
@@ -51,6 +54,7 @@
     X(SHADERSOURCE, ShaderSource)                       \
     X(TEXBUFFER, TexBuffer)                             \
     X(TEXIMAGE2D, TexImage2D)                           \
+    X(TEXIMAGE3D, TexImage3D)                           \
     X(TEXPARAMETERI, TexParameteri)                     \
     X(UNIFORM1F, Uniform1f)                             \
     X(UNIFORM1I, Uniform1i)                             \

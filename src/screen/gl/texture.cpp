@@ -8,16 +8,30 @@ namespace aoscore {
 
 namespace {
 
-gl::Texture bound_texture(int levels) {
+gl::Texture bound_texture(int levels, GLenum target = GL_TEXTURE_2D) {
     gl::Texture texture = gl::Texture::create();
-    gl::BindTexture(GL_TEXTURE_2D, texture.name());
-    gl::TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
-                      levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST);
-    gl::TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl::TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl::TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl::TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, levels - 1);
+    gl::BindTexture(target, texture.name());
+    gl::TexParameteri(target, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST);
+    gl::TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl::TexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl::TexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl::TexParameteri(target, GL_TEXTURE_MAX_LEVEL, levels - 1);
     return texture;
+}
+
+void read_bound(GLenum target, GLenum transfer, void* pixels) {
+    gl::PixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl::GetTexImage(target, 0, transfer, GL_FLOAT, pixels);
+    gl::check("reading a texture");
+}
+
+/// Of the framebuffer that is bound, with its colour buffers attached.
+void draw_into(int count) {
+    std::vector<GLenum> buffers;
+    for (int i = 0; i < count; ++i) buffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
+    gl::DrawBuffers(count, buffers.data());
+    if (gl::CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw internal_error("a pass's framebuffer is incomplete", "OpenGL");
 }
 
 }  // namespace
@@ -40,25 +54,43 @@ gl::Texture make_mipmapped_texture(TextureFormat format, int width, int height, 
     return texture;
 }
 
+gl::Texture make_texture_array(TextureFormat format, int width, int height, int count) {
+    gl::Texture array = bound_texture(1, GL_TEXTURE_2D_ARRAY);
+    gl::TexImage3D(GL_TEXTURE_2D_ARRAY, 0, format.internal, width, height, count, 0, format.transfer,
+                   GL_FLOAT, nullptr);
+    gl::check("making an array of textures");
+    return array;
+}
+
 void read_texture(GLuint texture, GLenum transfer, void* pixels) {
     gl::BindTexture(GL_TEXTURE_2D, texture);
-    gl::PixelStorei(GL_PACK_ALIGNMENT, 1);
-    gl::GetTexImage(GL_TEXTURE_2D, 0, transfer, GL_FLOAT, pixels);
-    gl::check("reading a texture");
+    read_bound(GL_TEXTURE_2D, transfer, pixels);
+}
+
+void read_texture_array(GLuint array, GLenum transfer, void* pixels) {
+    gl::BindTexture(GL_TEXTURE_2D_ARRAY, array);
+    read_bound(GL_TEXTURE_2D_ARRAY, transfer, pixels);
 }
 
 gl::Framebuffer make_framebuffer(const std::vector<GLuint>& textures, int level) {
     gl::Framebuffer framebuffer = gl::Framebuffer::create();
     gl::BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
-    std::vector<GLenum> buffers;
-    for (const GLuint texture : textures) {
-        buffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(buffers.size()));
-        gl::FramebufferTexture2D(GL_FRAMEBUFFER, buffers.back(), GL_TEXTURE_2D, texture, level);
+    GLenum place = GL_COLOR_ATTACHMENT0;
+    for (const GLuint texture : textures)
+        gl::FramebufferTexture2D(GL_FRAMEBUFFER, place++, GL_TEXTURE_2D, texture, level);
+    draw_into(static_cast<int>(textures.size()));
+    return framebuffer;
+}
+
+gl::Framebuffer make_array_framebuffer(GLuint array, int first, int count, GLuint depth) {
+    gl::Framebuffer framebuffer = gl::Framebuffer::create();
+    gl::BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    for (int i = 0; i < count; ++i) {
+        gl::FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i), array, 0,
+                                    first + i);
     }
-    gl::DrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
-    if (gl::CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-        throw internal_error("a pass's framebuffer is incomplete", "OpenGL");
-    }
+    if (depth != 0) gl::FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
+    draw_into(count);
     return framebuffer;
 }
 

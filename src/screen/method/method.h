@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,12 @@ struct DepthMips {
     /// (Intel, XeGTAO, 2021).
     std::string filter = "rotated_grid";
     std::string radius_parameter;  ///< "weighted" only
+};
+
+/// How the input "depth_layers" is gathered for a method (see depth_layers.h): each member is a value, or "@"
+/// and the parameter that holds it.
+struct DepthLayersDescriptor {
+    ParameterValues members;  ///< complete
 };
 
 /// Which truth a method claims to approximate: its falloff, and which of its parameters holds the radius.
@@ -109,6 +116,7 @@ struct MethodDescriptor {
     std::map<std::string, std::string> absolute_presets;
     std::vector<Kernel> kernels;
     DepthMips depth_mips;
+    std::optional<DepthLayersDescriptor> depth_layers;  ///< where a pass lists the input
     std::vector<Pass> passes;
     OwnTruth truth;
     ScoredAs scored;

@@ -4,6 +4,7 @@
 #include "core/printable.h"
 #include "core/signal.h"
 #include "core/strict_json.h"
+#include "screen/method/depth_layers.h"
 #include "screen/method/kernel.h"
 #include "screen/method/method.h"
 #include "screen/method/method_files.h"
@@ -307,7 +308,8 @@ void check_parameters_used(const MethodDescriptor& method, const std::string& wh
                 return k.size == reference || k.directions == reference || k.radii == reference ||
                        k.scale == reference || k.sequence == reference;
             });
-        if (!in_kernel && !processed.contains(p.id) && !mentions(text, "p_" + p.id)) {
+        const bool in_layers = method.depth_layers && names_parameter(*method.depth_layers, p.id);
+        if (!in_kernel && !in_layers && !processed.contains(p.id) && !mentions(text, "p_" + p.id)) {
             throw file_error(fmt::format("no pass uses the parameter (as p_{})", p.id),
                              where + ": parameters." + p.id);
         }
@@ -318,6 +320,19 @@ void check_parameters_used(const MethodDescriptor& method, const std::string& wh
                              where + ": kernels." + k.id);
         }
     }
+}
+
+// Asked for, and read.
+void check_depth_layers(const MethodDescriptor& method, const StrictObject& top) {
+    const bool listed = std::ranges::any_of(method.passes, [](const Pass& pass) {
+        return std::ranges::find(pass.inputs, "depth_layers") != pass.inputs.end();
+    });
+    if (listed && !method.depth_layers) {
+        throw file_error("is missing, though a pass lists the input depth_layers", top.where("depth_layers"),
+                         "an object that says how they are gathered");
+    }
+    if (method.depth_layers && !listed)
+        throw file_error("no pass lists the input depth_layers", top.where("depth_layers"));
 }
 
 ScoredAs parse_scored(const MethodDescriptor& method, StrictObject object) {
@@ -388,6 +403,7 @@ MethodDescriptor load_descriptor(const fs::path& folder, const std::set<std::str
         }
     }
     if (top.has("depth_mips")) method.depth_mips = parse_depth_mips(method, top.object("depth_mips"));
+    if (top.has("depth_layers")) method.depth_layers = parse_depth_layers(method, top.object("depth_layers"));
     for (const StrictObject& pass : top.objects("passes"))
         method.passes.push_back(parse_pass(pass, folder, inputs));
     if (method.passes.empty()) throw file_error("is empty", top.where("passes"), "at least one pass");
@@ -397,6 +413,7 @@ MethodDescriptor load_descriptor(const fs::path& folder, const std::set<std::str
         if (!pass.outputs.empty() && (is_filter || &pass != &method.passes.back()))
             throw file_error("only the last pass of a method has outputs", top.where("passes"));
     }
+    check_depth_layers(method, top);
     if (!is_filter && top.has("truth")) method.truth = parse_truth(method, top.object("truth"));
     if (!is_filter && top.has("scored")) method.scored = parse_scored(method, top.object("scored"));
     top.finish();

@@ -212,7 +212,7 @@ void MethodRunner::draw(const Step& step, const std::vector<Target>& targets, co
     compiled.program().use();
     for (std::size_t i = 0; i < textures.size(); ++i) {
         gl::ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
-        gl::BindTexture(GL_TEXTURE_2D, textures[i]);
+        gl::BindTexture(texture_target(compiled.samplers()[i]), textures[i]);
         gl::Uniform1i(compiled.program().location("u_" + compiled.samplers()[i]), static_cast<GLint>(i));
     }
     gl::ActiveTexture(GL_TEXTURE0);

@@ -55,6 +55,8 @@ class MethodRunner {
     /// Linear RGB. draw_lighting() must have drawn it since the G-buffer was.
     Image<glm::vec3> lit() const;
 
+    DepthLayerBuffer& depth_layers() { return inputs_.depth_layers(); }
+
     std::uint64_t passes_drawn() const { return passes_; }
     std::uint64_t programs_compiled() const { return compilations_; }
 

@@ -131,7 +131,9 @@ std::string output_block(const PassBuild& build) {
 void add_body(ShaderSource& source, const PassBuild& build, const Pass& pass) {
     source.add_block(fmt::format("({}: parameters)", build.method->id), parameter_block(build));
     source.add_block(fmt::format("({}: kernels)", build.method->id), kernel_block(build));
-    if (!build.uniform_form) {
+    // Over all depths of a texel, what is written out would be as many times as long: minutes for the
+    // compiler.
+    if (!build.uniform_form && !build.method->depth_layers) {
         std::map<std::string, int> counts;
         for (const Parameter& p : build.method->parameters) {
             if (p.type == Parameter::Type::integer)
@@ -143,7 +145,7 @@ void add_body(ShaderSource& source, const PassBuild& build, const Pass& pass) {
 }
 
 bool is_sampler(GLenum type) {
-    return type == GL_SAMPLER_2D;
+    return type == GL_SAMPLER_2D || type == GL_SAMPLER_2D_ARRAY;
 }
 
 }  // namespace

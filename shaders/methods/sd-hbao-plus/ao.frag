@@ -1,0 +1,34 @@
+// Stochastic-depth HBAO+ (Vermeer 2020, algorithm 8): a tap counts, of all depths of its texel, the one that counts most.
+#include "contract/ao_pass.glsl"
+#include "lib/hbao_plus.glsl"
+#include "lib/limits.glsl"
+#include "lib/stochastic_depth.glsl"
+
+TapPart part_of_layers(vec2 tap_px, vec3 position, vec3 normal) {
+    TapPart most = TapPart(0.0, 0.0);
+    for (int picture = 0; picture < depth_pictures(); ++picture) {
+        vec4 depths = tap_depths(tap_px, picture);
+        for (int k = 0; k < 4; ++k) {
+            if (is_background(depths[k])) continue;
+            TapPart part = part_of(layer_position(tap_px, depths[k]) - position, normal);
+            most.occlusion = max(most.occlusion, part.occlusion);
+            most.height = max(most.height, part.height);
+        }
+    }
+    return most;
+}
+
+TapPart tap_part(int j, vec2 direction, vec2 image_px, vec3 position, vec3 normal, float shift) {
+    float step_px = p_radius * pixels_per_metre(-position.z) / float(p_steps + 1);
+    vec2 tap_px = image_px + direction * ((float(j + 1) + shift) * step_px);
+    if (p_use == use_always) return part_of_layers(tap_px, position, normal);
+    vec3 first = tap_position(tap_px) - position;
+    if (first_is_enough(dot(first, first))) return part_of(first, normal);
+    if (skips_by_angle() && dot(first, normal) <= 0.0) return TapPart(0.0, 0.0);
+    return part_of_layers(tap_px, position, normal);
+}
+
+float visibility(vec2 image_px, vec3 position) {
+    float occlusion = tapped_occlusion(image_px, position, shading_normal()) / float(p_directions * p_steps);
+    return limited_visibility(1.0 - with_strength(occlusion));
+}

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/image.h"
+#include "screen/gbuffer/gbuffer.h"
+#include "screen/method/depth_layers.h"
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace aoscore {
+
+/// The input "depth_layers": several view depths a texel, metres, the far plane's where a sample is empty.
+/// Surfaces are those of the G-buffer: cut-outs have their holes, and both sides of a wall are drawn.
+class DepthLayerBuffer {
+  public:
+    /// A GL_TEXTURE_2D_ARRAY of four samples a texel, of two or one where no more are asked for. Drawn where
+    /// it is not the one that was drawn last, which alone is kept: sixteen samples of 1920x1080 pixels are
+    /// 133 MB.
+    GLuint texture(const GBuffer& gbuffer, const DepthLayers& layers, Mirror mirror);
+
+    /// Draws it, the scene's surfaces in this order, which decides no bit of the result. A sample holds the
+    /// nearest of the surfaces that it accepts, by blending with the minimum: in one pass without sorting.
+    void draw(const GBuffer& gbuffer, const DepthLayers& layers, Mirror mirror,
+              std::span<const SceneGeometry::Draw> draws);
+
+    /// What was drawn last: a picture for each sample, row 0 at the top.
+    std::vector<ImageF> read() const;
+
+    /// The G-buffer has changed, or the clock is to see the work.
+    void forget() { drawn_.reset(); }
+
+  private:
+    struct Drawn {
+        DepthLayers layers;
+        Mirror mirror = Mirror::none;
+        int width = 0, height = 0;
+        gl::Texture array;
+    };
+    void blend(const GBuffer& gbuffer, SceneDrawing::Look look);
+    void peel(const GBuffer& gbuffer, SceneDrawing::Look look);
+
+    std::optional<Drawn> drawn_;
+    SceneDrawing drawing_{"depth layers", "depth_layers.frag"};
+};
+
+}  // namespace aoscore

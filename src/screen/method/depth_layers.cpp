@@ -1,0 +1,105 @@
+#include "screen/method/depth_layers.h"
+
+#include "core/error.h"
+#include "core/known_names.h"
+#include "core/strict_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace aoscore {
+namespace {
+
+using nlohmann::json;
+
+/// What each member accepts; a default stands for a member that is not there.
+const std::vector<Parameter>& members() {
+    static const std::vector<Parameter> all = [] {
+        std::vector<Parameter> made(5);
+        made[0] = {"samples", Parameter::Type::integer, 1, 1, DepthLayers::kMost, {}, "", ""};
+        made[1] = {"alpha", Parameter::Type::real, 0.2, 0, 1, {}, "", ""};
+        made[2] = {"sampling", Parameter::Type::choice,   "stratified", 0,
+                   0,          ids_of(depth_samplings()), "",           ""};
+        made[3] = {"per_sample", Parameter::Type::boolean, true, 0, 0, {}, "", ""};
+        made[4] = {"seed", Parameter::Type::integer, 0, 0, std::numeric_limits<int>::max(), {}, "", ""};
+        return made;
+    }();
+    return all;
+}
+
+/// Whether every value of the parameter is one of the member's.
+bool fits(const Parameter& parameter, const Parameter& member) {
+    const bool within = parameter.lowest >= member.lowest && parameter.highest <= member.highest;
+    const bool known = std::ranges::all_of(parameter.choices, [&](const std::string& choice) {
+        return std::ranges::find(member.choices, choice) != member.choices.end();
+    });
+    return parameter.type == member.type && within && known;
+}
+
+bool is_reference(const json& value) {
+    return value.is_string() && value.get<std::string>().starts_with('@');
+}
+
+void check_member(const Parameter& member, const json& value, const MethodDescriptor& method,
+                  const std::string& where) {
+    const std::string valid = fmt::format("{}; or @ and a parameter that takes nothing else", member.valid());
+    if (!is_reference(value)) {
+        if (!member.accepts(value)) throw file_error(fmt::format("is {}", value.dump()), where, valid);
+        return;
+    }
+    const Parameter* parameter = method.find_parameter(value.get<std::string>().substr(1));
+    if (parameter == nullptr || !fits(*parameter, member))
+        throw file_error(fmt::format("is {}", value.dump()), where, valid);
+}
+
+}  // namespace
+
+const std::vector<DepthSampling>& depth_samplings() {
+    static const std::vector<DepthSampling> table = {
+        {"stratified", "SAMPLING_STRATIFIED",
+         "a surface takes alpha S samples, rounded up or down at random, in any of their combinations"},
+        {"simple_hash", "SAMPLING_SIMPLE_HASH", "a coin for each sample, from pixel, triangle and sample"},
+        {"hash_4d", "SAMPLING_HASH_4D", "the same, hashed one after the other"},
+        {"isotropic", "SAMPLING_ISOTROPIC", "a coin for each sample, from a place in the scene"},
+        {"anisotropic", "SAMPLING_ANISOTROPIC", "the same, with a scale of its own along each axis"},
+        {"peeled", "SAMPLING_PEELED", "no coins: the layers from front to back"},
+    };
+    return table;
+}
+
+DepthLayersDescriptor parse_depth_layers(const MethodDescriptor& method, StrictObject object) {
+    DepthLayersDescriptor descriptor;
+    for (const Parameter& member : members()) {
+        const json value = object.has(member.id) ? object.raw(member.id) : member.default_value;
+        check_member(member, value, method, object.where(member.id));
+        descriptor.members[member.id] = value;
+    }
+    object.finish();
+    return descriptor;
+}
+
+bool names_parameter(const DepthLayersDescriptor& descriptor, std::string_view parameter) {
+    const json reference = fmt::format("@{}", parameter);
+    return std::ranges::any_of(descriptor.members,
+                               [&](const auto& member) { return member.second == reference; });
+}
+
+DepthLayers asked_depth_layers(const DepthLayersDescriptor& descriptor, const ParameterValues& parameters,
+                               std::uint64_t run_seed) {
+    const auto value = [&](const char* member) {
+        const json& given = descriptor.members.at(member);
+        return is_reference(given) ? parameters.at(given.get<std::string>().substr(1)) : given;
+    };
+    DepthLayers layers;
+    layers.samples = static_cast<int>(value("samples").get<double>());
+    layers.alpha = value("alpha").get<double>();
+    layers.sampling = value("sampling").get<std::string>();
+    layers.per_sample = value("per_sample").get<bool>();
+    const auto own_seed = static_cast<std::uint32_t>(value("seed").get<double>());
+    layers.seed = own_seed == 0 ? static_cast<std::uint32_t>(run_seed) : own_seed;
+    return layers;
+}
+
+}  // namespace aoscore

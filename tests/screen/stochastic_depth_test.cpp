@@ -1,0 +1,176 @@
+// Methods over several depths a texel, beside those over one that they extend.
+#include "hand_made.h"
+#include "support/support.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace aoscore::testing {
+namespace {
+
+constexpr std::string_view kPrefix = "sd-";
+
+/// The method over one depth a texel that one over several extends.
+const std::vector<std::pair<std::string, std::string>>& parents() {
+    static const std::vector<std::pair<std::string, std::string>> all = [] {
+        std::vector<std::pair<std::string, std::string>> pairs;
+        for (const std::string& id : method_ids()) {
+            if (!id.starts_with(kPrefix)) continue;
+            const std::string parent = id.substr(kPrefix.size());
+            pairs.emplace_back(id, parent == "bitmask" ? "visibility-bitmask" : parent);
+        }
+        return pairs;
+    }();
+    return all;
+}
+
+class StochasticDepth : public ::testing::Test {
+  protected:
+    void look_at(const Scene& scene, const CameraFrame& frame) {
+        renderer_.set_scene(scene);
+        renderer_.draw_gbuffer(frame, gbuffer_inputs());
+    }
+    void look_at_corner() { look_at(corner_scene(), CameraFrame(corner_camera(), 160, 90)); }
+
+    ParameterValues values(const std::string& id, const ParameterValues& settings = {}) const {
+        return find_method(methods_, id).values("default", settings);
+    }
+    ImageF run(const std::string& id, const ParameterValues& parameters, Border border = Border::far) {
+        MethodRequest request;
+        request.method = &find_method(methods_, id);
+        request.parameters = parameters;
+        request.border = border;
+        return renderer_.run(request).raw;
+    }
+    /// The parent with the values of all parameters that both have.
+    ImageF run_parent(const std::string& parent, const ParameterValues& parameters,
+                      Border border = Border::far) {
+        ParameterValues shared = values(parent);
+        for (auto& [id, value] : shared) {
+            if (parameters.contains(id)) value = parameters.at(id);
+        }
+        return run(parent, shared, border);
+    }
+
+    std::vector<MethodDescriptor> methods_ = load_methods();
+    ScreenRenderer renderer_;
+};
+
+TEST_F(StochasticDepth, EqualsItsParentBitForBitWhereEverySurfaceIsKept) {
+    ASSERT_GE(parents().size(), 3U);
+    const Scene atrium = load_scene("atrium");
+    Camera parallel = corner_camera();
+    parallel.projection = Camera::Projection::orthographic;
+    parallel.half_height = 1.7;
+    const std::vector<std::pair<const Scene, CameraFrame>> views = {
+        {atrium, CameraFrame(find_view(atrium, "wide").camera, 160, 90)},
+        {corner_scene(), CameraFrame(parallel, 97, 61)}};
+    for (const auto& [scene, frame] : views) {
+        look_at(scene, frame);
+        for (const auto& [id, parent] : parents()) {
+            for (const auto& [preset, unused] : find_method(methods_, id).presets) {
+                if (preset == "peeled") continue;
+                for (const int samples : {1, 2, 16}) {
+                    const ParameterValues kept =
+                        find_method(methods_, id)
+                            .values(preset, {{"alpha", 1.0}, {"depth_samples", samples}});
+                    for (const Border border : {Border::far, Border::clamp}) {
+                        EXPECT_EQ(run(id, kept, border).pixels, run_parent(parent, kept, border).pixels)
+                            << id << "/" << preset << " S " << samples;
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST_F(StochasticDepth, EqualsItsParentWhereverItLooksAtAllDepthsIfTheyAreTheFirst) {
+    look_at_corner();
+    for (const auto& [id, parent] : parents()) {
+        const Parameter* use = find_method(methods_, id).find_parameter("use");
+        if (use == nullptr) continue;
+        for (const std::string& choice : use->choices) {
+            const ParameterValues kept = values(id, {{"alpha", 1.0}, {"depth_samples", 4}, {"use", choice}});
+            EXPECT_EQ(run(id, kept).pixels, run_parent(parent, kept).pixels) << id << " " << choice;
+        }
+    }
+}
+
+// Also where the radius reaches the far plane, whose depth an empty sample has: over a floor it would stand
+// like a wall.
+TEST_F(StochasticDepth, IsOpenWhereAllSamplesAreEmpty) {
+    Camera low = front_camera();
+    low.position = {0, 0.3, 0};
+    low.target = {0, 0.3, -1};
+    const std::vector<std::pair<Scene, CameraFrame>> views = {
+        {corner_scene(), CameraFrame(corner_camera(), 160, 90)},
+        {plane_scene({0, 0, 0}, {0, 1, 0}, 500), CameraFrame(low, 160, 90)}};
+    for (const auto& [scene, frame] : views) {
+        look_at(scene, frame);
+        for (const auto& [id, parent] : parents()) {
+            const ImageF image =
+                run(id, values(id, {{"alpha", 0.001}, {"depth_samples", 1}, {"radius", 1e6}}));
+            EXPECT_GT(mean_over(image, Mask(image.width, image.height, 1)), 0.985) << id;
+        }
+    }
+}
+
+// A maximum over some of the layers is at most that over all: in a texel, and so in a sum over taps. A
+// horizon that a layer raised hides later ones, so that HBAO's sum may fall.
+TEST_F(StochasticDepth, OfHbaoPlusAndSsaoFindsNoMoreThanAllLayersHold) {
+    look_at_corner();
+    for (const char* id : {"sd-ssao", "sd-hbao-plus"}) {
+        const ImageF all = run(id, values(id, {{"sampling", "peeled"}, {"depth_samples", 16}}));
+        for (const int samples : {1, 4, 16}) {
+            const ImageF some = run(id, values(id, {{"depth_samples", samples}}));
+            for (std::size_t i = 0; i < all.size(); ++i)
+                ASSERT_GE(some.pixels[i], all.pixels[i] - 1e-6F) << id << " " << samples;
+        }
+    }
+}
+
+TEST_F(StochasticDepth, OfSsaoLosesNothingByTheAngleSkip) {
+    look_at_corner();
+    const auto with = [&](const char* use) {
+        return run("sd-ssao", values("sd-ssao", {{"use", use}, {"depth_samples", 2}})).pixels;
+    };
+    EXPECT_EQ(with("always"), with("angle_skip"));
+    EXPECT_EQ(with("beyond_part"), with("beyond_part_and_angle_skip"));
+    EXPECT_NE(with("always"), with("beyond_radius"));
+}
+
+/// A floor, a block that stands on it, and a screen before them that hides the block but not all of the
+/// floor.
+Scene hidden_block() {
+    Scene scene = empty_scene();
+    add_quad(scene, {-6, -1, 0}, {12, 0, 0}, {0, 0, -12});
+    add_quad(scene, {-0.6, -1, -4.6}, {1.2, 0, 0}, {0, 1, 0});    // front
+    add_quad(scene, {-0.6, 0, -4.6}, {1.2, 0, 0}, {0, 0, -1.2});  // top
+    add_quad(scene, {-0.6, -1, -4.6}, {0, 1, 0}, {0, 0, -1.2});
+    add_quad(scene, {0.6, -1, -4.6}, {0, 1, 0}, {0, 0, -1.2});
+    add_quad(scene, {-0.75, -0.5, -2}, {1.2, 0, 0}, {0, 0.9, 0});
+    return scene;
+}
+
+TEST_F(StochasticDepth, FindsWhatAScreenHidesTheMoreSurelyTheMoreSamplesItHas) {
+    look_at(hidden_block(), CameraFrame(front_camera(), 240, 136));
+    renderer_.draw_gbuffer(CameraFrame(front_camera(), 240, 136), gbuffer_inputs());
+    for (const auto& [id, parent] : parents()) {
+        const auto mean = [&](ParameterValues settings) {
+            settings["radius"] = 1.5;
+            const ImageF image = run(id, values(id, settings));
+            return mean_over(image, Mask(image.width, image.height, 1));
+        };
+        const double one = mean({{"alpha", 1.0}, {"depth_samples", 1}});
+        const double all = mean({{"sampling", "peeled"}, {"depth_samples", 8}});
+        EXPECT_GT(one, all + 1e-4) << id << ": the screen hides nothing";
+        const double few = mean({{"depth_samples", 2}}), many = mean({{"depth_samples", 16}});
+        EXPECT_GT(few, many) << id;
+        EXPECT_LT(many - all, 0.5 * (one - all)) << id;
+    }
+}
+
+}  // namespace
+}  // namespace aoscore::testing
