@@ -16,8 +16,8 @@ class AssimpMaterials {
     AssimpMaterials(ImportJob& job, const aiScene& source);
 
     struct Used {
-        int material = 0;                   ///< into the scene's materials
-        std::optional<TextureUse> texture;  ///< that it samples
+        int material = 0;                   ///< index into the scene's materials
+        std::optional<TextureUse> texture;  ///< the texture that the material samples
     };
     const Used& use(unsigned material);
 
