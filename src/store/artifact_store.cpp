@@ -20,7 +20,8 @@ std::string digest_of(const std::string& bytes) {
     return Digest().text(bytes).hex();
 }
 
-/// The payload of an entry's file. Throws file_error where it is not what was put under the key.
+/// The payload of an entry's file. Throws file_error where it differs from the one that was put under the
+/// key.
 json checked_payload(const fs::path& path, const std::string& key) {
     const json entry = json::parse(read_file(path), nullptr, false);
     const bool whole = entry.is_object() && entry.value("key", "") == key && entry.contains("payload") &&
