@@ -20,7 +20,7 @@ std::string word(const json& value, const std::string& axis) {
     return value.get<std::string>();
 }
 
-/// What one point of the product asks for, and what of it applies.
+/// One point of the product: its values on the axes, and those of them that apply.
 struct Point {
     CellPlan cell;
     std::optional<ImageSize> size;
@@ -65,7 +65,7 @@ class Expansion {
         }
     }
 
-    /// Every parameter that is set must have been taken by some cell.
+    /// Checks that some cell has each parameter that is set.
     void check_taken() const {
         for (std::size_t i = 0; i < taken_.size(); ++i) {
             if (taken_[i]) continue;
@@ -109,7 +109,8 @@ class Expansion {
         }
     }
 
-    // False where the axis means nothing for this method and what was chosen before.
+    // Sets the value of one axis. False where the axis does not apply to this method with the values set
+    // before.
     bool set(const MethodDescriptor& method, Point& point, const std::string& id, const json& value) const {
         if (id == "preset") {
             point.cell.preset = word(value, id);
@@ -146,7 +147,7 @@ class Expansion {
     }
 
     void add_point(Point point) {
-        // Only here it is known which filter the cell is run with.
+        // Assignments come last, when the cell's filter is known.
         for (std::size_t i = 0; i < taken_.size(); ++i) {
             if (assign(request_.set[i], registry_.methods, registry_.filters, point.cell)) taken_[i] = true;
         }
