@@ -21,7 +21,7 @@ class AssimpMaterials {
     };
     const Used& use(unsigned material);
 
-    /// To be called after the last use().
+    /// Call it after the last use().
     void finish() { materials_.finish(); }
 
   private:

@@ -22,7 +22,7 @@ class MtlLibrary {
     /// The material of that name; where there is none, a default one, with a warning.
     const Used& use(const std::string& name);
 
-    /// To be called after the last use().
+    /// Call it after the last use().
     void finish();
 
   private:

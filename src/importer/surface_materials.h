@@ -43,7 +43,7 @@ class SurfaceMaterials {
     /// coordinates its meshes need; nothing where they need none.
     std::optional<TextureUse> add(const MaterialSource& source);
 
-    /// To be called after the last add(): warns of all images that are not there.
+    /// Call it after the last add(): it warns of all images that are not there.
     void finish();
 
     /// Finds the bytes of an image that the scene's file itself holds, by its name; nothing for another name.

@@ -172,7 +172,7 @@ class Expansion {
     SweepPlan& sweep_;
     const Registry& registry_;
     std::vector<bool> taken_;      ///< for each assignment of the request whether a cell has the parameter
-    std::vector<CellPlan> cells_;  ///< of all points
+    std::vector<CellPlan> cells_;  ///< cells of all points
 };
 
 }  // namespace

@@ -200,7 +200,7 @@ struct MeasureRecord {
 /// One method with its settings in a ranking.
 struct PlaceRecord {
     std::string method;
-    std::string method_label;  ///< with its setting
+    std::string method_label;  ///< the label with its setting
     std::string preset;
     std::string filter;
     std::vector<std::string> cell_ids;  ///< one for each of the ranking's views

@@ -41,7 +41,7 @@ struct StressSettingRecord {
     std::size_t triangles = 0;
     std::size_t surface_pixels = 0;           ///< pixels with surface in either path
     std::size_t compared_pixels = 0;          ///< pixels with the same surface in both
-    std::optional<double> disagreeing_share;  ///< of camera-contract pixels away from edges
+    std::optional<double> disagreeing_share;  ///< share of camera-contract pixels away from edges
     int truth_samples = 0;                    ///< rays a pixel; 0 without truth
     double truth_seconds = 0;
     double gbuffer_ms = 0;

@@ -95,7 +95,7 @@ struct Scene {
     std::string digest;                 ///< see scene_digest()
 };
 
-/// Which axis of a file's coordinates is up.
+/// The axis of a file's coordinates that is up.
 enum class UpAxis : std::uint8_t { y, z };
 
 struct LoadOptions {

@@ -26,7 +26,7 @@ struct ClaimCheck {
         ratio,             ///< first over second
         difference,        ///< first minus second
         ratio_difference,  ///< first over second minus third over fourth
-        slope,             ///< of log quantity over log x, by least squares
+        slope,             ///< slope of log quantity over log x, by least squares
         value,             ///< the quantity of every cell
         spread,            ///< (largest - smallest) / mean
         gain,  ///< (third - fourth) / (first - second): the gain of a later step over an earlier one's
