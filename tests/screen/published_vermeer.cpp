@@ -14,20 +14,20 @@ using glm::dvec3;
 
 constexpr int kDirections = 4, kSteps = 4;
 
-// Depth where a place falls, the background's outside of the picture.
+// The depth at a place, and the background's outside of the picture.
 double depth_at(const Picture& picture, const dvec2& place) {
     const int x = static_cast<int>(std::floor(place.x)), y = static_cast<int>(std::floor(place.y));
     const bool inside = x >= 0 && y >= 0 && x < picture.width() && y < picture.height();
     return inside ? picture.depth(x, y) : picture.far();
 }
 
-// The surface's point in the texel where a place falls.
+// The surface's point in the texel of a place.
 dvec3 surface_at(const Picture& picture, const dvec2& place) {
     return picture.point(std::floor(place.x) + 0.5, std::floor(place.y) + 0.5, depth_at(picture, place));
 }
 
-// Of the marched directions, what each one's steps find: `along` gets the direction in view space and the
-// steps' vectors from the pixel.
+// Sums `along` over the marched directions; it gets the direction in view space and the vectors from the
+// pixel to the steps.
 double sum_over_directions(
     const Picture& picture, const Noise& noise, double radius, int x, int y,
     const std::function<double(const dvec3& direction, const dvec3 (&steps)[kSteps])>& along) {
