@@ -83,7 +83,7 @@ std::string unknown_word(const CLI::App& program, const std::vector<std::string>
         if (name == "--help") continue;
         const CLI::Option* option = find_option(program, command, name);
         if (option == nullptr) return unknown_option(program, command, name);
-        // The word behind it is its value, no command.
+        // The word behind it is its value, not a command.
         if (command == nullptr && option->get_items_expected_max() > 0 && name == word) ++i;
     }
     return {};

@@ -7,12 +7,12 @@
 
 namespace aoscore {
 
-/// The words behind the program's name, as the parser is to see them: `help score` is `score --help`, and
-/// every assignment behind --set gets a --set of its own, so that the scene may stand behind them.
+/// The words behind the program's name, prepared for the parser: `help score` becomes `score --help`, and
+/// every assignment behind --set gets a --set of its own, so that the scene may follow them.
 std::vector<std::string> arguments(int argc, char** argv);
 
-/// What is wrong with words that could not be parsed: the first unknown command or option, and which one was
-/// meant; empty where all of them are known.
+/// Says why words could not be parsed: names the first unknown command or option, and the one that was
+/// probably meant; empty where all of them are known.
 std::string unknown_word(const CLI::App& program, const std::vector<std::string>& words);
 
 }  // namespace aoscore

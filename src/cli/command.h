@@ -17,10 +17,10 @@ struct GlobalOptions {
     int threads = 0;  ///< 0: all cores
     bool quiet = false;
     std::string command_line;        ///< as the user gave it, quoted for a shell
-    std::vector<std::string> words;  ///< of it, without the program's name
+    std::vector<std::string> words;  ///< its words, without the program's name
 };
 
-/// Adds one subcommand to the program; what it returns runs when the subcommand was given.
+/// The function of a subcommand, which runs where the command line names it.
 using Command = std::function<ExitCode()>;
 struct CommandEntry {
     CLI::App* app;

@@ -137,7 +137,7 @@ CommandEntry add_list_command(CLI::App& program, const GlobalOptions&) {
     const auto options = std::make_shared<ListOptions>();
     app->add_option("what", options->what, "scenes, views, methods, metrics or experiments")
         ->check(one_of({"scenes", "views", "methods", "metrics", "experiments"}))
-        // The earlier name, which scripts call.
+        // The earlier name, which scripts use.
         ->transform([](std::string what) { return what == "reports" ? "experiments" : std::move(what); });
     app->add_option("scene", options->scene,
                     "For views: one scene, whose views are printed as a view file [every built-in]");

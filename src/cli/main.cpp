@@ -23,8 +23,8 @@ std::string command_line(int argc, char** argv) {
     return line;
 }
 
-/// A standard stream that is closed would lend its number to the first file that is opened, and what is
-/// printed would go into that. Writing to what stands in for it fails, as writing to a closed one does.
+/// Opens substitutes for closed standard streams: the first file that is opened would get the stream's
+/// number, and printed text would go into that file. Writing to a substitute fails, as to a closed stream.
 void hold_standard_streams() {
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (fcntl(descriptor, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != descriptor)

@@ -24,7 +24,7 @@ std::vector<std::string> methods_that_give(const std::string& id) {
     return ids;
 }
 
-// What the user chose goes before what the descriptor says for scores.
+// Sets the modes: the user's choice overrides the descriptor's for scores.
 void choose_modes(const MethodDescriptor& method, const MethodOptions& options, RunModes& modes,
                   std::vector<std::string>& warnings) {
     for (const RunModeOption& mode : run_mode_options()) {
@@ -39,7 +39,7 @@ void choose_modes(const MethodDescriptor& method, const MethodOptions& options, 
     }
 }
 
-// Each signal that was asked for goes to the methods that give it.
+// Adds each signal that was asked for to the methods that give it.
 void add_signals(const std::vector<MethodDescriptor>& methods, const std::vector<std::string>& signals,
                  std::vector<CellPlan>& cells, std::vector<std::string>& warnings) {
     for (const std::string& id : signals) {

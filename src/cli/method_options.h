@@ -11,28 +11,28 @@
 
 namespace aoscore {
 
-/// How methods are run, as the user asked for it: the same for every method of a score.
+/// The user's options for running methods, the same for every method of a score.
 struct MethodOptions {
-    std::string preset;                    ///< empty: those that each method is scored with
+    std::string preset;                    ///< empty: those that each descriptor names for scores
     std::string filter;                    ///< empty: the preset's own
     std::vector<std::string> assignments;  ///< "radius=0.5"
-    bool own_parameters = false;           ///< lengths as descriptors have them, whatever the radius
+    bool own_parameters = false;           ///< methods keep their descriptors' lengths
     RunModes modes;
     std::set<std::string> chosen_modes;  ///< ids of the modes that the user named
-    std::vector<std::string> signals;    ///< beside visibility: each for the methods that give it
+    std::vector<std::string> signals;    ///< signals beside visibility, for the methods that give them
 };
 
-/// --preset, --filter, --set, --own-parameters, and one option for each of run_mode_options().
+/// Adds --preset, --filter, --set, --own-parameters, and one option for each of run_mode_options().
 void add_method_options(CLI::App& app, MethodOptions& options);
 
-/// --signals.
+/// Adds --signals.
 void add_signals_option(CLI::App& app, std::vector<std::string>& signals);
 
-/// The cells of each method: one for the preset that was asked for, or one for each that its descriptor
-/// names; likewise for the modes of running, and what a descriptor changes there is said in `warnings`. An
-/// assignment goes to the methods that have the parameter, and one of "filter.taps" to those whose filter has
-/// it. Which methods give none of the signals is said too. Throws usage_error for an assignment that none of
-/// them has, and for a signal that none gives, file_error for a descriptor's mode that does not exist.
+/// Makes the cells of each method: one for the preset that was asked for, or one for each that its descriptor
+/// names. Modes are chosen likewise, and `warnings` says which the descriptor changes. An assignment goes to
+/// the methods that have the parameter, and one of "filter.taps" to those whose filter has it. `warnings`
+/// also name methods that give none of the signals. Throws usage_error for an assignment that none of the
+/// methods has, and for a signal that none gives, file_error for a descriptor's mode that does not exist.
 std::vector<CellPlan> plan_cells(const std::vector<MethodDescriptor>& methods,
                                  const std::vector<MethodDescriptor>& filters, const MethodOptions& options,
                                  std::vector<std::string>& warnings);

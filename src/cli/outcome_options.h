@@ -15,20 +15,20 @@
 
 namespace aoscore {
 
-/// What becomes of measured numbers: exit code and files.
+/// Options for the outcome of a run: its exit code and files.
 struct OutcomeOptions {
     std::vector<std::string> fail, warn;
     std::vector<std::filesystem::path> exports;
     std::filesystem::path baseline;  ///< empty: none
     JobOptions jobs;
 };
-/// --fail, --warn, --export.
+/// Adds --fail, --warn and --export.
 void add_outcome_options(CLI::App& app, OutcomeOptions& options);
 /// --baseline.
 void add_baseline_option(CLI::App& app, OutcomeOptions& options);
 
-/// Gates, open export files and the baseline, made before the work begins so that what is wrong with them
-/// costs nothing.
+/// Gates, open export files and the baseline, made before the work begins, so that a fault in them costs
+/// nothing.
 class Outcome {
   public:
     explicit Outcome(const OutcomeOptions& options);
@@ -42,9 +42,10 @@ class Outcome {
     /// tripped --warn. A cell that failed has no value and so trips every limit.
     ExitCode conclude(const Results& results);
 
-    /// Says which were tripped.
+    /// Prints the limits that were tripped.
     static void print(const Gates::Tripped& tripped, const std::string& where);
-    /// How many were, in one line, where they were several; `where` such as " in 3 of 8 cells".
+    /// Prints the number of tripped limits in one line, where there are several; `where` such as " in 3 of 8
+    /// cells".
     static void print_summary(const Gates::Tripped& tripped, const std::string& where = {});
 
   private:

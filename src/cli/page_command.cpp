@@ -32,7 +32,7 @@ ExitCode run(const PageOptions& options) {
         results.baseline = against_baseline(results, *outcome.baseline());
         write_results(results, folder);
     }
-    // A page with everything is another than the one that a run would make.
+    // A page with everything differs from the one that a run would make.
     const std::string key = options.everything ? "" : page_key(results, std::string(code_digest("page")));
     print_path(write_page(folder, options.everything, key));
     return outcome.conclude(results);
@@ -43,7 +43,7 @@ ExitCode run(const PageOptions& options) {
 CommandEntry add_page_command(CLI::App& program, const GlobalOptions&) {
     CLI::App* app = program.add_subcommand(
         "page", "Make the page of earlier results again, without rendering; prints its path");
-    app->alias("report");  // its earlier name, which scripts call
+    app->alias("report");  // the earlier name, which scripts use
     const auto options = std::make_shared<PageOptions>();
     app->add_option("results", options->results,
                     "What run, score or stress wrote: results with their images beside them, or the folder")

@@ -27,7 +27,7 @@ constexpr const char* kFooter =
     "70 internal or OpenGL failure, 130 interrupted.\n"
     "help COMMAND says more of a command.";
 
-/// Prints what CLI11 has to say, which ends with a line break of its own.
+/// Prints a message of CLI11, which ends with a line break of its own.
 void complain(std::string text) {
     if (text.ends_with('\n')) text.pop_back();
     if (!text.empty()) log_error(text);

@@ -22,7 +22,7 @@ class Pages {
   public:
     explicit Pages(fs::path folder) : folder_(std::move(folder)) {}
 
-    /// A page that shows these very results is left as it is.
+    /// Writes the page, unless it shows these very results already.
     void write(const fs::path& staged) {
         const std::string key = page_key(read_results(staged), std::string(code_digest("page")));
         if (!is_page_of(folder_ / kName, key)) write_page(staged, false, key);
@@ -56,7 +56,7 @@ ExitCode run_and_page(ExperimentPlan plan, const std::filesystem::path& folder, 
     Pages pages(folder);
     std::optional<TemporaryFolder> own_cache;
     if (has_score_goal(plan)) {
-        // Rays are added to those that are there, even where nothing is to be kept.
+        // The first answer's rays are used again, even where nothing is to be kept.
         if (plan.truth_cache.empty()) plan.truth_cache = own_cache.emplace().path();
         run_experiment(first_answer_of(plan), folder, [&](const fs::path& staged) { pages.write(staged); });
         pages.announce();

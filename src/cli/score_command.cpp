@@ -43,7 +43,7 @@ std::vector<MethodDescriptor> chosen_methods(const ScoreOptions& options,
 
 /// Adds a cell for the images of each folder. No two contestants have one id.
 void add_folders(const ScoreOptions& options, ExperimentPlan& plan, ViewPlan& view) {
-    std::vector<std::string> said;  // already, of the methods that were chosen
+    std::vector<std::string> said;  // warnings given for the chosen methods
     std::vector<std::string> ids = ids_of(load_asked_methods(options.methods_dir, {}, said));
     for (const std::filesystem::path& path : options.contestants) {
         ImageFolder folder = load_image_folder(path);

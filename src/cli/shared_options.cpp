@@ -49,7 +49,7 @@ glm::dvec3 parse_point(const char* option, const std::string& text) {
     return point;
 }
 
-/// A camera that looks straight up or down has the top of its picture at -z.
+/// Sets `up`: a camera that looks straight up or down has the top of its picture at -z.
 void face_target(Camera& camera) {
     const glm::dvec3 sight = camera.target - camera.position;
     if (sight == glm::dvec3(0)) throw CLI::ValidationError("--target", "is where --eye is");
@@ -155,7 +155,7 @@ void add_extras_options(CLI::App& app, TruthExtras& extras) {
 
 namespace {
 
-/// --unit and --up.
+/// Adds --unit and --up.
 void add_frame_options(CLI::App& app, LoadOptions& load) {
     app.add_option_function<std::string>(
            "--unit",

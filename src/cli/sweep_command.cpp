@@ -72,7 +72,7 @@ ExitCode run(const SweepOptions& options, const GlobalOptions& global) {
     view.max_error = options.effort.max_error;
     view.own_parameters = options.method_options.own_parameters;
     if (!options.radii.empty()) view.radius_m = options.radii[0];
-    view.extras = {};  // they say more of one picture than curves can show
+    view.extras = {};  // extras describe one picture in detail, which curves cannot show
     view.timing_goal = TimingGoal();
     view.lit = true;
     const Registry registry = load_registry(options.methods_dir, options.methods, plan.warnings);

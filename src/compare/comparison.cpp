@@ -53,8 +53,8 @@ void require_size(const ImageF& truth, const Image<T>& image, const char* name,
 
 struct Pair {
     VisibilityFile truth, test;
-    Mask candidate;  ///< pixels that all masks let count
-    bool in_whole;   ///< both images are their files' whole frames
+    Mask candidate;  ///< pixels within all masks
+    bool in_whole;   ///< whether both images are their files' whole frames
 };
 
 Pair read_pair(const ComparisonRequest& request) {
@@ -88,7 +88,7 @@ Pair read_pair(const ComparisonRequest& request) {
     return pair;
 }
 
-/// Says so where a file has no pixels for a part of its picture, which then does not count.
+/// Warns where a file has no pixels for a part of its picture, which then does not count.
 void add_gaps(const VisibilityFile& file, const char* name, std::vector<std::string>& warnings) {
     const PixelRect& covered = file.covered;
     if (covered == PixelRect{0, 0, file.visibility.width, file.visibility.height}) return;

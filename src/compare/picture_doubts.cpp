@@ -17,13 +17,13 @@
 namespace aoscore {
 namespace {
 
-// Rounding of half floats and ringing of filters stay below it.
+// Rounding of half floats and ringing of filters stay below this.
 constexpr float kBeyondNoise = 0.002F;
-// Another reading is suggested where it leaves less than this share of the truth's variance unexplained that
-// the given one does. Of 240 pictures of this program's methods on five scenes, correlation .03 to .99, none
-// came below .99 when it was turned and none below .72 when its coding was changed, while 82 in a
-// hundred of them were noticed at .95 when they were upside down. A wrong coding is noticed only of pictures
-// that are close to the truth: it changes the correlation of the others by little.
+// Another reading is suggested where it leaves less than this share of the variance of the truth that the
+// given reading leaves unexplained. Of 240 pictures of this program's methods on five scenes (correlation .03
+// to .99), none came below .99 when it was turned and none below .72 when its coding was changed, while a
+// limit of .95 detected 82 in a hundred that were upside down. A wrong coding is detected only in pictures
+// close to the truth: it hardly changes the correlation of others.
 constexpr double kTurnedGain = 0.95, kCodedGain = 0.7;
 // Below this correlation a picture may be of another camera, or no ambient occlusion at all. Of those 240,
 // four of one method came below.
@@ -93,7 +93,7 @@ class Doubts {
         return result;
     }
 
-    /// The picture with its values, clamped to [0,1], changed row by row; NaN stays.
+    /// Applies `change` to the picture's values, clamped to [0,1], row by row; NaN stays.
     static ImageF changed(ImageF image, const std::function<void(std::span<double>)>& change) {
         const auto width = static_cast<std::size_t>(image.width);
         parallel_for(static_cast<std::size_t>(image.height), [&](std::size_t y) {
@@ -142,7 +142,7 @@ class Doubts {
         return best;
     }
 
-    /// Whether the file's numbers follow the truth better with the curve of sRGB taken off, or put back.
+    /// Tries whether the file's numbers follow the truth better with the curve of sRGB removed, or applied.
     void add_coding(const Variant& given, bool holds_occlusion) {
         const bool decoded = reading_.srgb_floats || (test_.integers && reading_.coding == Coding::srgb);
         const auto with = [&](void (*curve)(std::span<double>)) {

@@ -17,7 +17,7 @@
 namespace aoscore {
 namespace {
 
-/// The end to read from, the end to write to.
+/// A pipe's two ends: the one to read from, then the one to write to.
 std::pair<int, int> make_pipe() {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw internal_error(std::string("no pipe: ") + std::strerror(errno));

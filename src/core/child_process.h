@@ -24,7 +24,7 @@ class ChildProcess {
 
     struct End {
         int exit_code = 0;
-        int signal = 0;  ///< that ended it; 0: it ended by itself
+        int signal = 0;  ///< the signal that ended it; 0 where it ended by itself
     };
     /// Waits until it ends. Call once, after all of its output was read.
     End wait();

@@ -5,7 +5,7 @@
 
 namespace aoscore {
 
-/// What a run ends with; documented in README.md and in `aoscore --help`.
+/// The exit codes of the program; documented in README.md and in `aoscore --help`.
 enum class ExitCode : int {
     ok = 0,
     warned = 1,         ///< a --warn limit was tripped

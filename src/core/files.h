@@ -14,7 +14,7 @@ std::string_view version();
 /// where it is set, else the source tree the program was built from.
 std::filesystem::path home_dir();
 
-/// The whole file. Throws file_error when it cannot be read or is larger than `max_bytes`.
+/// Returns the content of a file. Throws file_error when it cannot be read or is larger than `max_bytes`.
 std::string read_file(const std::filesystem::path& path, std::size_t max_bytes = std::size_t{2} << 30);
 
 /// Lets `write` produce a file under a temporary name (the folder is created when missing), then brings it to

@@ -20,20 +20,20 @@ class Digest {
     Digest& operator=(Digest&&) noexcept;
 
     Digest& bytes(const void* data, std::size_t size);
-    /// A text, with its length, so that "ab","c" differs from "a","bc".
+    /// Adds a text with its length, so that "ab","c" differs from "a","bc".
     Digest& text(std::string_view value);
 
-    /// A number, or a struct without padding.
+    /// Adds a number, or a struct without padding.
     template <class T>
     requires std::is_trivially_copyable_v<T> Digest& value(const T& v) { return bytes(&v, sizeof v); }
-    /// An array, with its length.
+    /// Adds an array with its length.
     template <class T>
     requires std::is_trivially_copyable_v<T> Digest& array(std::span<const T> values) {
         value(values.size());
         return bytes(values.data(), values.size_bytes());
     }
 
-    /// 32 lower-case hexadecimal digits.
+    /// The digest in 32 lower-case hexadecimal digits.
     std::string hex() const;
 
   private:

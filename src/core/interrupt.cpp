@@ -16,7 +16,7 @@
 namespace aoscore {
 namespace {
 
-// When the first signal came; 0 before. Any thread may be given a signal.
+// The time of the first signal; 0 before it. Any thread may be given a signal.
 std::atomic<std::int64_t> g_first_ns = 0;
 static_assert(std::atomic<std::int64_t>::is_always_lock_free, "a handler must not wait for a lock");
 

@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 
 constexpr int kMaxDepth = 128;
-/// Each may come to 300 bytes, as JSON and as the structs that it is read into.
+/// Each value may take 300 bytes, as JSON and in the structs that it is read into.
 constexpr std::size_t kMaxValues = 4'000'000;
 
 std::string line_place(std::string_view text, std::size_t byte, const std::string& where) {
@@ -24,7 +24,7 @@ std::string line_place(std::string_view text, std::size_t byte, const std::strin
                        std::count(before.begin(), before.end(), '\n') + 1, column);
 }
 
-// Where the number is that the parser quotes because no double holds it.
+// The position of the number that the parser quotes because no double holds it.
 std::size_t byte_of_quoted(std::string_view text, std::string_view message) {
     const std::size_t first = message.find('\''), last = message.rfind('\'');
     if (first == last) return 0;

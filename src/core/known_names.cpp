@@ -11,7 +11,7 @@
 namespace aoscore {
 namespace {
 
-/// Letters to leave out, add, exchange or swap with the next (optimal string alignment distance).
+/// Counts the letters to leave out, add, exchange or swap with the next (optimal string alignment distance).
 std::size_t edits(const std::string& from, const std::string& to) {
     std::vector<std::size_t> before, last(to.size() + 1), row(to.size() + 1);
     for (std::size_t j = 0; j <= to.size(); ++j) last[j] = j;

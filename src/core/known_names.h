@@ -12,9 +12,9 @@
 
 namespace aoscore {
 
-/// Of the known names the one that a mistyped name most likely meant: the nearest by letters that were left
-/// out, added, exchanged or swapped (optimal string alignment), when they are at most a third of the letters;
-/// else the only one that it begins, or that it is part of. Case does not count.
+/// Finds the known name that a mistyped one most likely meant: the nearest by letters that were left out,
+/// added, exchanged or swapped (optimal string alignment), when they are at most a third of the letters; else
+/// the only one that it begins, or that it is part of. Case does not count.
 std::optional<std::string> meant_name(std::string_view name, const std::vector<std::string>& known);
 
 /// `<what> "gtoa"; did you mean gtao?`, or without the question where nothing is near. `what` such as "no
@@ -22,11 +22,11 @@ std::optional<std::string> meant_name(std::string_view name, const std::vector<s
 std::string unknown_name_text(std::string_view what, std::string_view name,
                               const std::vector<std::string>& known);
 
-/// A usage error of that text. Names what is known as valid, and `or_else` behind it.
+/// A usage error of that text. It lists the known names as valid, followed by `or_else`.
 Error unknown_name(std::string_view what, std::string_view name, const std::vector<std::string>& known,
                    std::string where = {}, std::string_view or_else = {});
 
-/// A file error: what stands at `where` is none of the known names, which are listed.
+/// A file error: the name at `where` is none of the known names, which it lists.
 Error unknown_name_in_file(std::string_view name, const std::vector<std::string>& known, std::string where);
 
 /// The ids of a table's rows, for unknown_name().

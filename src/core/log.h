@@ -8,11 +8,11 @@ namespace aoscore {
 void set_quiet(bool quiet);
 bool quiet();
 
-/// A line on standard error: what is being done. Standard output is for results alone.
+/// Writes a line to standard error that says what is being done. Standard output is for results alone.
 void log_info(std::string_view line);
-/// A line on standard error that begins with "warning: ".
+/// Writes a line to standard error that begins with "warning: ".
 void log_warning(std::string_view line);
-/// A line on standard error that even a quiet run needs: why it ends otherwise than well.
+/// Writes an error to standard error, in quiet runs too.
 void log_error(std::string_view line);
 
 }  // namespace aoscore

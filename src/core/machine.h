@@ -8,7 +8,7 @@ namespace aoscore {
 std::string cpu_name();
 /// The most memory this process ever held, MiB.
 double peak_memory_mib();
-/// Now, as 2026-11-22T02:11:47Z.
+/// The time now, written as 2026-11-22T02:11:47Z.
 std::string utc_now();
 
 }  // namespace aoscore

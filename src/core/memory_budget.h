@@ -5,9 +5,9 @@
 
 namespace aoscore {
 
-/// What loading one scene may allocate. A small file can describe far more than it holds (accessors without
-/// data, compressed images, thousands of primitives over one buffer), so everything of a size that the file
-/// chooses is taken from here before it is allocated. That bounds the time as well.
+/// The memory that loading one scene may allocate. A small file can describe far more than it holds
+/// (accessors without data, compressed images, thousands of primitives over one buffer), so everything of a
+/// size that the file chooses is taken from here before it is allocated. That bounds the time as well.
 class MemoryBudget {
   public:
     /// Throws file_error at `where` when the file as a whole asks for too much.

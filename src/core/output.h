@@ -8,9 +8,10 @@
 
 namespace aoscore {
 
-/// Results on standard output. All throw file_error where it cannot be written, as on a full disk.
+/// These functions write results to standard output. All throw file_error where that fails, as on a full
+/// disk.
 
-/// As printable_lines() shows it.
+/// Writes the text as printable_lines() shows it.
 void write_output(std::string_view text);
 
 template <class... Args>
@@ -18,11 +19,11 @@ void print_result(fmt::format_string<Args...> format, Args&&... args) {
     write_output(fmt::format(format, std::forward<Args>(args)...));
 }
 
-/// A line with a file's path: on a terminal fit to be shown, elsewhere byte for byte, for scripts that open
-/// it.
+/// Writes a line with a file's path: through printable() on a terminal; elsewhere byte for byte, for scripts
+/// that open it.
 void print_path(const std::filesystem::path& path);
 
-/// What is buffered is written. Without it a full disk may go unnoticed.
+/// Writes what is buffered. Without this call a full disk may go unnoticed.
 void flush_output();
 
 }  // namespace aoscore

@@ -16,14 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What links lead to, whether it is there or not.
+/// The path that symbolic links lead to, whether a file exists there or not.
 fs::path followed(const fs::path& path) {
     constexpr int kMostLinks = 40;  // as many as Linux follows
     fs::path target = path;
     std::error_code ec;
     for (int i = 0; i < kMostLinks; ++i) {
         if (!fs::is_symlink(fs::symlink_status(target, ec))) return target;
-        target = target.parent_path() / fs::read_symlink(target, ec);  // an absolute one replaces all
+        target = target.parent_path() / fs::read_symlink(target, ec);  // an absolute link replaces all
     }
     throw file_error("is a circle of links", path.string(), "a file to write");
 }

@@ -7,7 +7,7 @@ namespace aoscore {
 
 class TemporaryFolder;
 
-/// A file that is being made: what writes it writes to temporary(), and publish() brings that to its place at
+/// A file that is being made: its writer writes to temporary(), and publish() brings that to its place at
 /// once. A reader sees the old file, the new one, or none, never half of one. A symbolic link is followed,
 /// and what is no regular file (a device, a pipe) is written through and stays what it is. Without publish()
 /// nothing is left.
@@ -20,16 +20,16 @@ class PendingFile {
     PendingFile(PendingFile&& other) noexcept;
     PendingFile& operator=(PendingFile&&) = delete;
 
-    /// Of the same extension as the path, in its folder; for a device in that of temporary files.
+    /// A file with the path's extension, in its folder; for a device in the folder of temporary files.
     const std::filesystem::path& temporary() const { return temporary_; }
-    /// Once, when the temporary file is whole. Throws file_error; interrupted_error where a pipe has no
-    /// reader when Ctrl-C is pressed.
+    /// Call it once, when the temporary file is whole. Throws file_error, and interrupted_error where Ctrl-C
+    /// is pressed while a pipe has no reader.
     void publish();
 
   private:
     std::filesystem::path path_;                  ///< as it was given, for messages
-    std::filesystem::path target_;                ///< that links lead to
-    std::unique_ptr<TemporaryFolder> elsewhere_;  ///< where the target is there, and no regular file
+    std::filesystem::path target_;                ///< the path behind symbolic links
+    std::unique_ptr<TemporaryFolder> elsewhere_;  ///< set where the target exists and is no regular file
     std::filesystem::path temporary_;
 };
 

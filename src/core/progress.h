@@ -9,7 +9,8 @@
 namespace aoscore {
 
 /// Progress of one piece of long work on standard error: a bar with an estimate of the time left on a
-/// terminal; elsewhere a line at most every ten seconds. Nothing when quiet. Threads may call step() freely.
+/// terminal; elsewhere a line at most every ten seconds. It shows nothing in quiet runs. Threads may call
+/// step() freely.
 class Progress {
   public:
     /// `what` as it is shown ("truth atrium/wide"), `total` in steps.

@@ -7,7 +7,7 @@
 namespace aoscore {
 namespace {
 
-/// $'...', in which every byte can be named.
+/// Quotes the argument as $'...', in which every byte can be written as an escape.
 std::string ansi_quoted(const std::string& argument) {
     std::string result = "$'";
     for (const char c : argument) {

@@ -4,8 +4,8 @@
 
 namespace aoscore {
 
-/// The argument as a POSIX shell must be given it: in quotes where it needs them, those of $'...' (POSIX
-/// 2024) where it holds what is not fit to be shown.
+/// The argument as it is typed in a POSIX shell: in quotes where it needs them, as $'...' (POSIX 2024) where
+/// it holds characters that are not printable().
 std::string shell_quoted(const std::string& argument);
 
 }  // namespace aoscore

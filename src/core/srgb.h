@@ -8,7 +8,7 @@ namespace aoscore {
 inline double linear_from_srgb(double coded) {
     return coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4);
 }
-/// Its inverse.
+/// The inverse of linear_from_srgb().
 inline double srgb_from_linear(double linear) {
     return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }

@@ -50,7 +50,7 @@ StagedFolder::StagedFolder(fs::path target) : target_(std::move(target)), made_t
 StagedFolder::~StagedFolder() {
     std::error_code ec;
     fs::remove_all(staging_, ec);
-    if (made_target_) fs::remove(target_, ec);  // only while it is empty
+    if (made_target_) fs::remove(target_, ec);  // removes the folder only while it is empty
 }
 
 void StagedFolder::publish() {

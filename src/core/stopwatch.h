@@ -4,7 +4,7 @@
 
 namespace aoscore {
 
-/// Wall-clock seconds since it was made.
+/// Measures wall-clock seconds since its construction.
 class Stopwatch {
   public:
     double seconds() const {

@@ -6,7 +6,7 @@
 
 namespace aoscore {
 
-/// With ASCII's capitals turned small, whatever the locale.
+/// The text with ASCII capitals in lower case, whatever the locale.
 inline std::string lower_case(std::string_view text) {
     std::string lower(text);
     std::ranges::transform(lower, lower.begin(), [](char c) {
@@ -15,7 +15,7 @@ inline std::string lower_case(std::string_view text) {
     return lower;
 }
 
-/// Without the blanks before and behind it.
+/// The text without the blanks before and behind it.
 inline std::string trimmed(std::string_view text) {
     const auto begin = text.find_first_not_of(" \t");
     if (begin == std::string_view::npos) return {};

@@ -14,13 +14,13 @@ namespace {
 
 constexpr double kRadiusPerDepth = 0.1;
 const std::string kRadiusNote = "its radius is ";
-/// Shares of air in rooms, of places in hollows, and of the diagonal that one sees in them: a building is
-/// mostly rooms, however small each is; caverns in a thing, such as between the parts of an engine, are few
-/// and narrow.
+/// Limits for the share of air in rooms, the share of places in hollows, and the median sight as a share of
+/// the diagonal: a building is mostly rooms, however small each is; cavities in an object, such as between
+/// the parts of an engine, are few and narrow.
 constexpr double kMostlyRooms = 0.5, kPartlyRooms = 0.15, kPartlyHollow = 0.15, kRoomySight = 0.06;
 constexpr std::size_t kInside = 3, kOutside = 2;
-/// A room is looked into from outside where that picture is worth this share of the best one from inside;
-/// then also from inside where that one is worth this share of the former.
+/// A room is shown from outside where that picture is worth at least this share of the best one from inside;
+/// it is then also shown from inside where that picture is worth this share of the one from outside.
 constexpr double kLooksIn = 0.95;
 
 double median_depth(const Glance& glance) {
@@ -31,7 +31,7 @@ double median_depth(const Glance& glance) {
     return *middle;
 }
 
-/// Says itself by which rule it was found.
+/// A radius with the rule by which it was found.
 struct Radius {
     double metres = 0;
     std::string rule;

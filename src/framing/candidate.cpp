@@ -19,7 +19,7 @@ bool is_within(const Bounds& box, const glm::dvec3& p) {
 }
 
 double worth_of(const Glance& glance, const MainPart& main, double close_m) {
-    // More than this share of covered pixels says nothing more about a picture from outside.
+    // Beyond this share of covered pixels a picture from outside is not worth more.
     constexpr double kCovered = 0.5, kLeastVariety = 0.1, kBackFace = 0.25;
     const auto count = static_cast<double>(glance.points.size());
     if (count == 0) return 0;
@@ -37,7 +37,7 @@ double worth_of(const Glance& glance, const MainPart& main, double close_m) {
            (kBackFace + (1 - kBackFace) * fronts / count) * far * far;
 }
 
-/// The camera must see what is just before it, and its far plane all of the scene.
+/// Sets near and far so that the camera sees things just before it, and all of the scene.
 void set_depth_range(Camera& camera, const Bounds& bounds, double near) {
     const DepthRange range = useful_depth_range(camera, bounds, near, 0);
     camera.near = range.near;
@@ -45,7 +45,7 @@ void set_depth_range(Camera& camera, const Bounds& bounds, double near) {
 }
 
 void try_camera(const Trial& trial, double close_m, Candidate& candidate) {
-    // A picture shows things between its pixels that are nearer than any of them.
+    // Between the pixels of the trial there may be things that are nearer than all of them.
     constexpr double kNearPerNearest = 0.2;
     set_depth_range(candidate.camera, trial.bounds, 0);
     const int width = std::max(1, static_cast<int>(std::lround(kHeight_px * trial.aspect)));

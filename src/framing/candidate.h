@@ -8,30 +8,31 @@
 
 namespace aoscore {
 
-/// A camera that might become a view, and how good its picture is.
+/// A camera that might become a view, with the worth of its picture.
 struct Candidate {
     Camera camera;
-    double worth = 0;  ///< of its picture, 0 and up
-    Glance glance;     ///< what it sees
+    double worth = 0;  ///< worth of its picture, 0 or more
+    Glance glance;     ///< the picture that it sees
 };
 
-/// How pictures are tried.
+/// Parameters for trying pictures.
 struct Trial {
     const Scout& scout;
     const MainPart& main;
-    double radius_m = 0;  ///< of the occlusion that is looked for
+    double radius_m = 0;  ///< AO radius
     double aspect = 1;    ///< width to height
-    Bounds bounds;        ///< of the whole scene
+    Bounds bounds;        ///< bounds of the whole scene
 };
 
-/// Looks through every camera, on all threads: sets glance, worth, and near and far of the cameras.
+/// Traces a small picture from every camera, on all threads, and sets glance, worth, and the camera's near
+/// and far.
 ///
-/// A picture is worth the more, the more its visibility varies (standard deviation), the more of it is
-/// covered, the more of what it shows belongs to the main part and is seen from the front, and the fewer of
-/// its pixels show what is close to the camera (nearer than `close_m`).
+/// A picture is worth more when its visibility varies more (standard deviation), when more of it is covered,
+/// when more of the surfaces in it belong to the main part and face the camera, and when fewer of its pixels
+/// are nearer to the camera than `close_m`.
 void try_cameras(const Trial& trial, double close_m, std::vector<Candidate>& candidates);
 
-/// The one of most worth; of several within what rounding could swap, the first. `candidates` has some.
+/// The candidate of most worth; the first where rounding could swap several. `candidates` must not be empty.
 const Candidate& best_of(const std::vector<Candidate>& candidates);
 
 }  // namespace aoscore

@@ -13,10 +13,10 @@ constexpr double kFovy_deg = 60;
 constexpr double kPitch_deg = -6;
 constexpr std::size_t kSeats = 16;
 constexpr int kAzimuths = 6;
-/// In the median sight of all seats: how near nothing may be, how far apart seats are, and what counts as
-/// close in a picture.
+/// The clearance of a seat, the distance between seats, and the distance that counts as close in a picture,
+/// as shares of the median sight of all seats.
 constexpr double kClearance = 0.1, kApart = 0.6, kClose = 0.2;
-/// A next view is so many median sights away, or turned by at least this.
+/// A further view is at least so many median sights away, or turned by so much.
 constexpr double kOtherSeat = 1.5, kOtherWay_deg = 75;
 /// A view worth less than this share of the first one is left out.
 constexpr double kWorthwhile = 0.6;
@@ -36,7 +36,8 @@ std::vector<Seat> seats_apart(const RoomSurvey& survey) {
 }
 
 /// How much of a room a picture shows: 1 where its median depth is that of all sights and a tenth of it is at
-/// least four times as far as another tenth; less for a wall that fills it, or a parapet before the camera.
+/// least four times as far as another tenth; less where a wall fills it, or a parapet stands before the
+/// camera.
 double room_shown(const Glance& glance, double sight_m) {
     constexpr double kWall = 0.3, kDeep = 4;
     if (glance.points.empty()) return 0;
@@ -62,7 +63,7 @@ std::vector<Candidate> inside_cameras(const Trial& trial, const RoomSurvey& surv
     const double pitch = glm::radians(kPitch_deg);
     for (const Seat& seat : seats_apart(survey)) {
         for (int i = 0; i < kAzimuths; ++i) {
-            // Turned a little, so that walls along the axes are not seen square on.
+            // Directions are turned a little, so that walls along the axes are not seen at right angles.
             const double azimuth = glm::radians(360.0 * (i + 0.25) / kAzimuths);
             Camera camera;
             camera.fovy_rad = glm::radians(kFovy_deg);

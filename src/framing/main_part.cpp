@@ -13,7 +13,7 @@ namespace aoscore {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kFence = 3;  // in distances of the quartiles
+constexpr double kFence = 3;  // in distances between the quartiles
 constexpr double kLeastPart = 0.5;
 constexpr std::size_t kSampledTriangles = 200'000;
 constexpr std::size_t kOutlineTriangles = 200'000;
@@ -45,7 +45,7 @@ struct WeightedPlace {
     double place, weight;
 };
 
-/// Where the sum of the weights reaches this share of them all.
+/// The value at which the sum of the weights reaches this share of their total.
 double quantile(const std::vector<WeightedPlace>& sorted, double total, double share) {
     double sum = 0;
     for (const WeightedPlace& p : sorted) {
@@ -110,7 +110,7 @@ class Outermost {
     std::vector<glm::dvec3> points_;
 };
 
-/// Of the axes and the diagonals between them.
+/// The axes and the diagonals between them.
 std::vector<glm::dvec3> grid_directions() {
     std::vector<glm::dvec3> directions;
     for (int i = 0; i < 27; ++i) {
@@ -127,10 +127,10 @@ std::vector<glm::dvec3> spread_directions() {
     return directions;
 }
 
-/// Of the triangles in the box; `edges` becomes the sum of their edges.
+/// The part made of the triangles in the box; `edges` becomes the total length of their edges.
 MainPart part_within(const Scene& scene, const Bounds& box, double& edges, double& all_edges) {
     MainPart part{{glm::dvec3(kInfinity), glm::dvec3(-kInfinity)}, {}};
-    // Corners that stand out are never missed; of a fine mesh some of the others will do.
+    // No corner that stands out is missed; of a fine mesh, some of the others suffice.
     Outermost corners(grid_directions()), others(spread_directions());
     const std::size_t step = scene.triangle_count / kOutlineTriangles + 1;
     std::size_t number = 0;

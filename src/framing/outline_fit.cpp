@@ -7,13 +7,13 @@
 namespace aoscore {
 namespace {
 
-/// Along one axis of the picture: how far back the camera must be, and where on the axis.
+/// The camera's distance and place that one axis of the picture needs.
 struct AxisFit {
     double back = 0, place = 0;
 };
 
-/// A point at `at`, `back` behind the origin along the line of sight, is within the angle of a camera at
-/// (place, camera_back) when |at - place| <= tangent * (camera_back - back).
+/// Fits one axis. A point at `at`, `back` behind the origin along the line of sight, is within the angle of a
+/// camera at (place, camera_back) when |at - place| <= tangent * (camera_back - back).
 AxisFit fit_axis(const std::vector<glm::dvec3>& points, const glm::dvec3& axis, const glm::dvec3& backwards,
                  double tangent) {
     double right = -std::numeric_limits<double>::infinity(), left = right;

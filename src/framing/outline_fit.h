@@ -12,8 +12,8 @@ namespace aoscore {
 /// view, and shows all of the points, as large as a picture of this width to height allows. `margin` of half
 /// the picture stays free on every side. Near and far are not set.
 ///
-/// Exact: each side of the picture is a plane through the camera, which the outermost point along its normal
-/// must touch; across and upwards that gives a least distance each, and the larger one holds.
+/// The fit is exact: each side of the picture is a plane through the camera, which the outermost point along
+/// its normal must touch; across and upwards that gives a least distance each, and the larger one holds.
 Camera fit_outline(const std::vector<glm::dvec3>& points, const glm::dvec3& forward, const glm::dvec3& up,
                    double fovy_rad, double aspect, double margin);
 

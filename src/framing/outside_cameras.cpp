@@ -15,7 +15,7 @@ constexpr double kMargin = 0.04;
 constexpr double kAzimuths_deg[] = {35, -35, 55, -55, 125, -125, 145, -145};  // from +z to +x
 constexpr double kElevations_deg[] = {20, 35, 50};
 constexpr double kStraightAzimuths_deg[] = {0, 90, 180, -90}, kStraightElevation_deg = 5;
-/// A view from behind, or from high above, must be worth so much more than one from the front.
+/// Factors on the worth of a view from behind, or from high above, against one from the front.
 constexpr double kBehind = 0.85, kAbove = 0.9;
 constexpr double kOtherSide_deg = 80;
 
@@ -48,7 +48,7 @@ std::vector<Direction> directions(Around around) {
     return all;
 }
 
-/// What is no larger than a point gets room around it, so that there is a camera at all.
+/// The outline of the main part; a mere point gets room around it, so that a camera exists.
 std::vector<glm::dvec3> with_extent(const MainPart& main) {
     std::vector<glm::dvec3> points = main.outline;
     if (main.bounds.diagonal() > 0) return points;

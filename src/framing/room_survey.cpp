@@ -12,13 +12,13 @@ namespace {
 constexpr std::size_t kPlaces = 400;
 constexpr int kRays = 40;
 constexpr double kRoomFronts = 0.7, kHollowHits = 0.95, kHollowFronts = 0.2, kSolidFronts = 0.05;
-constexpr double kEyeHeight = 1.0 / 3;  // of the room's
-/// Where surfaces are nearer than this part of the box all around, a place lies in a surface: all places of a
-/// flat scene do.
+constexpr double kEyeHeight = 1.0 / 3;  // of the room's height
+/// A place lies in a surface where surfaces all around are nearer than this share of the box's diagonal, as
+/// all places of a flat scene do.
 constexpr double kLeastSight = 1e-6;
 
 struct Surroundings {
-    double hits = 0, fronts = 0;  // shares of the rays
+    double hits = 0, fronts = 0;  // as shares of the rays
     double nearest_m = 0, median_m = 0;
 };
 
@@ -38,7 +38,7 @@ Surroundings look_around(const Scout& scout, const glm::dvec3& from) {
 }
 
 glm::dvec3 place(const Bounds& box, std::size_t i) {
-    // Powers of the inverse of the root of x^4 = x + 1.
+    // The steps are powers of the inverse of the root of x^4 = x + 1.
     constexpr double kRoot = 1.2207440846057596;
     const double a = 1 / kRoot, n = static_cast<double>(i + 1);
     const glm::dvec3 at(n * a, n * a * a, n * a * a * a);
@@ -56,7 +56,7 @@ Kind kind_of(const Surroundings& around) {
     return Kind::outdoors;
 }
 
-/// The place moved up or down its own column of air to where a person's eyes would be.
+/// Moves a place up or down its column of air to the height of a person's eyes.
 glm::dvec3 at_eye_height(const Scout& scout, const glm::dvec3& from) {
     const double up = scout.first_surface(from, {0, 1, 0}).distance_m;
     const double down = scout.first_surface(from, {0, -1, 0}).distance_m;

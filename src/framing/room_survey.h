@@ -12,23 +12,23 @@ namespace aoscore {
 /// A place in the air of a room where somebody could stand, at a third of the room's height there.
 struct Seat {
     glm::dvec3 position{0};
-    double clearance_m = 0;  ///< to the nearest surface, of the rays that were sent
-    double sight_m = 0;      ///< median distance of what the rays meet
+    double clearance_m = 0;  ///< distance to the nearest surface that a ray met
+    double sight_m = 0;      ///< median length of the rays
 };
 
-/// What a box around a scene's main part holds.
+/// The rooms in a box around a scene's main part.
 struct RoomSurvey {
-    double rooms = 0;         ///< share of its air that lies in rooms: most rays meet the front of something
-    double hollows = 0;       ///< share of its places where all rays meet something, fronts and backs
-    std::vector<Seat> seats;  ///< in rooms, or where there are none in hollows; those with most room first
+    double rooms = 0;         ///< share of the air that lies in rooms
+    double hollows = 0;       ///< share of places in hollows
+    std::vector<Seat> seats;  ///< in rooms, else in hollows; those with most room first
     double sight_m = 0;       ///< median of the seats' sights
 };
 
-/// Asks places all over the box, as evenly spread as the R3 sequence is (Roberts, The Unreasonable
-/// Effectiveness of Quasirandom Sequences, 2018), by rays in all directions. A place is in a room where 7 in
-/// 10 rays meet a front first; within a solid thing where hardly any does; in a hollow, such as a room whose
-/// walls are wound the wrong way round or a housing with things in it, where nearly all meet something and
-/// one in five a front; outdoors else.
+/// Sends rays in all directions from places in the box, spread evenly by the R3 sequence (Roberts, The
+/// Unreasonable Effectiveness of Quasirandom Sequences, 2018). A place is in a room where 7 in 10 rays meet a
+/// front first; within a solid where hardly any does; in a hollow, such as a room whose walls are wound the
+/// wrong way round or a housing with parts in it, where nearly all meet a surface and one in five a front;
+/// and outdoors otherwise.
 RoomSurvey survey_rooms(const Scout& scout, const Bounds& box);
 
 }  // namespace aoscore

@@ -12,15 +12,15 @@ namespace {
 
 using Words = std::set<std::string, std::less<>>;
 
-// Words of layers of ambient occlusion: what renderers call the pass, and methods that engines name their
-// buffers by.
+// Words that name a layer of ambient occlusion: names of the pass in renderers, and methods after which
+// engines name their buffers.
 const Words kOcclusion = {"ao",    "occlusion", "occ",    "obscurance", "ambocc", "ssao",
                           "hbao",  "gtao",      "rtao",   "vxao",       "hdao",   "assao",
                           "cacao", "sao",       "xegtao", "n8ao",       "vbao",   "mssao"};
-// Also as one word in lower case.
+// Some names write it as one word in lower case.
 constexpr std::string_view kAmbientOcclusion = "ambientocclusion";
 
-// Words that make an occlusion another one, or say that the channel tells about it.
+// Words that make it another kind of occlusion, or data about the occlusion.
 const Words kNotAmbient = {"specular", "spec",     "reflection", "reflections", "refl", "bent",
                            "normal",   "variance", "error",      "samples",     "count"};
 
@@ -76,15 +76,15 @@ const Words kShading = {"diffuse",    "diff",       "specular",     "spec",     
                         "emission",   "emissive",   "emit",         "reflection",  "sss",       "reflections",
                         "refraction", "subsurface", "transmission", "environment", "env",       "background",
                         "volume",     "sheen",      "coat",         "radiance",    "irradiance"};
-// Words of the picture itself. Within a part or a view layer that is named AO it is the occlusion.
+// Words for the rendered picture. Within a part or a view layer that is named AO they mean the occlusion.
 const Words kPicture = {"beauty", "combined", "color", "colour", "scenecolor", "clay"};
 
-// Components that hold values of a layer; A is its alpha.
+// Component names that are values of a layer; A is its alpha.
 const Words kComponents = {"r", "g", "b",   "a",     "x",    "y",     "z",  "u",  "v",
                            "w", "l", "red", "green", "blue", "alpha", "ry", "by", "luminance"};
 
-/// The words of a name, in lower case and without digits behind them: parts between separators, and of parts
-/// in mixed case those that begin with a capital ("SceneDepth", "AOPass").
+/// The words of a name, in lower case and without trailing digits. Separators divide words, and so does a
+/// capital in mixed case ("SceneDepth", "AOPass").
 std::vector<std::string> words_of(const std::string& name) {
     const auto is = [&](std::size_t i, int (*kind)(int)) {
         return i < name.size() && kind(static_cast<unsigned char>(name[i])) != 0;

@@ -5,12 +5,12 @@
 
 namespace aoscore {
 
-/// What a channel holds by the name that its program gave it.
+/// The kind of content that a channel's name promises.
 enum class ChannelMeaning {
     occlusion,  ///< ambient occlusion, whichever way round
-    geometry,   ///< what surfaces are and where: depth, normals, albedo, masks, alpha, errors
+    geometry,   ///< properties of surfaces: depth, normals, albedo, masks, alpha, errors
     shading,    ///< pictures of light: beauty, diffuse, shadows
-    unknown     ///< nothing is known of it
+    unknown     ///< the name says nothing
 };
 
 /// A channel's name in its parts: "ViewLayer.AO.R" is component R of the layer "ViewLayer.AO", "AO" a layer
@@ -21,8 +21,8 @@ struct ChannelName {
     explicit ChannelName(const std::string& name);
 };
 
-/// By the words of the layer's name, in any case and with any separators: "ViewLayer.Ambient Occlusion",
-/// "FinalImageAmbientOcclusion" and "VRayExtraTex_AO" are ambient occlusion.
+/// Decides by the words of the layer's name, in any case and with any separators: "ViewLayer.Ambient
+/// Occlusion", "FinalImageAmbientOcclusion" and "VRayExtraTex_AO" are ambient occlusion.
 ChannelMeaning meaning_of(const ChannelName& name);
 
 }  // namespace aoscore

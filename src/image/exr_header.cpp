@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint32_t kMagic = 0x01312f76, kSeveralParts = 0x1000;
 constexpr std::uint32_t kBoxBytes = 16;
 
-/// Little-endian.
+/// Reads a little-endian number.
 std::uint32_t read_number(std::istream& in) {
     std::array<unsigned char, 4> bytes{};
     in.read(reinterpret_cast<char*>(bytes.data()), bytes.size());
@@ -26,7 +26,7 @@ std::uint32_t read_number(std::istream& in) {
     return number;
 }
 
-/// The characters before the next zero.
+/// Reads the characters before the next zero.
 std::string read_word(std::istream& in) {
     std::string word;
     std::getline(in, word, '\0');
@@ -48,7 +48,7 @@ bool skip_attributes(std::istream& in, std::uintmax_t bytes, const std::string& 
     bool any = false;
     for (std::string name = read_word(in); in && !name.empty(); name = read_word(in)) {
         any = true;
-        read_word(in);  // its type
+        read_word(in);  // the attribute's type
         const std::uint32_t size = read_number(in);
         if (!in) return false;
         if (size > bytes - static_cast<std::uintmax_t>(in.tellg()))

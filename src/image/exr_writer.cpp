@@ -18,7 +18,7 @@
 namespace aoscore {
 namespace {
 
-// Of the standard attributes, those that are matrices.
+// The standard attributes that are matrices.
 const std::set<std::string> kMatrixAttributes = {"worldToCamera", "worldToNDC"};
 
 Imath::M44f matrix_of(const std::string& text, const std::string& where) {

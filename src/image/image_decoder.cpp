@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::int64_t kMaxSide = 8192;
 
-/// The reader's name for the image's first bytes; only what glTF allows is tried, whatever OpenImageIO reads.
+/// The name of the reader by the image's first bytes. OpenImageIO reads more formats than glTF allows; only
+/// those are tried.
 std::string_view format_of(std::string_view bytes) {
     if (bytes.starts_with("\x89PNG\r\n\x1a\n")) return "png";
     if (bytes.starts_with("\xFF\xD8\xFF")) return "jpeg";
@@ -24,7 +25,7 @@ std::string_view format_of(std::string_view bytes) {
     return {};
 }
 
-/// What glTF's extensions allow and nothing here decodes, by name.
+/// The name of a format that glTF's extensions allow and nothing here decodes.
 std::string_view undecoded_format(std::string_view bytes) {
     if (bytes.starts_with("\xABKTX 20\xBB\r\n\x1A\n")) return "KTX2 (Basis Universal)";
     if (bytes.starts_with("DDS ")) return "DDS";
@@ -39,7 +40,7 @@ bool fits(std::int64_t width, std::int64_t height, int channels, MemoryBudget& b
         return false;
     }
     try {
-        // The decoder's samples beside the texels.
+        // Counts the decoder's samples as well as the texels.
         budget.take(static_cast<std::size_t>(width * height) * 2 * sizeof(glm::u8vec4), "");
     } catch (const Error&) {
         reason = "does not fit into the memory that a scene may take (1 GiB)";
@@ -48,7 +49,7 @@ bool fits(std::int64_t width, std::int64_t height, int channels, MemoryBudget& b
     return true;
 }
 
-/// libpng itself: OpenImageIO lets it write its complaints to standard error.
+/// Calls libpng itself: OpenImageIO lets it write its complaints to standard error.
 std::optional<Image<glm::u8vec4>> decode_png(std::string_view bytes, MemoryBudget& budget,
                                              std::string& reason) {
     png_image png{};
@@ -85,7 +86,7 @@ std::optional<Image<glm::u8vec4>> decode_image_as(const char* format, std::strin
     OIIO::ImageSpec config, spec;
     config["oiio:UnassociatedAlpha"] = 1;
     if (!input || !input->set_ioproxy(&memory) || !input->open(format, spec, config)) {
-        // What it says may quote the file; it is taken so that nobody else reports it.
+        // The message may quote the file; it is fetched here so that nobody else reports it.
         static_cast<void>(input ? input->geterror() : OIIO::geterror());
         return std::nullopt;
     }

@@ -22,7 +22,7 @@ struct ChannelView {
 /// Writes a scan-line EXR, 32-bit float, ZIP, atomically, with text attributes ("aoscore:seed" -> "1"). Of
 /// EXR's standard attributes, "comments", "capDate" and "owner" are texts; "worldToCamera" and "worldToNDC"
 /// become matrices: 16 numbers, row by row, for points that are row vectors (the transposes of ours). Viewers
-/// show the layer without a name, so that one of the channels should be Y, or three of them R, G, B. Throws
+/// show the layer without a name, so one of the channels should be Y, or three of them R, G, B. Throws
 /// file_error when it cannot be written, and internal_error for channels that are empty, of several sizes or
 /// of one name.
 void write_exr(const std::filesystem::path& path, std::span<const ChannelView> channels,
@@ -34,11 +34,11 @@ struct ImageFile {
     int width = 0, height = 0;
     std::vector<std::string> channel_names;
     std::vector<ImageF> channels;
-    std::vector<PixelRect> covered;     ///< of each channel: the part of the frame that the file has pixels
-                                        ///< for; around it there are NaN
+    std::vector<PixelRect> covered;     ///< the part of the frame for which each channel has pixels;
+                                        ///< the rest is NaN
     std::vector<std::string> left_out;  ///< parts that are deep or of another frame, each with the reason
     std::map<std::string, std::string> attributes;
-    bool integers = false;  ///< stored as such; the values are them as shares of their range
+    bool integers = false;  ///< the file holds integers; values are shares of their range
 
     std::optional<std::size_t> index(const std::string& name) const;
     /// Null when absent.
@@ -46,20 +46,20 @@ struct ImageFile {
 };
 
 /// Reads any format of OpenImageIO (EXR, PNG, PFM, …), and EXR with channels of lower resolution; integers
-/// become value/255 or value/65535, colours are not multiplied by alpha, and an Orientation is applied. The
-/// parts of an EXR that has several are layers: their channels come as <part>.<channel>; deep parts and those
-/// whose frame is not the first one's are left out. Of a data window, what lies within the display window
-/// counts. Throws file_error for what is absent, truncated, no image, larger than 16384 px a side, or has
-/// deep parts alone.
+/// become value/255 or value/65535, colours are not multiplied by alpha, and an Orientation is applied. Parts
+/// of a multi-part EXR are layers with channels named <part>.<channel>; deep parts and those whose frame is
+/// not the first one's are left out. Pixels of a data window outside of the display window are dropped.
+/// Throws file_error for a file that is absent, truncated, no image, larger than 16384 px a side, or has deep
+/// parts alone.
 ImageFile read_image(const std::filesystem::path& path);
 
-/// PNG in memory: indices into a palette of up to 256 colours (0xRRGGBB), with 1, 2, 4 or 8 bits as that many
-/// need. Throws internal_error for an index beyond the palette.
+/// Encodes indices into a palette of up to 256 colours (0xRRGGBB) as PNG, with the fewest of 1, 2, 4 or 8
+/// bits. Throws internal_error for an index beyond the palette.
 std::string encode_png_indexed(const Image<std::uint8_t>& indices,
                                std::span<const std::uint32_t> palette_rgb);
-/// PNG in memory, 8-bit gray.
+/// Encodes 8-bit gray as PNG.
 std::string encode_png_gray(const Image<std::uint8_t>& gray);
-/// PNG in memory, red, green and blue of 8 bits.
+/// Encodes red, green and blue of 8 bits as PNG.
 std::string encode_png_rgb(const Image<std::array<std::uint8_t, 3>>& colours);
 
 }  // namespace aoscore

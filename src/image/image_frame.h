@@ -5,11 +5,11 @@
 
 namespace aoscore {
 
-/// What of `pixels`, whose left upper one is at `pixels.x`, `pixels.y` of a frame, lies within the frame.
+/// The part of a rectangle of pixels that lies within a frame of this size.
 PixelRect within_frame(const PixelRect& pixels, int frame_width, int frame_height);
 
-/// The picture at `x`, `y` of a frame: what lies outside of the frame is dropped, and the frame's pixels that
-/// the picture does not reach are NaN.
+/// Places a picture at `x`, `y` of a frame: pixels outside of the frame are dropped, and those of the frame
+/// that the picture does not reach are NaN.
 ImageF placed(const ImageF& picture, int x, int y, int frame_width, int frame_height);
 
 /// How a picture that is stored with an Orientation is to be shown: transposed first, then mirrored (left and
@@ -19,8 +19,8 @@ struct Orientation {
 
     bool upright() const { return !transposed && !mirrored && !turned_over; }
 
-    /// Of the tag Orientation, 1 to 8 (Adobe, TIFF, revision 6.0, 1992; Exif has the same); upright for any
-    /// other number.
+    /// The meaning of the tag Orientation, 1 to 8 (Adobe, TIFF, revision 6.0, 1992; Exif has the same);
+    /// upright for any other number.
     static Orientation of_tag(int tag);
 };
 
@@ -39,7 +39,7 @@ Image<T> shown(const Image<T>& stored, const Orientation& orientation) {
     }
     return result;
 }
-/// Where a rectangle of a stored picture of this size is shown.
+/// The place at which a rectangle of a stored picture of this size is shown.
 PixelRect shown(PixelRect stored, int width, int height, const Orientation& orientation);
 
 }  // namespace aoscore

@@ -6,12 +6,12 @@
 
 namespace aoscore {
 
-/// Refuses what a header claims before anything is allocated for it: throws file_error for an empty image,
-/// more than kLargestImageSide_px pixels a side, 1024 channels, or 2^30 values.
+/// Checks a header's claims before anything is allocated for them: throws file_error for an empty image, and
+/// for more than kLargestImageSide_px pixels a side, 1024 channels, or 2^30 values.
 void require_allocatable(int width, int height, int channels, const std::string& where);
 
-/// A library's complaint about an image, which may span lines and name the file again on each, as an error of
-/// one line.
+/// Makes an error of one line from a library's complaint, which may span lines and name the file again on
+/// each.
 Error unreadable_image(const std::string& complaint, const std::string& where);
 
 }  // namespace aoscore

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Refuses an EXR whose header claims more values than the file's bytes can hold, in its picture or in one of
-/// its tiles: memory would be filled with what is not there. `bytes` is the file's size.
+/// its tiles: memory would be filled for pixels that are not there. `bytes` is the file's size.
 void require_plausible_exr(const OIIO::ImageSpec& spec, std::uintmax_t bytes, const std::string& where) {
     const bool dwa = std::string_view(spec.get_string_attribute("compression")).starts_with("dwa");
     const double most = static_cast<double>(bytes) * (dwa ? kMostValuesAByteOfDwa : kMostValuesAByte);
@@ -36,8 +36,8 @@ void require_plausible_exr(const OIIO::ImageSpec& spec, std::uintmax_t bytes, co
         where, "a whole EXR file");
 }
 
-/// One part of a file: the frame it belongs to, and where in it its pixels are. Only EXR has frames of their
-/// own (display windows); elsewhere the pixels are the frame.
+/// One part of a file: its frame, and the place of its pixels in that. Only EXR has frames of their own
+/// (display windows); elsewhere the pixels are the frame.
 struct Part {
     int frame_width, frame_height;
     PixelRect pixels;
@@ -48,7 +48,7 @@ struct Part {
           pixels{exr ? offset(spec.x, spec.full_x) : 0, exr ? offset(spec.y, spec.full_y) : 0, spec.width,
                  spec.height} {}
 
-    /// However far apart a header claims them to be: farther than any picture is wide is all the same.
+    /// Limits the distance that a header claims: beyond the width of any picture it makes no difference.
     static int offset(int begin, int frame_begin) {
         constexpr std::int64_t kFar = 4 * kLargestImageSide_px;
         return static_cast<int>(std::clamp<std::int64_t>(std::int64_t{begin} - frame_begin, -kFar, kFar));
@@ -66,7 +66,7 @@ void require_readable(const OIIO::ImageSpec& spec, const Part& part, const std::
                      where, "at least a pixel of the frame");
 }
 
-/// Channels of a file of several parts carry the name of theirs: "<part>.<channel>".
+/// Reads one part. Where a file has several, channels carry the part's name: "<part>.<channel>".
 void read_part(OIIO::ImageInput& input, int subimage, const Part& part, const std::string& name,
                const std::string& where, ImageFile& file) {
     const std::size_t before = file.channels.size();
@@ -84,7 +84,7 @@ void read_part(OIIO::ImageInput& input, int subimage, const Part& part, const st
     }
 }
 
-/// Of EXR's standard attributes, those that OpenImageIO renames.
+/// EXR's standard attributes that OpenImageIO renames.
 const std::map<std::string, std::string, std::less<>> kExrNames = {
     {"Copyright", "owner"}, {"DateTime", "capDate"}, {"ImageDescription", "comments"}};
 
@@ -110,7 +110,7 @@ void turn_upright(ImageFile& file, const Orientation& orientation) {
     if (orientation.transposed) std::swap(file.width, file.height);
 }
 
-/// Other programs put layers into parts of an EXR. The first flat one decides the frame.
+/// Reads all parts, into which other programs put layers. The first flat part decides the frame.
 ImageFile read_all_parts(OIIO::ImageInput& input, const fs::path& path) {
     const std::string where = path.string();
     const std::uintmax_t bytes = fs::file_size(path);
@@ -166,7 +166,7 @@ ImageFile read_image(const fs::path& path) {
     if (!fs::exists(status)) throw file_error("no such file", where);
     if (!fs::is_regular_file(status)) throw file_error("not a regular file", where);
     OIIO::ImageSpec as_stored;
-    as_stored["oiio:UnassociatedAlpha"] = 1;  // Colour is not to be multiplied by alpha.
+    as_stored["oiio:UnassociatedAlpha"] = 1;  // Colour must not be multiplied by alpha.
     try {
         require_plausible_exr_header(path);
         const auto input = OIIO::ImageInput::open(where, &as_stored);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kStripRows = 256;
 
-/// How the file's values become float: read as `type` and divided by `scale`.
+/// Says how values become float: they are read as `type` and divided by `scale`.
 struct Coding {
     OIIO::TypeDesc type;
     float scale;

@@ -11,7 +11,7 @@
 namespace aoscore {
 namespace {
 
-// Components that make a picture together: the first stands for it.
+// Components that make a picture together; the first stands for all.
 constexpr std::array<std::array<std::string_view, 3>, 4> kPictures{{
     {"r", "g", "b"},
     {"red", "green", "blue"},
@@ -62,7 +62,7 @@ std::vector<Layer> layers_of(const ImageFile& file) {
 }
 
 bool is_grey(const Layer& layer, const ImageFile& file) {
-    // A level and a half of 8 bits; of floats, what half precision rounds off near 1, four times.
+    // One and a half levels of 8 bits; for floats, four times the rounding of half precision near 1.
     const float most = file.integers ? 1.5F / 255 : 2e-3F;
     const ImageF& first = file.channels[layer.channels.front()];
     return std::ranges::all_of(layer.channels, [&](std::size_t c) {

@@ -16,7 +16,7 @@ struct PngJob {
     const Image<std::uint8_t>& bytes_of_rows;
     int width;
     int colour_type;
-    std::span<const png_color> palette;  ///< of indices
+    std::span<const png_color> palette;  ///< the colours that indices stand for
     int bits;
     std::string bytes;
     std::string error;
@@ -43,7 +43,7 @@ void flush(png_structp) {}
 
 void ignore(png_structp, png_const_charp) {}
 
-/// Nothing here may have a destructor: libpng leaves by longjmp when it fails. False then.
+/// Returns false when libpng fails. It leaves by longjmp, so nothing here may have a destructor.
 bool write_png(png_structp png, png_infop info, PngJob& job) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
     png_set_write_fn(png, &job, append, flush);

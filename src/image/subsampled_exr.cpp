@@ -35,7 +35,7 @@ ImageF at_full_resolution(const Sampled& channel, const Imath::Box2i& window) {
 
 std::list<Sampled> read_channels(Imf::InputFile& input, const Imath::Box2i& window) {
     const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
-    std::list<Sampled> channels;  // a list: its elements stay where they are
+    std::list<Sampled> channels;  // a list, whose elements never move
     Imf::FrameBuffer pixels;
     const Imf::ChannelList& stored = input.header().channels();
     for (auto channel = stored.begin(); channel != stored.end(); ++channel) {
@@ -65,7 +65,7 @@ bool is_subsampled_exr(const std::filesystem::path& path) {
         }
         return false;
     } catch (const std::exception&) {
-        return false;  // Whoever reads it says what is wrong with it.
+        return false;  // The reader reports what is wrong with the file.
     }
 }
 
@@ -73,7 +73,7 @@ ImageFile read_subsampled_exr(const std::filesystem::path& path) {
     const std::string where = path.string();
     try {
         Imf::InputFile input(path.c_str());
-        // Before anything is allocated for what the header claims.
+        // Checked before anything is allocated for the header's claims.
         if (!input.isComplete()) throw file_error("is not complete", where, "a whole image file");
         const Imath::Box2i window = input.header().dataWindow(), frame = input.header().displayWindow();
         ImageFile file;

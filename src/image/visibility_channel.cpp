@@ -42,7 +42,7 @@ bool same_values(const ImageF& a, const ImageF& b) {
                               [](float x, float y) { return x == y || (std::isnan(x) && std::isnan(y)); });
 }
 
-/// Viewers show Y, so that files of geometry have one of their channels there too.
+/// Whether Y repeats a channel of geometry: files of geometry store one there because viewers show Y.
 bool is_copy_of_geometry(const Layer& layer, const std::vector<Layer>& all, const ImageFile& file) {
     return std::ranges::any_of(all, [&](const Layer& other) {
         return other.meaning == ChannelMeaning::geometry &&
@@ -60,7 +60,7 @@ std::vector<const Layer*> with_meaning(const std::vector<Layer>& layers, Channel
     return found;
 }
 
-/// One of the pictures of which nothing is known by name, when it is in grey and alone.
+/// The only picture whose name says nothing, when it is in grey.
 VisibilityChannel only_picture(const std::vector<Layer>& layers, const ImageFile& file,
                                const std::string& where) {
     std::vector<const Layer*> pictures = with_meaning(layers, ChannelMeaning::unknown);
@@ -94,7 +94,8 @@ VisibilityChannel found(const ImageFile& file, const std::string& where) {
             is_grey(layer, file) ? "" : "the layer is not in grey, so that its other channels say otherwise"};
 }
 
-/// Channels whose name is the one asked for, or ends in it behind a dot, or whose layer does.
+/// The layers with a channel whose name, or whose layer's name, is the one asked for or ends in it behind a
+/// dot.
 std::vector<const Layer*> answering(const std::vector<Layer>& layers, const ImageFile& file,
                                     const std::string& asked) {
     const auto ends = [&](const std::string& name) {

@@ -19,7 +19,7 @@ Mask above_half(const ImageF& image) {
     return mask;
 }
 
-/// The standard error that belongs to a channel of visibility: SE.Y to Y, SE1.Y to V1.Y.
+/// The standard error that belongs to a channel of visibility: SE.Y for Y, SE1.Y for V1.Y.
 ImageF standard_error_of(const ImageFile& file, const std::string& channel) {
     std::string name;
     if (channel == "Y" || channel.ends_with(".Y")) {
@@ -33,7 +33,7 @@ ImageF standard_error_of(const ImageFile& file, const std::string& channel) {
     return error == nullptr ? ImageF() : *error;
 }
 
-/// Where the file has a pixel for the channel, and a surface in it if mask.Y says so.
+/// 1 where the file has a pixel for the channel, and mask.Y, if there is one, says that it shows a surface.
 Mask mask_of(const ImageFile& file, std::size_t channel) {
     const auto found = std::ranges::find_if(file.channel_names, [](const std::string& name) {
         return name == "mask.Y" || name.ends_with(".mask.Y");

@@ -10,13 +10,13 @@
 
 namespace aoscore {
 
-/// How integers in a file stand for visibility.
+/// The coding of integers that stand for visibility.
 enum class Coding { linear, srgb };
 
-/// How an image file is to be read as visibility.
+/// Options for reading an image file as visibility.
 struct VisibilityReading {
-    std::string channel;           ///< by its name in the file; empty: found, see read_visibility()
-    std::optional<Coding> coding;  ///< of integers alone
+    std::string channel;           ///< its name in the file; empty: read_visibility() finds it
+    std::optional<Coding> coding;  ///< how integers are coded; floats ignore it
     bool srgb_floats = false;      ///< floats are sRGB-coded too
     bool flip = false;             ///< the file's rows run from the bottom up
     bool mirror = false;           ///< the file's columns run from the right to the left
@@ -29,10 +29,10 @@ struct VisibilityFile {
     Mask
         mask;  ///< 1 where the file has a pixel, and mask.Y, where it has one, is above 0.5; alpha is no mask
     PixelRect covered;      ///< the part of the picture that the file has pixels for
-    ImageF standard_error;  ///< SE.Y of Y, SE1.Y of V1.Y; empty without one
+    ImageF standard_error;  ///< channel SE.Y for Y, SE1.Y for V1.Y; empty without one
     std::string channel;
     std::string why;                    ///< how the channel was found, in words
-    std::vector<std::string> warnings;  ///< what makes the channel doubtful
+    std::vector<std::string> warnings;  ///< reasons to doubt the channel
     bool integers = false;              ///< stored as integers, so that the coding mattered
 };
 
@@ -40,7 +40,8 @@ struct VisibilityFile {
 /// errors, and usage_error for integers whose coding was not said: their values mean two things.
 VisibilityFile read_visibility(const std::filesystem::path& path, const VisibilityReading& reading);
 
-/// 1 where a mask of its own is above 0.5 (of integers: of their range); its channel is find_mask()'s.
+/// Reads a mask from a file: 1 where the channel that find_mask() finds is above 0.5 (integers as shares of
+/// their range).
 Mask read_mask(const std::filesystem::path& path, const std::string& channel = {});
 
 }  // namespace aoscore

@@ -8,8 +8,8 @@
 
 namespace aoscore::importer {
 
-/// One file as Assimp reads it, by its reader of one format alone; no other one is ever tried, and it opens
-/// no other file.
+/// A file that Assimp reads by its reader of one format alone. It tries no other reader and opens no other
+/// file.
 class AssimpFile {
   public:
     static constexpr std::size_t kMaxBytes = std::size_t{2} << 30;

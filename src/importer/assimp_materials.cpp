@@ -73,7 +73,7 @@ AssimpMaterials::AssimpMaterials(ImportJob& job, const aiScene& source)
     : job_(job), source_(source), materials_(job) {
     materials_.embedded = [&source](const std::string& name) -> std::optional<std::string_view> {
         const aiTexture* texture = source.GetEmbeddedTexture(name.c_str());
-        // Width alone: the bytes of an image file, that many of them.
+        // A height of 0 marks an image file, whose width is its number of bytes.
         if (texture == nullptr || texture->mHeight != 0) return std::nullopt;
         return std::string_view(reinterpret_cast<const char*>(texture->pcData), texture->mWidth);
     };

@@ -16,12 +16,12 @@ class AssimpMaterials {
     AssimpMaterials(ImportJob& job, const aiScene& source);
 
     struct Used {
-        int material = 0;                   ///< into the scene's materials
-        std::optional<TextureUse> texture;  ///< that it samples
+        int material = 0;                   ///< index into the scene's materials
+        std::optional<TextureUse> texture;  ///< the texture that the material samples
     };
     const Used& use(unsigned material);
 
-    /// To be called after the last use().
+    /// Call it after the last use().
     void finish() { materials_.finish(); }
 
   private:

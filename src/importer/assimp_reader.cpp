@@ -23,7 +23,7 @@ glm::dvec3 vector_of(const aiVector3D& v) {
     return {v.x, v.y, v.z};
 }
 
-/// Assimp's matrices are written row by row.
+/// Converts a matrix; Assimp stores them row by row.
 glm::dmat4 matrix_of(const aiMatrix4x4& m) {
     glm::dmat4 matrix(1.0);
     for (int row = 0; row < 3; ++row) {
@@ -55,7 +55,7 @@ class AssimpMeshes {
 
   private:
     using Placed =
-        std::optional<std::pair<int, glm::dvec3>>;  // a mesh of the scene, and what it is relative to
+        std::optional<std::pair<int, glm::dvec3>>;  // a mesh of the scene, and the origin of its positions
 
     Placed convert(const aiMesh& mesh) {
         const AssimpMaterials::Used& used = materials_.use(mesh.mMaterialIndex);
@@ -140,7 +140,8 @@ void for_each_node(const aiScene& scene, Visit visit) {
     }
 }
 
-/// Other programs hide such nodes; which of them, and with what below them, they do not agree on.
+/// Warns of nodes that other programs hide, who do not agree on which, nor on whether their children go with
+/// them.
 void warn_of_hidden_nodes(ImportJob& job, const aiScene& scene) {
     std::size_t hidden = count_invisible_nodes(read_file(job.file, AssimpFile::kMaxBytes));
     for_each_node(scene, [&](const aiNode& node, const glm::dmat4&) {

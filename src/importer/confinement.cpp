@@ -18,8 +18,8 @@ constexpr std::size_t kMemoryPerByte = 40;
 constexpr std::size_t kBaseSeconds = 20, kSecondsPerFile = 2;
 constexpr std::size_t kBytesPerSecond = std::size_t{1} << 20;
 
-/// Landlock (Linux 5.13, LANDLOCK_ACCESS_FS_*): only reading, and only below the folder. An older kernel goes
-/// without: this is a second wall, the first is that nothing else is ever opened.
+/// Allows only reading, and only below the folder, by Landlock (Linux 5.13, LANDLOCK_ACCESS_FS_*). It is the
+/// second line of defence: nothing else is ever opened. An older kernel goes without it.
 void see_only(const std::filesystem::path& folder) {
     landlock_ruleset_attr rules{};
     rules.handled_access_fs = (LANDLOCK_ACCESS_FS_MAKE_SYM << 1) - 1;

@@ -13,7 +13,7 @@ std::int32_t setting(const aiMetadata& settings, const char* key, std::int32_t f
     return settings.Get(key, value) ? value : fallback;
 }
 
-/// The direction that an axis and its sign name; zero for none.
+/// The direction that an axis and its sign name; zero where they name none.
 glm::dvec3 direction(const aiMetadata& settings, const char* axis, const char* sign, std::int32_t fallback) {
     const std::int32_t number = setting(settings, axis, fallback);
     glm::dvec3 v(0);

@@ -10,11 +10,11 @@
 
 namespace aoscore::importer {
 
-/// One file that is read, and what has become of it so far.
+/// One file to be read, and the scene that was made of it so far.
 struct ImportJob {
     std::filesystem::path file;
     SceneFolder folder;
-    bool albedo = false;  ///< images that only colour are wanted too
+    bool albedo = false;  ///< whether images that only give colour are wanted too
     imported::PlainScene plain;
 
     /// Adds a warning unless it is there already.

@@ -1,6 +1,6 @@
 // Reads a scene's file in a process of its own and writes it to standard output, as
-// scene/import/plain_scene.h describes it: files come from anywhere, and the libraries that read them are not
-// proof against all of them.
+// scene/import/plain_scene.h describes it: files come from anywhere, and some make the libraries that read
+// them crash or hang.
 
 #include "core/error.h"
 #include "importer/assimp_reader.h"
@@ -48,7 +48,7 @@ void write_to(int file, const void* data, std::size_t size) {
     const char* at = static_cast<const char*>(data);
     while (size > 0) {
         const ssize_t written = write(file, at, size);
-        if (written <= 0) _exit(1);  // nobody reads any more
+        if (written <= 0) _exit(1);  // the reader is gone
         at += written;
         size -= static_cast<std::size_t>(written);
     }
@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
                    "Part of aoscore, which starts it for .obj, .fbx, .ply and .stl files.\n");
         return static_cast<int>(ExitCode::usage);
     }
-    // What a library prints must not get into the scene.
+    // Text that a library prints must not get into the scene.
     const int output = dup(STDOUT_FILENO);
     dup2(STDERR_FILENO, STDOUT_FILENO);
     const std::filesystem::path file(argv[1]);
@@ -79,6 +79,6 @@ int main(int argc, char** argv) {
     importer::read(job, *format);
     imported::write_plain_scene(
         job.plain, [output](const void* data, std::size_t size) { importer::write_to(output, data, size); });
-    // Libraries need not tidy up behind themselves.
+    // Ends without the libraries' destructors, which nobody needs.
     _exit(0);
 }

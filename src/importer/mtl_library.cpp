@@ -42,7 +42,7 @@ std::vector<std::string> words(const std::string& text) {
 MtlLibrary::MtlLibrary(ImportJob& job, const std::vector<std::string>& names) : job_(job), materials_(job) {
     std::set<std::string> known;
     for (const std::string& name : names) {
-        // A name with blanks is one, unless only its words are files.
+        // A name with blanks is one name, unless only its single words are files.
         const bool is_one = job.folder.find(name).has_value() || name.find(' ') == std::string::npos;
         for (const std::string& library : is_one ? std::vector<std::string>{name} : words(name)) {
             if (known.insert(library).second) read(library);
@@ -67,8 +67,8 @@ void MtlLibrary::read(const std::string& library) {
     for (const tinyobj::material_t& mtl : found) sources_.try_emplace(mtl.name, source_of(mtl));
 }
 
-/// Tr is 1 - d in most programs and d in others; some write 0 for both. A file without one solid material has
-/// been written by one of those.
+/// Ignores the opacity of a file without one solid material: Tr is 1 - d in most programs and d in others,
+/// and some write 0 for both.
 void MtlLibrary::distrust_opacity() {
     const bool all = std::all_of(sources_.begin(), sources_.end(),
                                  [](const auto& entry) { return entry.second.opacity < 0.5f; });

@@ -12,17 +12,17 @@ namespace aoscore::importer {
 /// The materials of an OBJ file's libraries, by name, added to the scene when a face first uses them.
 class MtlLibrary {
   public:
-    /// Reads the libraries from the scene's folder; `names` is what follows each mtllib.
+    /// Reads the libraries from the scene's folder; `names` holds the words after each mtllib.
     MtlLibrary(ImportJob& job, const std::vector<std::string>& names);
 
     struct Used {
-        int material = 0;                   ///< into the scene's materials
-        std::optional<TextureUse> texture;  ///< that it samples
+        int material = 0;                   ///< index into the scene's materials
+        std::optional<TextureUse> texture;  ///< the texture that the material samples
     };
-    /// The material of that name; one of its own, with a warning, where there is none.
+    /// The material of that name; where there is none, a default one, with a warning.
     const Used& use(const std::string& name);
 
-    /// To be called after the last use().
+    /// Call it after the last use().
     void finish();
 
   private:

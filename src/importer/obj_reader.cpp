@@ -37,7 +37,7 @@ std::string trimmed_name(const char* name) {
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// Takes what tinyobjloader finds in the order of the file.
+/// Builds meshes from the statements that tinyobjloader finds, in the order of the file.
 class ObjAssembly {
   public:
     explicit ObjAssembly(ImportJob& job, MtlLibrary& materials) : job_(job), materials_(materials) {}
@@ -72,7 +72,7 @@ class ObjAssembly {
         builders_.try_emplace(attributes, attributes).first->second.add(corners_, faces_);
     }
 
-    /// An object or a group begins: those before it are meshes of their own where they are large.
+    /// Called where an object or a group begins: large ones before it become meshes of their own.
     void begin_object() {
         for (auto& [attributes, builder] : builders_) {
             if (builder.triangle_count() >= kTrianglesOfAnObject) place_mesh(builder);
@@ -92,7 +92,7 @@ class ObjAssembly {
     }
 
   private:
-    /// OBJ counts from 1, or with a negative number back from what was stated last.
+    /// Resolves an index: OBJ counts from 1, or with a negative number back from the last statement.
     std::size_t resolve(int index, std::size_t count, const char* what) const {
         const auto there = static_cast<long>(count);
         const long resolved = index > 0 ? index - 1L : there + index;

@@ -21,15 +21,15 @@ std::string_view trimmed(std::string_view line) {
     return line.substr(first, line.find_last_not_of(kBlank) - first + 1);
 }
 
-/// The rest of a statement of that keyword; nothing of another one.
+/// The rest of a statement that begins with the keyword; empty for another statement.
 std::string_view arguments_of(std::string_view statement, std::string_view keyword) {
     if (!statement.starts_with(keyword) || statement.size() <= keyword.size()) return {};
     if (kBlank.find(statement[keyword.size()]) == kBlank.npos) return {};
     return trimmed(statement.substr(keyword.size()));
 }
 
-/// Which characters a statement may have that must be right; nothing for another one. A normal that is no
-/// number is read as zero, and such normals are repaired later.
+/// The characters allowed in a statement whose numbers must be right; empty for another statement. A normal
+/// that is no number is read as zero, and such normals are repaired later.
 std::string_view characters_of(std::string_view statement) {
     if (!arguments_of(statement, "v").empty()) return "0123456789+-.eE \t\r\f\v";
     if (!arguments_of(statement, "f").empty()) return "0123456789+-/ \t\r\f\v";
@@ -50,9 +50,10 @@ class Statements {
   public:
     explicit Statements(std::string& text) : text_(text) {}
 
-    std::size_t line() const { return line_; }  ///< the statement's last, counted from 1
+    std::size_t line() const { return line_; }  ///< the last line of the statement, counted from 1
 
-    /// The next one, with blanks for the ends of lines that go on; nothing at the end of the text.
+    /// The next statement, with blanks in place of the line ends that continue it; nothing at the end of the
+    /// text.
     std::optional<std::span<char>> next() {
         if (at_ >= text_.size()) return std::nullopt;
         const std::size_t start = at_;

@@ -17,7 +17,7 @@ struct NumberName {
     std::string_view name, other_name;
     std::size_t bytes;
 };
-/// In the order of PlyNumber.
+/// The names and sizes of types, in the order of PlyNumber.
 constexpr std::array<NumberName, 8> kNumbers{{{"char", "int8", 1},
                                               {"uchar", "uint8", 1},
                                               {"short", "int16", 2},
@@ -29,7 +29,7 @@ constexpr std::array<NumberName, 8> kNumbers{{{"char", "int8", 1},
 
 using Words = std::vector<std::string>;
 
-/// Reads line after line, and knows which one for messages.
+/// Reads line after line, and keeps the number of the line for messages.
 class HeaderParser {
   public:
     explicit HeaderParser(std::string_view content) : content_(content) {

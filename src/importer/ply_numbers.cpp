@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kPlyBlank = " \t\r\n\f\v";
 
-/// The number that these bytes, the least first, stand for.
+/// The number that these little-endian bytes stand for.
 template <class T>
 double value_of(const char* bytes) {
     T value;

@@ -14,15 +14,15 @@ class PlyNumbers {
     PlyNumbers(std::string_view content, const PlyHeader& header)
         : content_(content), at_(header.end), encoding_(header.encoding) {}
 
-    /// The next one. Throws file_error where the file ends, or a text holds something else.
+    /// Reads the next number. Throws file_error where the file ends, or a text holds something else.
     double next(PlyNumber type);
-    /// The next one as the length of a list.
+    /// Reads the next number as the length of a list.
     std::uint64_t next_count(PlyNumber type);
     void skip(PlyNumber type, std::uint64_t count);
-    /// Whether nothing is left, blanks aside.
+    /// Whether nothing but blanks is left.
     bool at_end() const;
 
-    /// What is read next, for messages: such as vertex 7.
+    /// Names the element that is read next for messages, such as vertex 7.
     void begin(std::string_view element, std::uint64_t row) {
         element_ = element;
         row_ = row;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kMaxPlyBytes = std::size_t{4} << 30;
 
-/// What of a vertex is read, and under which names.
+/// The properties of a vertex that are read, by their names.
 enum Slot : std::size_t { x, y, z, nx, ny, nz, u, v, alpha, slots };
 struct SlotName {
     std::string_view name;
@@ -38,12 +38,12 @@ std::optional<Slot> slot_of(const PlyProperty& property) {
     return std::nullopt;
 }
 
-/// Half of what an alpha of that type may be.
+/// Half of the greatest alpha of that type.
 double half_of(PlyNumber type) {
     return type >= PlyNumber::float32 ? 0.5 : std::ldexp(1.0, 8 * static_cast<int>(size_of(type)) - 1);
 }
 
-/// Takes the elements in the order of the file, and builds a mesh of them at its end.
+/// Takes the elements in the order of the file, and builds a mesh at its end.
 class PlyAssembly {
   public:
     PlyAssembly(std::string_view content, const PlyHeader& header) : numbers_(content, header) {}
@@ -89,7 +89,7 @@ class PlyAssembly {
 
   private:
     struct Face {
-        std::size_t first = 0;  // into corners_
+        std::size_t first = 0;  // index into corners_
         std::size_t count = 0;
     };
 
@@ -123,7 +123,7 @@ class PlyAssembly {
             {{value[x], value[y], value[z]}, {value[nx], value[ny], value[nz]}, {value[u], 1 - value[v]}});
     }
 
-    /// Whether it lists the corners of faces.
+    /// Whether the property lists the corners of faces.
     static bool is_corners(const PlyProperty& property) {
         return property.count_type && (property.name == "vertex_indices" || property.name == "vertex_index");
     }
@@ -153,7 +153,7 @@ class PlyAssembly {
         pairs_.clear();
     }
 
-    /// Triangle strips, one after the other, with -1 between them.
+    /// Reads triangle strips, which stand one after the other with -1 between them.
     void read_strips(const PlyElement& element) {
         for (const PlyProperty& property : element.properties) {
             if (!is_corners(property)) {

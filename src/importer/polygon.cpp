@@ -8,8 +8,8 @@ namespace aoscore::importer {
 namespace {
 
 /// Newell's method (Sutherland, Sproull and Schumacker, "A Characterization of Ten Hidden-Surface
-/// Algorithms", 1974): twice the polygon's projected areas. Relative to a corner, so that places far off
-/// cancel nothing.
+/// Algorithms", 1974): twice the polygon's projected areas. Positions are relative to a corner, so that a
+/// distant origin costs no digits.
 glm::dvec3 normal_of(std::span<const glm::dvec3> corners) {
     glm::dvec3 sum(0);
     for (std::size_t i = 2; i < corners.size(); ++i) {
@@ -37,7 +37,7 @@ double area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// What is left of a polygon while its ears are cut off.
+/// The rest of a polygon while its ears are cut off.
 class Rest {
   public:
     explicit Rest(std::vector<glm::dvec2> corners) : corners_(std::move(corners)) {
@@ -54,13 +54,13 @@ class Rest {
     double area_at(unsigned i) const { return area(corners_[previous_[i]], corners_[i], corners_[next_[i]]); }
 
     /// Whether the triangle at a corner lies inside: it turns to the left, and no other corner is in it.
-    /// (Corners that lie on its own, where a hole is joined by a seam, are no hindrance.)
+    /// (Corners at the same place as its own, where a seam joins a hole, do not count.)
     bool is_ear(unsigned i) const {
         if (!(area_at(i) > 0)) return false;
         const glm::dvec2 &a = corners_[previous_[i]], &b = corners_[i], &c = corners_[next_[i]];
         for (unsigned k = next_[next_[i]]; k != previous_[i]; k = next_[k]) {
             const glm::dvec2& p = corners_[k];
-            if (p == a || p == b || p == c || area_at(k) > 0) continue;  // one that turns right is nearer
+            if (p == a || p == b || p == c || area_at(k) > 0) continue;  // a right turn is nearer
             if (area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0) return false;
         }
         return true;

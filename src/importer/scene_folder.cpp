@@ -25,7 +25,7 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// The parts of a name from any system, without "." and what is before the last "..".
+/// The parts of a name from any system, without "." and all before the last "..".
 std::vector<std::string> parts_of(const std::string& name) {
     std::vector<std::string> parts{""};
     for (const char c : name) {
@@ -74,7 +74,7 @@ std::vector<fs::path> subfolders(const fs::path& folder) {
     return found;
 }
 
-/// Whether it is a regular file, and no symbolic link leads it out of the folder.
+/// Whether the path is a regular file, and no symbolic link leads out of the folder.
 bool is_within(const fs::path& folder, const fs::path& path) {
     std::error_code ec;
     const fs::path real = fs::canonical(path, ec);

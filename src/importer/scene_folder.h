@@ -13,12 +13,12 @@ class SceneFolder {
 
     const std::filesystem::path& path() const { return folder_; }
 
-    /// The regular file that a scene names in whatever way its author's machine did: with backslashes, in
-    /// other letter case, by a path of that machine. Tried are the whole path below the folder, then its last
-    /// parts, then its name in each of the folder's own folders. Nothing where there is none.
+    /// Finds the regular file that a scene names, whose name may have backslashes, other letter case or a
+    /// path of its author's machine. It tries the whole path below the folder, then the last parts of the
+    /// path, then the file's name in each folder in this one. Returns nothing where there is none.
     std::optional<std::filesystem::path> find(const std::string& name) const;
 
-    /// The content of such a file; nothing where there is none, or it cannot be read.
+    /// Reads such a file; returns nothing where there is none, or it cannot be read.
     std::optional<std::string> read(const std::string& name) const;
 
   private:

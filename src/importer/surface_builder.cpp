@@ -41,7 +41,8 @@ void check_position(const glm::dvec3& p, std::size_t face) {
     }
 }
 
-/// A middle on the axes where the vertices lie far off for their extent: 64 times, six bits of a float32.
+/// The middle of the vertices on those axes on which they lie more than 64 times their extent from the
+/// origin, which costs six bits of a float32.
 glm::dvec3 far_off_middle(const std::vector<Corner>& vertices) {
     constexpr double kFarOff = 64;
     glm::dvec3 low = vertices[0].position, high = low;

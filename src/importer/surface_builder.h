@@ -38,11 +38,11 @@ class SurfaceBuilder {
 
     struct Built {
         Mesh mesh;
-        /// What the mesh's positions are relative to: zero, but where the mesh lies so far off for its size
-        /// that float32 would lose its details.
+        /// The origin of the mesh's positions: zero, but where the mesh lies so far off for its size that
+        /// float32 would lose its details.
         glm::dvec3 centre{0};
     };
-    /// The mesh of all that was added; the builder is empty afterwards.
+    /// Returns the mesh of all that was added, and empties the builder.
     Built take();
 
   private:
@@ -52,7 +52,7 @@ class SurfaceBuilder {
     Attributes attributes_;
     std::vector<Corner> vertices_;
     std::vector<glm::uvec3> triangles_;
-    std::vector<std::uint32_t> table_;  // open addressing: a vertex and 1, or 0; a power of two long
+    std::vector<std::uint32_t> table_;  // open addressing: index + 1, or 0; its length is a power of two
     std::vector<glm::dvec3> corner_positions_;
 };
 

@@ -43,7 +43,7 @@ std::uint8_t opacity_of(const glm::u8vec4& texel, char channel, bool image_has_a
     }
 }
 
-/// The colour at the middle of texel (x, y) of a picture that is so wide and high.
+/// The colour at the middle of texel (x, y) when the image is resampled to `width` x `height`.
 glm::u8vec4 resampled(const Texels& image, int x, int y, int width, int height) {
     const auto column = (2 * std::int64_t{x} + 1) * image.width / (2 * width);
     const auto row = (2 * std::int64_t{y} + 1) * image.height / (2 * height);
@@ -63,8 +63,8 @@ Texels combined(const Texels& opacity, char channel, const Texels* color) {
     return texels;
 }
 
-/// Whether an image's alpha looks like a stencil: nearly all of it either solid or not there at all, and some
-/// of it each. An alpha that holds gloss or height does not.
+/// Whether an image's alpha looks like a stencil: nearly all of it is either solid or clear, and there is
+/// some of each. An alpha that holds gloss or height does not.
 bool is_stencil(const Texels& image) {
     constexpr int kNearlyNothing = 25, kNearlySolid = 230, kHalf = 128;
     constexpr double kNearlyAll = 0.9;
@@ -115,7 +115,7 @@ bool SurfaceMaterials::may_cut(const std::string& name) {
     return entry->second;
 }
 
-/// Many exporters give foliage the alpha of its colours and no opacity of its own.
+/// Whether the alpha of the colours cuts holes: many exporters give foliage that and no opacity of its own.
 bool SurfaceMaterials::cuts_by_color_alpha(const MaterialSource& source) {
     if (source.color_map.name.empty() || !source.opacity_map.name.empty()) return false;
     if (!may_cut(source.color_map.name)) return false;

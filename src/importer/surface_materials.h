@@ -15,38 +15,38 @@
 
 namespace aoscore::importer {
 
-/// An image as a material uses it. Texture coordinates are the file's, v upwards.
+/// A material's use of an image. Texture coordinates are the file's, v upwards.
 struct TextureUse {
-    std::string name;  ///< as the file has it; empty: none
+    std::string name;  ///< the image's name in the file; empty: none
     Texture::Wrap wrap_s = Texture::Wrap::repeat, wrap_t = Texture::Wrap::repeat;
-    glm::vec2 scale{1}, offset{0};  ///< of the texture coordinates
+    glm::vec2 scale{1}, offset{0};  ///< applied to the texture coordinates
     unsigned texcoord_set = 0;
-    char channel =
-        'm';  ///< of an opacity: r, g, b, l (luminance), or m: alpha where there is any, else luminance
+    char channel = 'm';  ///< source of the opacity: r, g, b, l (luminance), or m: alpha where there is any,
+                         ///< else luminance
 };
 
-/// What of a material of any format matters here.
+/// The properties of a material of any format that matter here.
 struct MaterialSource {
     std::string name;
     glm::vec3 color{1};
-    float opacity = 1;  ///< 1: solid
+    float opacity = 1;  ///< 1 is solid
     TextureUse color_map, opacity_map;
 };
 
-/// Turns materials into those of a scene: what is less than half opaque is a hole, in the manner of a glTF
+/// Turns materials into those of a scene: texels that are less than half opaque become holes, as in a glTF
 /// material of alpha mode MASK with a cut-off of 0.5. Images are read from the scene's folder.
 class SurfaceMaterials {
   public:
     explicit SurfaceMaterials(ImportJob& job) : job_(job) {}
 
-    /// Adds it to the scene's materials. The index is that of the one added; the use is that of the texture
-    /// which the material ended up with, whose texture coordinates its meshes need; nothing: they need none.
+    /// Adds a material to the scene's, as the last one. Returns the use of its texture, whose texture
+    /// coordinates its meshes need; nothing where they need none.
     std::optional<TextureUse> add(const MaterialSource& source);
 
-    /// To be called after the last add(): warns of all images that are not there.
+    /// Call it after the last add(): it warns of all images that are not there.
     void finish();
 
-    /// Bytes of images that the scene's file itself holds, by their name; nothing for another name.
+    /// Finds the bytes of an image that the scene's file itself holds, by its name; nothing for another name.
     std::function<std::optional<std::string_view>(const std::string& name)> embedded;
 
   private:

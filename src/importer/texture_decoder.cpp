@@ -45,7 +45,7 @@ std::optional<Image<glm::u8vec4>> decode_texture(const std::string& name, std::s
 bool may_have_alpha(std::string_view bytes) {
     if (bytes.starts_with("\xFF\xD8\xFF")) return false;  // JPEG
     if (!bytes.starts_with("\x89PNG\r\n\x1a\n") || bytes.size() < 26) return true;
-    // PNG (ISO/IEC 15948): the type of its colours, or a chunk that makes some of them transparent.
+    // A PNG (ISO/IEC 15948) has alpha by its colour type, or by a chunk that makes some colours transparent.
     constexpr char kHasAlpha = 4;
     return (bytes[25] & kHasAlpha) != 0 || bytes.substr(0, bytes.find("IDAT")).find("tRNS") != bytes.npos;
 }

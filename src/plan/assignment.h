@@ -8,7 +8,8 @@
 
 namespace aoscore {
 
-/// A value for a parameter of methods ("radius") or of their filters ("filter.taps"), over the preset's.
+/// A value that replaces a preset's, for a parameter of methods ("radius") or of their filters
+/// ("filter.taps").
 struct Assignment {
     std::string parameter;
     ParameterValue value;
@@ -17,10 +18,10 @@ struct Assignment {
 /// Reads a number, true or false; anything else is a word, the name of a choice.
 ParameterValue parse_value(const std::string& text);
 
-/// Reads "radius=0.5", which `option` was given. Throws usage_error for another form.
+/// Reads "radius=0.5", the value of `option`. Throws usage_error for another form.
 Assignment parse_assignment(const std::string& text, const std::string& option = "--set");
 
-/// Gives the cell the value where its method, or the filter that it is run with, has the parameter, and
+/// Sets the value in the cell where its method, or the filter that it is run with, has the parameter, and
 /// returns whether it has. Throws usage_error for an unknown method or filter.
 bool assign(const Assignment& assignment, const std::vector<MethodDescriptor>& methods,
             const std::vector<MethodDescriptor>& filters, CellPlan& cell);

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Of one method or filter: the lengths by preset.
+/// The lengths of one method or filter, by preset.
 json lengths_of(const MethodDescriptor& descriptor, std::optional<double> drawn_for_m) {
     json lengths = json::object();
     for (const auto& [preset, unused] : descriptor.presets) {
@@ -22,7 +22,7 @@ json lengths_of(const MethodDescriptor& descriptor, std::optional<double> drawn_
                 if (p.length_power != 0) lengths[preset][p.id] = values.at(p.id);
             }
         } catch (const Error&) {
-            // Of a preset that the run did not measure, at a radius beyond its ranges: the sliders end there.
+            // This preset was not measured, and its ranges end before this radius, as the sliders do.
         }
     }
     return lengths;

@@ -12,13 +12,13 @@
 
 namespace aoscore {
 
-/// Everything of the G-buffer that some method or filter of the registry reads.
+/// All channels of the G-buffer that some method or filter of the registry reads.
 std::set<std::string> gbuffer_inputs_of(const Registry& registry);
 
-/// What the page needs of a view to draw methods there.
+/// The data of a view that the page needs to draw methods on it.
 struct LiveView {
     CameraFrame frame;
-    std::optional<double> drawn_for_m;  ///< AO radius of all lengths; empty: they are the descriptors' own
+    std::optional<double> drawn_for_m;  ///< AO radius that lengths follow; empty: descriptors' own lengths
 };
 
 /// Writes kLiveFile (results/live_file.h) into the folder: every method and filter of the registry, whose

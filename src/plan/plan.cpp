@@ -25,8 +25,7 @@ namespace {
 constexpr double kLargestRadius_m = 1e6;
 constexpr double kSmallestRadius_m = 1e-9;
 
-// The published figures are shown, not computed with: they may be any numbers, null where nothing was
-// printed.
+// Published figures are only shown: they may be any numbers, or null where nothing was printed.
 void check_published(StrictObject published, const std::string& where) {
     for (const auto& [key, value] : published.members()) {
         if (!value.is_number() && !value.is_null()) {
@@ -67,7 +66,7 @@ void set_size(ViewPlan& view, ImageSize size, double scale) {
     view.height = std::max(1, static_cast<int>(std::lround(size.height * scale)));
 }
 
-// What a source states of its measurements; null where it shows a bar and prints no number.
+// Checks the results that a source states; they are null where it shows a bar and prints no number.
 void check_stated(StrictObject stated) {
     stated.text("what");
     stated.text("where");
@@ -129,7 +128,7 @@ void add_sweep(ExperimentPlan& plan, const ExperimentDefinition& experiment, dou
         for (const SweepRequest& request : requests) add_sweep(plan, view, request, sweep, registry);
     }
     const std::vector<std::string> claims = object.texts_or_empty("claims");
-    object.finish();  // the last use of the definition, which moves into the plan with the sweep
+    object.finish();  // the definition moves into the plan with the sweep
     plan.sweeps.push_back(std::move(sweep));
     if (claims.empty()) return;
     std::vector<ClaimList> lists = chosen_claims(load_claims(), claims);
@@ -194,7 +193,7 @@ void add_ranking(ExperimentPlan& plan, const ExperimentDefinition& experiment, d
 
 namespace {
 
-// In the order of ExperimentDefinition::Kind.
+// Ids in the order of ExperimentDefinition::Kind.
 constexpr std::array<std::string_view, 3> kKindIds{"table", "ranking", "sweep"};
 constexpr std::array kAdders{add_table, add_ranking, add_sweep};
 

@@ -20,10 +20,10 @@
 
 namespace aoscore {
 
-/// Before a filter's parameter among a cell's: "filter.taps".
+/// The prefix of a filter's parameter among a cell's: "filter.taps".
 inline constexpr std::string_view kFilterPrefix = "filter.";
 
-/// One method as it is to be run on one view.
+/// One method with its settings on one view.
 struct CellPlan {
     std::string method;
     std::string preset = "default";
@@ -31,59 +31,58 @@ struct CellPlan {
     std::optional<std::string> filter;  ///< "none" or a filter's id; empty: the preset's own
     ParameterValues filter_overrides;
     RunModes modes;
-    bool own_truth = false;  ///< also score it against the method's own radius and falloff
+    bool own_truth = false;  ///< also scored against the method's own radius and falloff
     bool keep_image = true;  ///< write its output
-    /// Also time whole lit frames, waited for at their end and after every pass.
+    /// Whole lit frames are timed too, with a wait at their end and with one after every pass.
     bool whole_frames = false;
-    /// Signals beside visibility that are scored, of those that the method gives (see core/signal.h).
+    /// Signals beside visibility to score where the method gives them (see core/signal.h).
     std::vector<std::string> signals = {};
-    /// Whether both are the same measurement, whatever is kept of it.
+    /// Whether both are the same measurement, whatever files it leaves.
     bool same_as(const CellPlan& other) const;
 };
 
-/// When a truth has rays enough: when the statements that are made with it are sure, not each of its pixels.
+/// Says when a truth has enough rays: when the scores are certain, rather than each of its pixels.
 struct ScoreGoal {
-    /// Half the width that the truth's noise may give the interval of a ranking's value.
+    /// The half width that the truth's noise may give the interval of a ranking's value.
     double error = 0.002;
-    /// Also those of all other metrics that have one, within kOtherMetrics times of it; and passes are timed
-    /// in full. Without it tracing also ends as soon as noise cannot change the order of a ranking.
+    /// The intervals of all other metrics must also be within kOtherMetrics times that width, and passes are
+    /// timed in full. Without it tracing also ends as soon as noise cannot change the order of a ranking.
     bool every_metric = true;
 
     static constexpr double kOtherMetrics = 5;
-    /// Rays a pixel to begin with; they are doubled until the goal is reached.
+    /// The first number of rays a pixel, which is doubled until the goal is reached.
     static constexpr int kFirstSamples = 16;
 };
 
-/// One view of a scene and everything that is run on it.
+/// One view of a scene with its cells.
 struct ViewPlan {
     std::string scene;  ///< built-in id or path of a glTF file
-    LoadOptions load;   ///< how it is read, and with which views
-    std::string view;   ///< as choose_views() takes it; of several views one after the other
+    LoadOptions load;   ///< options for reading the scene and its views
+    std::string view;   ///< a choice for choose_views(); several views run one by one
     int width = 1920, height = 1080;
-    double max_error = 0;                 ///< 0, or the standard error every truth pixel is traced to
+    double max_error = 0;                 ///< standard error to trace every truth pixel to; 0: by samples
     int samples = 64;                     ///< truth rays a pixel
-    std::optional<ScoreGoal> score_goal;  ///< where given, decides the rays in place of the two above
-    /// What else the truth is to tell about the ranking's occlusion: by default all that a page shows.
+    std::optional<ScoreGoal> score_goal;  ///< replaces the two above where given
+    /// Further data of the truth about the ranking's occlusion: by default all that a page shows.
     TruthExtras extras{.causes = true, .one_layer_bound = true, .bent_normals = false};
-    std::optional<double> radius_m;  ///< of the ranking; empty: the view's own, else one automatic
-    /// Methods have the lengths of their descriptors, instead of being drawn for the view's radius: what
-    /// publications state, or the user asked for.
+    std::optional<double> radius_m;  ///< of the ranking; empty: the view's own, else automatic
+    /// Methods keep their descriptors' lengths, as published, instead of following the view's radius.
     bool own_parameters = false;
     std::vector<CellPlan> cells;
-    /// Timed until the median's interval is this narrow, where it is asked for.
+    /// Where given, passes are timed until the median's interval is this narrow.
     std::optional<TimingGoal> timing_goal;
-    /// Draws what the lighting pass reads and times it, so that frames are known with their lighting.
+    /// The lighting pass is drawn and timed with its inputs, so that whole frames are known.
     bool lit = false;
 };
 
 /// A published table to be rebuilt: its definition, and for each row the index of its cell.
 struct TablePlan {
     nlohmann::json definition;
-    std::size_t view_index = 0;             ///< into ExperimentPlan::views
-    std::vector<std::size_t> cell_indices;  ///< into that view's cells
+    std::size_t view_index = 0;             ///< index into ExperimentPlan::views
+    std::vector<std::size_t> cell_indices;  ///< indices into that view's cells
 };
 
-/// One setting of a sweep: a cell, and where it lies on the axes.
+/// One setting of a sweep: a cell, and its values on the axes.
 struct SweepPoint {
     std::size_t view_index = 0;  ///< into ExperimentPlan::views
     std::size_t cell_index = 0;  ///< into that view's cells
@@ -92,50 +91,50 @@ struct SweepPoint {
 
 /// Methods over the product of some axes.
 struct SweepPlan {
-    nlohmann::json definition;  ///< of an experiment; null when the command line asked
+    nlohmann::json definition;  ///< an experiment's; null for a sweep of the command line
     std::string title;
     std::vector<std::string> axes;
     std::vector<SweepPoint> points;
-    std::optional<double> budget_ms;  ///< of the AO pass with its filter
-    std::vector<std::string> notes;   ///< what was left out, and why
+    std::optional<double> budget_ms;  ///< limit for the AO pass with its filter
+    std::vector<std::string> notes;   ///< axes and presets left out, with the reason
 };
 
-/// Everything one run will measure.
+/// Everything that one run will measure.
 struct ExperimentPlan {
     std::vector<ViewPlan> views;
     std::vector<TablePlan> tables;
     std::vector<SweepPlan> sweeps;
-    std::vector<std::string> claim_ids;  ///< to be judged from what this run measures
-    double claim_scale = 1;              ///< of the claims' views, as they were planned
+    std::vector<std::string> claim_ids;  ///< claims to be judged by this run
+    double claim_scale = 1;              ///< scale of the claims' views
     std::uint64_t seed = 1;
-    std::filesystem::path methods_dir;  ///< of the user's own methods; empty: none
+    std::filesystem::path methods_dir;  ///< folder of the user's own methods; empty: none
     std::vector<ImageFolder> folders;   ///< images of other programs that cells name
-    std::filesystem::path
-        truth_cache;           ///< folder of the truths and measurements that are kept; empty: none is
-    bool keep_gbuffer = true;  ///< write the G-buffer beside the results
-    /// An answer as soon as one stands: goals without ScoreGoal::every_metric, and nothing is timed. What was
-    /// measured is kept, so that the whole plan goes on from there.
+    std::filesystem::path truth_cache;  ///< folder for truths and measurements; empty: none are kept
+    bool keep_gbuffer = true;           ///< write the G-buffer beside the results
+    /// Only the first answer is measured: goals are without ScoreGoal::every_metric, and nothing is timed.
+    /// The whole plan goes on from its artifacts.
     bool first_answer = false;
-    std::string command;                      ///< that makes it again
-    std::shared_ptr<const Results> baseline;  ///< an earlier run to be held against; null: none
-    std::vector<std::string> warnings;        ///< to be shown with the results
+    std::string command;                      ///< the command that runs it again
+    std::shared_ptr<const Results> baseline;  ///< an earlier run to compare with; null: none
+    std::vector<std::string> warnings;        ///< shown with the results
 };
 
-/// Whether rays of the plan are decided by what it is to find out.
+/// Whether a ScoreGoal decides the rays of some view.
 bool has_score_goal(const ExperimentPlan& plan);
 /// The plan that gives the first answer of `plan` (see ExperimentPlan::first_answer).
 ExperimentPlan first_answer_of(ExperimentPlan plan);
 
-/// The index of the plan's view of the same picture, added when there is none yet; the finer of both truths.
+/// The index of the plan's view of the same picture, added when there is none; it gets the finer of both
+/// truths.
 std::size_t shared_view(ExperimentPlan& plan, ViewPlan view);
-/// The index of the same cell, added when there is none yet; what either keeps is kept.
+/// The index of the same cell, added when there is none; it leaves the files of both.
 std::size_t shared_cell(ViewPlan& view, CellPlan cell);
 
-/// A method as a score draws it where nobody says how: with each preset that its descriptor names for scores,
-/// in its modes. Throws file_error where these are none.
+/// The cells of a method in a score without options: one for each preset that its descriptor names for
+/// scores, in its modes. Throws file_error where these do not exist.
 std::vector<CellPlan> scored_cells(const MethodDescriptor& method);
 
-/// An experiment of a publication, or of ours: one file of reports/.
+/// An experiment of a publication, or one of ours: one file of reports/.
 struct ExperimentDefinition {
     enum class Kind { table, ranking, sweep };
     Kind kind = Kind::table;
@@ -144,7 +143,7 @@ struct ExperimentDefinition {
     std::string source;  ///< author, title, year; empty for a ranking
     std::filesystem::path file;
 };
-/// All of reports/*.json, by id.
+/// The experiments of reports/*.json, by id.
 std::vector<ExperimentDefinition> list_experiments();
 
 /// Merges the definitions of these experiments into one plan: a view that several tables show is traced once,

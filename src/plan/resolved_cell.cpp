@@ -27,7 +27,7 @@ Registry load_registry() {
 
 namespace {
 
-/// What the plan has otherwise than the preset, each as its name, `equals` and its value.
+/// The plan's changes of the preset, each as its name, `equals` and its value.
 std::vector<std::string> changes_of(const CellPlan& plan, std::string_view equals) {
     std::vector<std::string> changes;
     const auto add = [&](const std::string& id, const ParameterValue& value) {

@@ -21,13 +21,13 @@ struct Registry {
     MethodDescriptor few_rays;
     std::vector<ImageFolder> folders = {};
 };
-/// Methods as load_asked_methods() has them.
+/// Loads the methods as load_asked_methods() does, and all filters.
 Registry load_registry(const std::filesystem::path& methods_dir, const std::vector<std::string>& asked,
                        std::vector<std::string>& warnings);
-/// The program's own.
+/// Loads the program's own methods and filters.
 Registry load_registry();
 
-/// A cell with its names looked up and its parameters complete.
+/// A cell whose names are looked up and whose parameters are complete.
 struct ResolvedCell {
     CellPlan plan;
     MethodRequest request;
@@ -36,32 +36,31 @@ struct ResolvedCell {
     std::vector<LengthRecord> lengths;
 };
 
-/// The preset's values drawn for the AO radius `drawn_for_m`; empty: with its descriptor's lengths.
+/// The preset's values, whose lengths follow the AO radius `drawn_for_m`; empty: they are the descriptor's.
 ParameterValues drawn_values(const MethodDescriptor& method, const std::string& preset,
                              const ParameterValues& overrides, std::optional<double> drawn_for_m);
 
-/// Gives the request the lighting pass, drawn for the AO radius `drawn_for_m`; empty: with its descriptor's
-/// lengths. `lighting` must outlive it.
+/// Adds the lighting pass to the request. Its lengths follow the AO radius `drawn_for_m`; empty: they are the
+/// descriptor's. `lighting` must outlive it.
 void light(MethodRequest& request, const MethodDescriptor& lighting, std::optional<double> drawn_for_m);
 
 /// The cell's name within its view: "hbao/quality", with its filter and whatever else its plan changes:
 /// "hbao/quality/none/directions=8,resolution=half".
 std::string cell_name(const CellPlan& plan);
-/// What the plan changes of the preset, in words: "directions 8, resolution half"; empty when nothing. The
-/// filter is not among it: it stands in a column of its own.
+/// The plan's changes of the preset in words: "directions 8, resolution half"; empty without any. The filter
+/// is not among them, since it has a column of its own.
 std::string setting_text(const CellPlan& plan);
 
-/// The filter that the cell is run with: with its default preset where the plan names it, else the method's
-/// preset's own.
+/// The cell's filter: with its default preset where the plan names it, else as the method's preset has it.
 PresetFilter filter_of(const CellPlan& plan, const MethodDescriptor& method);
 
-/// The cell with its lengths drawn for the AO radius `drawn_for_m`; empty: as descriptors have them. Throws
-/// usage_error for an unknown method, preset, filter or parameter, and for a length that leaves its range.
-/// `registry` must outlive the result.
+/// Resolves the cell. Its lengths follow the AO radius `drawn_for_m`; empty: they are the descriptors'.
+/// Throws usage_error for an unknown method, preset, filter or parameter, and for a length that leaves its
+/// range. `registry` must outlive the result.
 ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64_t seed,
                      std::optional<double> drawn_for_m);
 
-/// What is scored of the cell on the view of this id.
+/// The contestant that the cell scores on the view of this id.
 std::shared_ptr<const Contestant> contestant_on(const std::string& view, const ResolvedCell& cell,
                                                 const Registry& registry);
 

@@ -10,7 +10,7 @@ namespace {
 template <class Mode>
 using Names = std::vector<std::pair<std::string, Mode>>;
 
-// `names` has every value of the mode.
+// `names` must have every value of the mode.
 template <class Mode>
 RunModeOption option(std::string_view id, std::string_view meaning, Mode RunModes::*member,
                      const Names<Mode>& names) {

@@ -10,7 +10,7 @@
 
 namespace aoscore {
 
-/// How a method is run, whatever the method: the choices of MethodRequest that its descriptor does not make.
+/// The modes of a run: those choices of MethodRequest that apply to every method alike.
 struct RunModes {
     Border border = Border::far;
     Normals normals = Normals::as_described;
@@ -21,7 +21,7 @@ struct RunModes {
     void apply_to(MethodRequest& request) const;
 };
 
-/// One of the modes as the command line and the results know it.
+/// A mode as the command line and the results name it.
 struct RunModeOption {
     std::string_view id;  ///< "resolution"
     std::string_view meaning;

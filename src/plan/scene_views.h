@@ -8,9 +8,8 @@
 
 namespace aoscore {
 
-/// The views of a scene that a choice stands for (see choose_views()), for pictures of this width to height.
-/// Automatic ones are made where nothing else is there or the choice begins with "auto", and kept in the
-/// store.
+/// The views of a scene for a choice (see choose_views()), for pictures of this width to height. Automatic
+/// views are made where there are no others or the choice begins with "auto", and kept in the store.
 std::vector<View> wanted_views(const Scene& scene, const LoadOptions& loaded_with, const std::string& choice,
                                double aspect, const ArtifactStore& store);
 

@@ -18,7 +18,7 @@ std::string word(const ParameterValue& value, const std::string& axis) {
     return value.word();
 }
 
-/// What one point of the product asks for, and what of it applies.
+/// One point of the product: its values on the axes, and those of them that apply.
 struct Point {
     CellPlan cell;
     std::optional<ImageSize> size;
@@ -63,7 +63,7 @@ class Expansion {
         }
     }
 
-    /// Every parameter that is set must have been taken by some cell.
+    /// Checks that some cell has each parameter that is set.
     void check_taken() const {
         for (std::size_t i = 0; i < taken_.size(); ++i) {
             if (taken_[i]) continue;
@@ -145,7 +145,7 @@ class Expansion {
     }
 
     void add_point(Point point) {
-        // Only here it is known which filter the cell is run with.
+        // Assignments come last, when the cell's filter is known.
         for (std::size_t i = 0; i < taken_.size(); ++i) {
             if (assign(request_.set[i], registry_.methods, registry_.filters, point.cell)) taken_[i] = true;
         }
@@ -170,7 +170,7 @@ class Expansion {
     SweepPlan& sweep_;
     const Registry& registry_;
     std::vector<bool> taken_;      ///< for each assignment of the request whether a cell has the parameter
-    std::vector<CellPlan> cells_;  ///< of all points
+    std::vector<CellPlan> cells_;  ///< cells of all points
 };
 
 }  // namespace

@@ -48,7 +48,7 @@ ViewRecord describe_view(const Scene& scene, const View& view, const CameraFrame
 }
 
 std::string view_file_text(const Scene& scene, const std::vector<View>& views) {
-    // Wide enough for what exporters round, narrow enough to tell scenes apart.
+    // Wide enough for the rounding of exporters, narrow enough to tell scenes apart.
     constexpr double kTolerance = 1e-3;
     nlohmann::ordered_json file;
     file["title"] = scene.id;

@@ -8,7 +8,7 @@
 
 namespace aoscore {
 
-/// The facts of a view that are known before anything is rendered: scene, camera in world coordinates, size.
+/// The record of a view before anything is rendered: scene, camera in world coordinates, size.
 ViewRecord describe_view(const Scene& scene, const View& view, const CameraFrame& frame,
                          const std::string& key);
 

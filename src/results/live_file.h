@@ -2,7 +2,7 @@
 
 namespace aoscore {
 
-/// Beside results.json: the methods' shaders and the cameras, for the page to run methods on the stored
+/// The file beside results.json with shaders and cameras, by which the page runs methods on the stored
 /// G-buffer.
 ///   methods_dir: the folder of the user's own methods as the run was told it; empty where it was not;
 ///   contract: what all methods share; methods, filters: each as data (screen/method_data.h);

@@ -8,13 +8,13 @@
 
 namespace aoscore {
 
-/// The value of a metric; empty where it is missing or could not be had.
+/// The value of a metric; empty where it is missing.
 std::optional<double> value_of(const MetricMap& metrics, const std::string& id);
 
-/// Its value against the ranking's truth; empty where the cell failed too.
+/// The metric's value against the ranking's truth; also empty where the cell failed.
 std::optional<double> ranked_value(const CellRecord& cell, const std::string& metric);
 
-/// The id of the metric that ranks these cells: kRankingMetric where every one that did not fail has it, else
+/// The id of the metric that ranks these cells: kRankingMetric where all that did not fail have it, else
 /// kNoisyRankingMetric.
 std::string ranking_metric(const std::vector<const CellRecord*>& cells);
 

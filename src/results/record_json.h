@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-/// Writing and reading of records whose members are listed by visit_members(): JSON on one side, structs of
+/// Writes and reads records whose members are listed by visit_members(): JSON on one side, structs of
 /// numbers, texts, optionals, vectors, maps and other records on the other.
 namespace aoscore {
 
@@ -77,7 +77,7 @@ json written(const T& value) {
     }
 }
 
-/// JSON has no NaN; the library would write null, which is what an empty value means.
+/// Refuses NaN: JSON has none, and the library would write null, which stands for an empty value.
 inline void require_finite(const json& value, const std::string& where) {
     if (value.is_number_float() && !std::isfinite(value.get<double>())) {
         throw internal_error("a result is NaN or infinite", where);
@@ -158,7 +158,8 @@ void read(const json& value, const std::string& where, T& member) {
     }
 }
 
-/// The record as JSON. Throws internal_error where a number is NaN or infinite; `where` names the record.
+/// Writes the record as JSON. Throws internal_error where a number is NaN or infinite; `where` names the
+/// record.
 template <class T>
 json checked_json(const T& record, const std::string& where) {
     json object = written(record);
@@ -166,7 +167,7 @@ json checked_json(const T& record, const std::string& where) {
     return object;
 }
 
-/// The record back. Throws file_error for another form.
+/// Reads the record from JSON. Throws file_error for another form.
 template <class T>
 T record_from_json(const json& object, const std::string& where) {
     T record;

@@ -5,7 +5,7 @@
 
 namespace aoscore {
 
-/// A record of that type, const or not: what the member lists of records are written for.
+/// Of is Record, const or not. The member lists of records are written for such types.
 template <class Record, class Of>
 concept RecordOf = std::same_as<std::remove_const_t<Record>, Of>;
 

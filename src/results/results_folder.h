@@ -5,7 +5,7 @@
 
 namespace aoscore {
 
-/// Where a command writes its results and their page: the folder that was named, else reports/out/`name`.
+/// The folder for a command's results and their page: the one that the user named, else reports/out/`name`.
 std::filesystem::path results_folder(const std::filesystem::path& named, std::string_view name);
 
 }  // namespace aoscore

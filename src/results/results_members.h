@@ -3,8 +3,8 @@
 #include "results/analysis_members.h"
 #include "results/results.h"
 
-/// The members of every record of results.json, by key: the one list that both writing and reading go
-/// through, so that neither can forget one. `visit(key, member)` is called for each; `Record` may be const.
+/// The members of every record of results.json, by key: the one list for both writing and reading, so that
+/// neither can forget a member. `visit(key, member)` is called for each; `Record` may be const.
 namespace aoscore {
 
 template <class Visit, RecordOf<MeasuredMetric> Record>

@@ -39,7 +39,7 @@ class Line {
     std::vector<std::string> fields_;
 };
 
-// In the order of kFrameColumns.
+// Adds the fields of a frame in the order of kFrameColumns.
 void add_frame(Line& line, const std::optional<FrameRecord>& frame) {
     for (const double FrameRecord::*number :
          {&FrameRecord::lighting_ms, &FrameRecord::geometry_lighting_ms, &FrameRecord::frame_ms,
@@ -57,7 +57,7 @@ constexpr std::array kFrameColumns{"lighting_ms",
                                    "frames_per_second_without_ao",
                                    "frames_per_second_unfiltered"};
 
-// What belongs to one view alone is left empty over several.
+// Makes a row's line; over several views, fields that belong to one view are empty.
 std::string line_of(const SweepRecord& sweep, const SweepRow& row, const std::string& views,
                     const std::set<std::string>& axes) {
     const CellRecord& cell = *row.cell;

@@ -47,7 +47,7 @@ void add_costs(SweepRow& row, const SweepRecord& sweep) {
 void mark_front(std::vector<SweepRow>& rows, const std::vector<std::size_t>& indices) {
     std::vector<CostAndError> points;
     for (const std::size_t i : indices) {
-        // A bound is not for use: it beats nothing.
+        // A bound is not for use, and so excludes nothing from the front.
         const bool bound = rows[i].cell->role == kBoundRole;
         points.push_back(bound ? CostAndError{} : CostAndError{rows[i].cost_ms, rows[i].error});
     }
@@ -57,7 +57,7 @@ void mark_front(std::vector<SweepRow>& rows, const std::vector<std::size_t>& ind
 
 using Number = std::optional<double> SweepRow::*;
 
-/// Empty where one of the rows lacks it.
+/// The value over the rows' views; empty where one of the rows lacks it.
 template <class OverViews>
 std::optional<double> combined(const std::vector<const SweepRow*>& rows, Number number, OverViews over) {
     std::vector<double> values;
@@ -69,7 +69,7 @@ std::optional<double> combined(const std::vector<const SweepRow*>& rows, Number 
     return over(values);
 }
 
-/// Of the means of the passes; empty where one of the rows has none.
+/// The frame of the passes' mean times; empty where one of the rows has none.
 std::optional<FrameRecord> mean_frame(const std::vector<const SweepRow*>& rows) {
     FrameRecord sum;
     for (const SweepRow* row : rows) {

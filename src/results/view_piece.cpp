@@ -47,7 +47,7 @@ ordered_json crop_piece(const ViewRecord& view, const PictureBox& box, const std
     const glm::dvec3 forward = (target - position) / distance;
     const glm::dvec3 right = glm::normalize(glm::cross(forward, vector_of(view.up)));
     const glm::dvec3 up = glm::cross(right, forward);
-    // Half the picture's height: of a plane at distance 1, or in metres.
+    // Half the picture's height, on a plane at distance 1, or in metres for an orthographic view.
     const double half = is_perspective(view) ? std::tan(glm::radians(view.fovy_deg) / 2) : view.half_height_m;
     const double per_pixel = 2 * half / view.height;
     const double x = (box.left + box.width / 2.0 - view.width / 2.0) * per_pixel;

@@ -16,7 +16,7 @@ struct Camera {
     enum class Projection { perspective, orthographic };
 
     Projection projection = Projection::perspective;
-    glm::dvec3 position{0, 0, 0};  ///< metres, scene space
+    glm::dvec3 position{0, 0, 0};  ///< in metres, scene space
     glm::dvec3 target{0, 0, -1};   ///< any point ahead, not `position`
     glm::dvec3 up{0, 1, 0};        ///< not parallel to the line of sight; need not be unit or perpendicular
     double fovy_rad = 0.9;         ///< perspective: full vertical angle of view, in (0, pi)
@@ -27,7 +27,7 @@ struct Camera {
     bool operator==(const Camera&) const = default;
 };
 
-/// A camera for one image size: pixels, rays and matrices of it. Immutable.
+/// A camera at one image size, with its rays and matrices. Immutable.
 class CameraFrame {
   public:
     /// Throws usage_error for a size below 1x1 or a camera that has no picture (target at position, ...).
@@ -37,10 +37,10 @@ class CameraFrame {
     int width() const { return width_; }
     int height() const { return height_; }
 
-    /// Rotation and translation only; determinant 1.
+    /// Holds rotation and translation only; its determinant is 1.
     const glm::dmat4& view_from_world() const { return view_from_world_; }
     const glm::dmat4& world_from_view() const { return world_from_view_; }
-    /// OpenGL clip space, z from -w (near) to w (far).
+    /// Leads to OpenGL's clip space, z from -w (near) to w (far).
     const glm::dmat4& clip_from_view() const { return clip_from_view_; }
 
     struct Ray {
@@ -48,7 +48,7 @@ class CameraFrame {
         glm::dvec3 direction;  ///< world; scaled so that t is the view depth -z, not the distance
     };
     /// The ray through image position (x, y) in pixels: a centre is at (column + 0.5, row + 0.5), y
-    /// downwards. Points of it with t in [near, far] are in the picture.
+    /// downwards. Its points with t in [near, far] are in the picture.
     Ray ray(double x, double y) const;
 
     /// View-space position at image position (x, y) px and view depth `depth` = -z, metres.
@@ -62,7 +62,7 @@ class CameraFrame {
     /// A world length seen face-on at view depth `depth`, in pixels: R_px = R H / (2 |z| tan(fovy/2)).
     double pixels_per_metre(double depth) const { return 1.0 / pixel_footprint(depth); }
 
-    /// Window depth in [0,1] to view depth in metres, and back.
+    /// Convert window depth in [0,1] to view depth in metres, and back.
     double view_depth(double window_depth) const;
     double window_depth(double view_depth) const;
 

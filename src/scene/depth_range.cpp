@@ -9,8 +9,9 @@ DepthRange useful_depth_range(const Camera& camera, const Bounds& bounds, double
     // With 24 or 32 bits of window depth, steps at the far end are then still below a ten-thousandth of the
     // depth.
     constexpr double kNearPerFar = 1e-5;
-    // So far behind the last corner that, with the least near plane, its window depth stays 8 steps of
-    // float32 below 1, where the background is: a surface nearer to the far plane would be lost.
+    // The far plane lies so far behind the last corner that, with the least near plane, the corner's window
+    // depth stays 8 steps of float32 below 1, the background's: a surface nearer to the far plane would be
+    // lost.
     constexpr double kBehind = 1.05;
     const glm::dvec3 forward = glm::normalize(camera.target - camera.position);
     double furthest = 0;
@@ -25,7 +26,7 @@ DepthRange useful_depth_range(const Camera& camera, const Bounds& bounds, double
     range.far = std::max({furthest * kBehind, stated_near * 2, bounds.diagonal() * kNearPerFar});
     if (stated_far > 0) range.far = std::min(range.far, stated_far);
     range.near = std::max(stated_near, range.far * kNearPerFar);
-    // Only where a stated far is within a breath of the stated near.
+    // Happens only where the stated far is almost the stated near.
     if (!(range.far > range.near)) range.far = range.near * 2;
     return range;
 }

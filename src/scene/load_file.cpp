@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A file of another program in metres, as far as it or the user says what its unit is.
+/// Loads a file of another program, in metres where the file or the user states its unit.
 Scene load_import(const fs::path& path, imported::Format format, const LoadOptions& options) {
     imported::PlainScene plain = imported::load_import(path, format, options.albedo_textures);
     SceneFrame frame;

@@ -40,7 +40,7 @@ std::vector<fs::path> possible_view_files(const Scene& scene, const LoadOptions&
     return paths;
 }
 
-/// Takes the frame in which a view file knows the scene.
+/// Brings the scene into the frame of a view file, by its unit and axes.
 void take_frame(Scene& scene, const SceneFrame& frame, const std::string& view_file) {
     const bool is_turned = frame.y_up_from_file != glm::dmat3(1);
     if (frame.metres_per_unit == 1 && !is_turned) return;
@@ -53,7 +53,7 @@ void take_frame(Scene& scene, const SceneFrame& frame, const std::string& view_f
     measure_scene(scene, scene.id);
 }
 
-/// The views of the first file that is for these bounds. A file that the user names must be.
+/// The views of the first view file whose bounds match the scene's. Those of a file that the user names must.
 std::vector<View> filed_views(Scene& scene, const LoadOptions& options) {
     for (const fs::path& path : possible_view_files(scene, options)) {
         ViewFile file = read_view_file(path);
@@ -74,7 +74,7 @@ std::vector<View> filed_views(Scene& scene, const LoadOptions& options) {
     return {};
 }
 
-/// Cameras of the scene's file that can be used, under ids that `views` does not have.
+/// Adds the usable cameras of the scene's file, under ids that `views` does not have.
 void add_node_views(Scene& scene, std::vector<View>& views) {
     std::set<std::string> taken;
     for (const View& view : views) taken.insert(view.id);
@@ -96,7 +96,7 @@ std::string vector_words(const glm::dvec3& v) {
 
 /// The user's own camera as a view.
 View given_view(Camera camera, const Bounds& bounds) {
-    // Which surfaces are close is not known; that the target is what the camera looks at is.
+    // It is unknown which surfaces are close, but the camera looks at its target.
     constexpr double kNearPerDiagonal = 1e-3, kNearPerTarget = 1e-2;
     const double stated_near = std::min(kNearPerDiagonal * bounds.diagonal(),
                                         kNearPerTarget * glm::distance(camera.position, camera.target));
@@ -124,7 +124,8 @@ std::vector<View> stated_views(Scene& scene, const LoadOptions& options) {
     return views;
 }
 
-/// The words that choose the view on a command line, and those that read the scene as it is.
+/// Fills in the options that choose the view on a command line, and those that read the scene with its unit
+/// and axes.
 void name_options(View& view, const LoadOptions& options) {
     if (view.kind != View::Kind::given) {
         const bool is_named = view.kind == View::Kind::filed && !options.view_file.empty();
@@ -134,7 +135,7 @@ void name_options(View& view, const LoadOptions& options) {
     view.options += frame_options(options);
 }
 
-/// What is the same for built-in scenes and files: views, origin, digest. Bounds are measured already.
+/// Adds views, origin and digest, alike for built-in scenes and files. Bounds are measured already.
 Scene finish(Scene scene, const LoadOptions& options) {
     scene.views = stated_views(scene, options);
     warn_of_unknown_unit(scene, options);
@@ -167,7 +168,7 @@ Scene load_scene(const std::string& name_or_path, const LoadOptions& options) {
                            fmt::format("or {}", kSceneFiles));
     }
     Scene scene = load_file(name_or_path, options);
-    // The id names files, cells and lines: a file's name may hold what none of them can.
+    // The id names files, cells and lines: a file's name may hold characters that none of them can.
     scene.id = printable(fs::path(name_or_path).stem().string());
     return finish(std::move(scene), options);
 }

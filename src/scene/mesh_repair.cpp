@@ -5,7 +5,7 @@
 namespace aoscore {
 namespace {
 
-/// Zero when there is no direction.
+/// The unit vector; zero when there is no direction.
 glm::vec3 unit_or_zero(const glm::dvec3& v) {
     const double length = glm::length(v);
     return length > 0 && std::isfinite(length) ? glm::vec3(v / length) : glm::vec3(0);
@@ -40,8 +40,7 @@ std::size_t repair_normals(Mesh& mesh) {
     for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
         if (mesh.normals[i] != glm::vec3(0)) continue;
         mesh.normals[i] = unit_or_zero(sums[i]);
-        // Faces that cancel out, or none at all (the vertex of a triangle without area): any direction will
-        // do.
+        // Its faces cancel out, or have no area: any direction will do.
         if (mesh.normals[i] == glm::vec3(0)) mesh.normals[i] = glm::vec3(0, 1, 0);
     }
     return bad;

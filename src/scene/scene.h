@@ -23,11 +23,12 @@ struct Texture {
     Wrap wrap_t = Wrap::repeat;
 };
 
-/// What of a glTF material matters here. A surface is never culled: every one is two-sided in both paths.
+/// The properties of a glTF material that matter here. A surface is never culled: every one is two-sided in
+/// both paths.
 struct Material {
     std::string name;
     glm::vec4 base_color{1};  ///< linear factor
-    int texture = -1;         ///< into Scene::textures, -1 for none (also when it was not needed)
+    int texture = -1;         ///< index into Scene::textures; -1: none, or not needed
     /// Points whose alpha (factor x texture x vertices) is below this are holes, in both paths alike; 0 for
     /// solid surfaces. MASK uses its alphaCutoff, BLEND 0.5.
     float alpha_cutoff = 0;
@@ -37,17 +38,17 @@ struct Material {
 /// One glTF primitive: triangles of one material in mesh space.
 struct Mesh {
     std::vector<glm::vec3> positions;   ///< finite
-    std::vector<glm::vec3> normals;     ///< unit, one a position; empty: flat, the geometric normal counts
+    std::vector<glm::vec3> normals;     ///< unit, one a position; empty: geometric normals count
     std::vector<glm::vec2> texcoords;   ///< one a position; empty unless the material needs them
     std::vector<float> alphas;          ///< in [0,1], one a position; empty: 1, or not a cut-out
-    std::vector<glm::uvec3> triangles;  ///< into positions, in range
-    int material = 0;                   ///< into Scene::materials
+    std::vector<glm::uvec3> triangles;  ///< indices into positions, in range
+    int material = 0;                   ///< index into Scene::materials
 };
 
 /// A mesh placed in the scene; meshes are shared by any number of instances.
 struct Instance {
     int mesh = 0;
-    /// Affine. Double, so that a scene far from its origin keeps its details.
+    /// The transform is affine; in double precision, so that a scene far from its origin keeps its details.
     glm::dmat4 scene_from_mesh{1.0};
 };
 
@@ -62,10 +63,10 @@ struct View {
     /// Where a view comes from, the preferred ones first: where nobody names a view, those of the first kind
     /// that a scene has are taken (see choose_views()).
     enum class Kind : std::uint8_t {
-        given,      ///< by the user, with --eye
-        filed,      ///< in a view file
+        given,      ///< the user's, by --eye
+        filed,      ///< a view file's
         node,       ///< a camera of the scene's file
-        automatic,  ///< of a scene that has none of these
+        automatic,  ///< found for a scene that has none of these
     };
 
     std::string id;
@@ -88,37 +89,37 @@ struct Scene {
     std::vector<Instance> instances;
     std::vector<View> views;            ///< by kind, the preferred ones first; none is automatic
     glm::dvec3 origin{0};               ///< world coordinates of this struct's zero
-    Bounds bounds;                      ///< of all instances, relative to origin
-    std::size_t triangle_count = 0;     ///< over instances
-    std::vector<std::string> warnings;  ///< what was ignored or repaired, one line each
-    std::string digest;  ///< of everything that changes a picture: geometry, transforms, cut-outs
+    Bounds bounds;                      ///< box around all instances, relative to origin
+    std::size_t triangle_count = 0;     ///< of all instances together
+    std::vector<std::string> warnings;  ///< things ignored or repaired, one line each
+    std::string digest;                 ///< see scene_digest()
 };
 
-/// Which axis of a file's coordinates is up.
+/// The axis of a file's coordinates that is up.
 enum class UpAxis : std::uint8_t { y, z };
 
 struct LoadOptions {
     /// Decode base-colour textures of opaque materials as well; without it only cut-outs are decoded, since
     /// occlusion needs no more.
     bool albedo_textures = false;
-    /// A view file to be used in place of those that are found; empty: those.
+    /// A view file to use in place of those that are found; empty: none.
     std::filesystem::path view_file;
     /// A camera of the user's own, in world coordinates; near and far are chosen for the scene.
     std::optional<Camera> camera;
 
-    /// Metres for one unit of the file; empty: what a view file recognises, else what the file states,
-    /// else 1.
+    /// Metres for one unit of the file; empty: as a view file recognises it, else as the file states it, else
+    /// 1.
     std::optional<double> metres_per_unit;
-    /// Which of the file's axes is up; empty: what a view file recognises, else what the file states, else y.
+    /// The file's axis that is up; empty: as a view file recognises it, else as the file states it, else y.
     std::optional<UpAxis> up;
 
     bool operator==(const LoadOptions&) const = default;
 };
 
-/// A built-in scene by id, or a file (.gltf, .glb, .obj, .fbx, .ply, .stl) by path. Views come from the first
-/// view file that there is for these bounds, which may also tell the file's unit: LoadOptions::view_file,
+/// Loads a built-in scene by id, or a file (.gltf, .glb, .obj, .fbx, .ply, .stl) by path. Views come from the
+/// first view file whose bounds match, which may also tell the file's unit: LoadOptions::view_file,
 /// NAME.views.json beside the file NAME.glb, scenes/<id>/views.json for the id, the file's stem or one of the
-/// view file's own; then from the file's cameras. None is automatic: the room framing makes those. Throws
+/// view file's own; then from the file's cameras. It makes no automatic views: the room framing does. Throws
 /// usage_error for an unknown name (listing the known ones) and for a camera that cannot be used on this
 /// scene, file_error for a bad file.
 Scene load_scene(const std::string& name_or_path, const LoadOptions& options = {});
@@ -135,7 +136,7 @@ struct BuiltinScene {
 const std::vector<BuiltinScene>& builtin_scenes();
 
 /// Alpha (factor x texture: level 0, bilinear, glTF wrap modes; x the vertices', interpolated) at `uv`, in
-/// [0,1]. The cut-out of both paths: shaders/contract/ holds the same function for the rasteriser.
+/// [0,1]. Both paths cut by it: shaders/contract/ holds the same function for the rasteriser.
 float alpha_at(const Scene& scene, const Material& material, const glm::vec2& uv, float vertex_alpha = 1);
 
 /// The geometric normal of a triangle in scene space: unit, by its winding; zero for a degenerate triangle.

@@ -12,9 +12,9 @@ namespace aoscore {
 /// 1e-6 m gets a warning.
 void measure_scene(Scene& scene, const std::string& where);
 
-/// Where a scene's zero should be so that float32 keeps its details: zero, or near the bounds' centre when
-/// that is further away than 1000 diagonals, or than 1e4 m and one diagonal. `bounds` are in world
-/// coordinates. The result is a multiple of a power of two near the diagonal, hence exactly representable.
+/// The origin with which float32 keeps a scene's details: zero, or near the bounds' centre when that is
+/// further away than 1000 diagonals, or than 1e4 m and one diagonal. `bounds` are in world coordinates. The
+/// result is a multiple of a power of two near the diagonal, hence exactly representable.
 glm::dvec3 suitable_origin(const Bounds& bounds);
 
 /// Makes all coordinates of the scene relative to `origin` (world coordinates).

@@ -6,9 +6,9 @@
 
 namespace aoscore {
 
-/// The content digest of everything that changes a picture: geometry, transforms, origin, base colours and
-/// cut-outs with their textures. Views, names, and textures that only colour are not in it: a truth does not
-/// depend on them.
+/// The digest of everything that changes a picture: geometry, transforms, origin, base colours and cut-outs
+/// with their textures. It leaves out views, names, and textures that only give colour: no truth depends on
+/// them.
 std::string scene_digest(const Scene& scene);
 
 }  // namespace aoscore

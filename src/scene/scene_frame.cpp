@@ -24,16 +24,16 @@ Bounds changed(const Bounds& bounds, const SceneFrame& frame) {
     return {glm::min(a, b), glm::max(a, b)};
 }
 
-/// The factor that brings one box closest to another, by least squares over their corners.
+/// The factor that scales one box closest to another, by least squares over their corners.
 double closest_factor(const Bounds& from, const Bounds& to) {
     const double product = glm::dot(from.low, to.low) + glm::dot(from.high, to.high);
     return product / (glm::dot(from.low, from.low) + glm::dot(from.high, from.high));
 }
 
-/// Factors to be tried, the likeliest first: those of units near the closest one, then that one itself where
-/// the file's bounds are so exact that it means something.
+/// Factors to be tried, the likeliest first: those of units near the closest one, then the closest factor
+/// itself where the file's bounds are exact enough for that.
 std::vector<double> likely_factors(double closest, const ViewFile& views) {
-    constexpr double kNear = 0.3, kExact = 0.01;  // of the factor; of the diagonal
+    constexpr double kNear = 0.3, kExact = 0.01;  // share of the factor; share of the diagonal
     std::vector<double> factors;
     for (const Unit& unit : kUnits) {
         for (const double factor : {unit.metres, 1 / unit.metres}) {
@@ -82,7 +82,7 @@ std::optional<double> parse_unit(std::string_view text) {
     double metres = 0;
     const auto [end, ec] = std::from_chars(text.data(), text.data() + text.size(), metres);
     if (ec != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    // The diagonal of any scene stays a float32 then.
+    // These keep the diagonal of any scene a float32.
     constexpr double kSmallest = 1e-12, kLargest = 1e12;
     return metres >= kSmallest && metres <= kLargest ? std::optional(metres) : std::nullopt;
 }

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kLargest = 1e12;  // of what must be positive
+constexpr double kLargest = 1e12;  // limit for numbers that must be positive
 constexpr double kSmallest = std::numeric_limits<float>::min();
 
 glm::dvec3 vector_in(StrictObject& object, std::string_view key) {

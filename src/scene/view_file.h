@@ -9,7 +9,7 @@
 
 namespace aoscore {
 
-/// What the note of a view begins with that nobody verified.
+/// The beginning of the note of a view that nobody verified.
 inline constexpr std::string_view kUnverified = "unverified: ";
 
 /// The content of a view file, scenes/<id>/views.json: cameras by name for a scene that everybody has as the
@@ -21,9 +21,9 @@ inline constexpr std::string_view kUnverified = "unverified: ";
 ///                 "fovy_deg": n or "half_height_m": n (orthographic), "near_m": n, "far_m": n,
 ///                 "radius_m": n (optional)}]}
 ///
-/// `stems` are other names that the scene's file has where one gets it, without extension. The bounds are
-/// those of the scene the views were made for. `verified` says whether somebody rendered the views with that
-/// very scene; views that nobody verified say so in View::note.
+/// `stems` are other names of the scene's file, without extension, by which it is published. The bounds are
+/// those of the scene that the views were made for. `verified` says whether somebody rendered the views with
+/// that very scene; views that nobody verified say so in View::note.
 struct ViewFile {
     std::string title;
     std::vector<std::string> stems;
@@ -32,17 +32,17 @@ struct ViewFile {
     std::vector<View> views;
 };
 
-/// Where the view file of a scene id or file stem would be.
+/// The path of the view file for a scene id or file stem, whether it exists or not.
 std::filesystem::path view_file_path(const std::string& id);
 
-/// Where that of a scene's own file would be: NAME.views.json beside NAME.glb.
+/// The path of the view file beside a scene's file, whether it exists or not: NAME.views.json for NAME.glb.
 std::filesystem::path view_file_beside(const std::filesystem::path& scene_file);
 
-/// Those of scenes/ that have this stem among theirs, the most exact bounds first.
+/// The view files in scenes/ that list this stem, the most exact bounds first.
 std::vector<std::filesystem::path> view_files_of_stem(const std::string& stem);
 
 /// Reads a view file. Throws file_error with file and place for unknown keys, missing or impossible values,
-/// and ids that are there twice.
+/// and repeated ids.
 ViewFile read_view_file(const std::filesystem::path& path);
 
 /// Whether a scene's bounds are those a view file was made for: every corner coordinate within the tolerance.

@@ -11,13 +11,13 @@
 
 namespace aoscore {
 
-/// Measurements that were made before, by a digest of everything that decides them. Entries are written whole
-/// or not at all, so that several processes may share a store; one that is damaged is named in a warning and
-/// counts as missing. Where the folder cannot be written, that is said once, and nothing is kept. Only the
-/// processes that write it know what its entries mean.
+/// Keeps measurements under the digest of everything that decides them. Entries are written whole or not at
+/// all, so that several processes may share a store; one that is damaged is named in a warning and counts as
+/// missing. Where the folder cannot be written, one warning says so, and nothing is kept. The store does not
+/// know what its entries mean.
 class ArtifactStore {
   public:
-    /// The part of a cache's folder that measurements are kept in; empty for an empty one.
+    /// The folder for measurements within a cache's folder; empty for an empty path.
     static std::filesystem::path folder_in(const std::filesystem::path& cache);
 
     /// An empty folder stores and finds nothing.
@@ -28,7 +28,7 @@ class ArtifactStore {
     std::optional<nlohmann::json> find(const std::string& key) const;
     void put(const std::string& key, const nlohmann::json& payload) const;
 
-    /// Whether something was put under the key; it may be damaged.
+    /// Whether the store has an entry for the key, which may be damaged.
     bool has(const std::string& key) const;
 
     /// The file that was put under the key, whole; empty where there is none, or it is damaged.
@@ -46,10 +46,10 @@ class ArtifactStore {
         std::uintmax_t bytes = 0;
     };
     Size size() const;
-    /// Removes everything; what another process needs of it, that one makes again.
+    /// Removes everything; another process that needs an entry makes it again.
     Size clear() const;
 
-    /// Every entry's file that does not hold what was put; empty when all do.
+    /// The files of all damaged entries.
     std::vector<std::filesystem::path> damaged() const;
 
   private:

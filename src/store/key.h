@@ -10,7 +10,7 @@
 
 namespace aoscore {
 
-/// Names an artifact by all that decides its content: two that have one key are the same.
+/// Names an artifact by all that decides its content: artifacts of one key are the same.
 struct Key {
     std::string hex;  ///< 32 lower-case hexadecimal digits
 
@@ -21,17 +21,17 @@ struct Key {
 /// it; then everything that decides its content is added, in a fixed order.
 class KeyBuilder {
   public:
-    /// `kind` of artifact, made by the code of that name in code_digest(), or by `code` where several kinds
-    /// are made by the same.
+    /// `kind` is the artifact's, made by the code of that name in code_digest(), or by `code` where several
+    /// kinds share one.
     explicit KeyBuilder(std::string_view kind) : KeyBuilder(kind, kind) {}
     KeyBuilder(std::string_view kind, std::string_view code);
 
-    /// An artifact that this one is made of.
+    /// Adds an artifact that this one is made of.
     KeyBuilder& input(const Key& key) { return text(key.hex); }
     KeyBuilder& text(std::string_view value);
     KeyBuilder& camera(const Camera& camera);
 
-    /// A number, or a struct without padding.
+    /// Adds a number, or a struct without padding.
     template <class T>
     KeyBuilder& value(const T& v) {
         digest_.value(v);

@@ -83,7 +83,7 @@ class StressRun {
         return cells;
     }
 
-    /// The file's name in the folder; empty where no subject applies.
+    /// Returns the file's name in the folder; empty where no subject applies.
     std::string write_thumbnails(const StressJobs& jobs, const StressMaker& maker,
                                  const std::string& key) const {
         std::vector<ChannelView> channels;

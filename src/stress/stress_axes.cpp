@@ -24,7 +24,7 @@ double radians(double degrees) {
     return degrees * std::numbers::pi / 180;
 }
 
-// One setting a value; `base` is the value that the base case has.
+// Makes one setting for each value; `base` is the value of the base case.
 Settings over(std::initializer_list<double> values, double base, std::string_view unit,
               const std::function<void(StressCase&, double)>& apply) {
     Settings settings;
@@ -39,7 +39,7 @@ Settings over(std::initializer_list<double> values, double base, std::string_vie
     return settings;
 }
 
-// Near and far plane move away from each other about their middle.
+// Moves near and far plane apart about their middle.
 void set_depth_ratio(StressCase& s, double ratio) {
     const double middle = std::sqrt(s.camera.near * s.camera.far);
     s.camera.near = middle / std::sqrt(ratio);
@@ -67,14 +67,15 @@ void move_all(StressCase& s, double distance_m) {
     s.camera.target += offset;
 }
 
-// The camera on a circle about its target, `tilt_deg` between the line of sight and the floor's normal.
+// Moves the camera on a circle about its target, `tilt_deg` between the line of sight and the floor's normal.
 void tilt_view(StressCase& s, double tilt_deg) {
     const double distance = glm::distance(s.camera.position, s.camera.target), t = radians(tilt_deg);
     s.camera.position = s.camera.target + distance * glm::dvec3(0, std::cos(t), std::sin(t));
     s.camera.up = {0, std::sin(t), -std::cos(t)};
 }
 
-// The target keeps its size in the picture: the camera comes nearer as the angle grows.
+// Sets the angle of view; the camera comes nearer as it grows, so that the target keeps its size in the
+// picture.
 void set_field_of_view(StressCase& s, double fovy_deg) {
     const double nearer = std::tan(s.camera.fovy_rad / 2) / std::tan(radians(fovy_deg) / 2);
     s.camera.position = s.camera.target + nearer * (s.camera.position - s.camera.target);

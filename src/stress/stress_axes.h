@@ -9,19 +9,19 @@
 
 namespace aoscore {
 
-/// One place on a stress axis: what it does to the base case.
+/// One setting of a stress axis: a change of the base case.
 struct StressSetting {
     std::string id;     ///< "1e-4": names files
-    std::string label;  ///< with its unit
-    /// Empty where nothing is done: the unstressed setting.
+    std::string label;  ///< the value with its unit
+    /// Changes the case; empty for the unstressed setting.
     std::function<void(StressCase&)> apply;
     bool unstressed() const { return !apply; }
 };
 
-/// How a stressed result is held against the unstressed one.
+/// The comparison of a stressed result with the unstressed one.
 enum class StressJudgement {
-    same_picture,  ///< exact arithmetic would give the base's picture: pixel by pixel
-    error,         ///< the picture changes: its error against its own truth, over the base's error
+    same_picture,  ///< pixel by pixel: exact arithmetic would give the base's picture
+    error,         ///< error against the own truth over the base's error: the picture changes
 };
 
 /// One kind of stress: a row of the one table. Settings are in order; one of them is the unstressed one.

@@ -17,7 +17,7 @@ void finish_stress_case(StressCase& stress) {
     Scene& scene = stress.scene;
     scene.views.resize(1);
     scene.views.front().camera = stress.camera;
-    // A scene without triangles has no bounds of its own; it keeps those it had.
+    // A scene without triangles has no bounds of its own, and keeps the earlier ones.
     if (!scene.instances.empty()) {
         measure_scene(scene, scene.id);
         move_origin(scene, suitable_origin(scene.bounds));

@@ -27,7 +27,7 @@ Job cell_job(const StressWork& work, Key key, ArtifactKind kind, std::vector<Key
     return job;
 }
 
-// A setting and a cell hold times.
+// Begins the key of a setting or a cell, which hold times.
 KeyBuilder timed(std::string_view kind) {
     KeyBuilder key(kind, "stress");
     key.text(code_digest("times")).text(cpu_name()).value(thread_count());

@@ -9,10 +9,10 @@
 
 namespace aoscore {
 
-/// What a stressed view's cells are made of.
+/// The jobs whose artifacts a stressed view's cells are made of.
 struct SourceJobs {
     Job gbuffer, truth, contract;
-    std::vector<Job> images;  ///< one a request
+    std::vector<Job> images;  ///< one for each request
 };
 SourceJobs source_jobs(const StressWork& work, const ViewKeys& keys);
 
@@ -20,10 +20,10 @@ SourceJobs source_jobs(const StressWork& work, const ViewKeys& keys);
 struct StressJobs {
     JobGraph graph;
     Key setting;
-    std::vector<Key> cells;  ///< one a request
+    std::vector<Key> cells;  ///< one for each request
 };
 
-/// Lays out the jobs; looks nothing up and makes nothing. What is unstressed comes first, since one renderer
+/// Lays out the jobs; looks nothing up and makes nothing. Unstressed pictures come first, since one renderer
 /// draws both.
 StressJobs stress_jobs(const StressWork& work, const Unstressed& unstressed);
 

@@ -6,33 +6,33 @@
 
 namespace aoscore {
 
-/// A deviation beyond these breaks. Where exact arithmetic gives the same picture, only rounding is left: a
-/// root mean square of 0.02 is a fiftieth of the range. Where the picture changes, a method may do somewhat
-/// worse for many reasons: 0.05.
+/// A larger deviation than these breaks. Where exact arithmetic gives the same picture, only rounding
+/// remains, and the limit is a root mean square of 0.02, a fiftieth of the range. Where the picture changes,
+/// a method may do somewhat worse for many reasons, and the limit is 0.05.
 inline constexpr double kSamePictureLimit = 0.02;
 inline constexpr double kErrorLimit = 0.05;
-/// A picture with fewer pixels to compare says nothing by its mean square.
+/// With fewer pixels to compare, a mean square is not meaningful.
 inline constexpr std::size_t kLeastComparedPixels = 400;
 
 double stress_limit(StressJudgement judgement);
 
-/// A picture under judgement, and what is known about it.
+/// A stressed picture, with the data by which it is judged.
 struct StressedPicture {
     const ImageF& visibility;
-    const Mask& surface;                     ///< where anything was drawn, or hit
-    const Mask& valid;                       ///< where ray tracer and rasteriser see the same surface
+    const Mask& surface;                     ///< pixels where anything was drawn, or hit
+    const Mask& valid;                       ///< pixels where both paths see the same surface
     const ImageF* truth = nullptr;           ///< the subject's own; null where the view is not traced
-    const ImageF* standard_error = nullptr;  ///< of it
+    const ImageF* standard_error = nullptr;  ///< the truth's
 };
 
-/// A subject's picture where nothing is stressed, and what is known about it.
+/// A subject's picture where nothing is stressed, with its numbers.
 struct UnstressedPicture {
     ImageF visibility;
     Mask valid;
-    std::optional<double> rmse, mean;  ///< as StressCell has them
+    std::optional<double> rmse, mean;  ///< as in StressCell
 };
 
-/// What must hold for any picture: fills nonfinite, out_of_range, background and mean.
+/// Checks the rules for any picture: fills nonfinite, out_of_range, background and mean.
 void count_faults(const StressedPicture& picture, StressCell& cell);
 
 /// Root mean square of picture - base where both are valid and finite; the difference itself goes to
@@ -44,12 +44,12 @@ std::optional<double> same_picture_deviation(const StressedPicture& picture, con
 /// to `difference` (0 elsewhere). Empty with fewer than kLeastComparedPixels.
 std::optional<double> debiased_error(const StressedPicture& picture, ImageF& difference);
 
-/// Fills in how far the picture deviates from the unstressed one, and its error where the axis is judged by
-/// that; `difference` is what the deviation is made of, and stays empty where there is no truth.
+/// Fills in the deviation from the unstressed picture, and the error where the axis is judged by that.
+/// `difference` becomes the image whose mean square the deviation is, and stays empty without truth.
 void compare_with_unstressed(StressJudgement judgement, const StressedPicture& picture,
                              const UnstressedPicture& unstressed, StressCell& cell, ImageF& difference);
 
-/// Says in cell.breaks what is wrong, the worst first.
+/// Names the faults in cell.breaks, the worst first.
 void judge(StressJudgement judgement, StressCell& cell);
 
 }  // namespace aoscore

@@ -26,7 +26,7 @@ const StressedCell* StressMaker::cell(const Key& key) const {
     return found == cells_.end() ? nullptr : &found->second;
 }
 
-// What a damaged or foreign entry holds counts as missing.
+// Takes an artifact from the store; a damaged or foreign entry counts as missing.
 bool StressMaker::take(const Job& job) {
     try {
         if (job.kind == ArtifactKind::stress_setting) {

@@ -13,11 +13,11 @@
 
 namespace aoscore {
 
-/// Makes the artifacts of one stressed view in this process, and keeps those in the store that its results
-/// are put together from. What they are made of comes from a ViewMaker.
+/// Makes the artifacts of one stressed view in this process, and stores those that its results consist of.
+/// Their inputs come from a ViewMaker.
 class StressMaker final : public Maker {
   public:
-    /// All of them must outlive it.
+    /// All arguments must outlive this object.
     StressMaker(const StressWork& work, const ArtifactStore& store, Unstressed& unstressed);
 
     bool take(const Job& job) override;
@@ -25,7 +25,7 @@ class StressMaker final : public Maker {
     void make(const Job& job) override;
     std::vector<std::string> make_in_turns(std::span<const Job* const> jobs) override;
 
-    // What was taken or made; the cell is null where it has failed.
+    // The artifacts that were taken or made; a cell is null where it has failed.
     const StressSettingRecord& setting() const { return setting_.value(); }
     const StressedCell* cell(const Key& key) const;
 
@@ -37,9 +37,9 @@ class StressMaker final : public Maker {
     const StressWork& work_;
     const ArtifactStore& store_;
     Unstressed& unstressed_;
-    ViewRecord described_;  ///< nothing: no results of a score are made
+    ViewRecord described_;  ///< stays empty: there are no results of a score
     ViewMaker sources_;
-    TemporaryFolder folder_;  ///< of files that are about to be kept
+    TemporaryFolder folder_;  ///< holds files until they are stored
     std::optional<StressSettingRecord> setting_;
     std::map<Key, StressedCell> cells_;
 };

@@ -9,16 +9,16 @@
 namespace aoscore {
 namespace {
 
-// The reference is looked at with this radius where no method asks for another, metres in the base.
+// The reference's radius where no method asks for another, metres in the base.
 constexpr double kRadius_m = 0.5;
 
-// The parameter that the radius axis turns: the truth's, else the one of that name.
+// The parameter that the radius axis changes: the truth's, else the one named radius.
 std::string radius_parameter(const MethodDescriptor& method) {
     if (!method.truth.radius_parameter.empty()) return method.truth.radius_parameter;
     return method.find_parameter("radius") != nullptr ? "radius" : "";
 }
 
-// Lengths grow with the scene, areas with its square.
+// Scales a method's values: lengths grow with the scene, areas with its square.
 ParameterValues scaled_values(const MethodDescriptor& method, const std::string& preset,
                               const StressCase& stress, const std::string& radius) {
     ParameterValues values = method.values(preset);
@@ -38,7 +38,7 @@ std::string performance_preset(const MethodDescriptor& method) {
     return {};
 }
 
-// The reference or the bound.
+// Fills in the request of the reference or the bound.
 void traced_request(StressJudgement judgement, const StressCase& stress, StressRequest& result) {
     const bool is_bound = result.subject->kind == "bound";
     if (is_bound && judgement == StressJudgement::same_picture) {
@@ -51,7 +51,7 @@ void traced_request(StressJudgement judgement, const StressCase& stress, StressR
     }
 }
 
-// A method, or a filter over one.
+// Fills in the request of a method, or of a filter over one.
 void drawn_request(const StressCase& stress, std::uint64_t seed, StressRequest& result) {
     const StressSubject& subject = *result.subject;
     const std::string radius = radius_parameter(*subject.method);

@@ -12,34 +12,34 @@
 
 namespace aoscore {
 
-/// One thing under stress: a method without filter, a filter over one method, the reference, or the bound:
-/// the most that any method could find that knows one depth layer, by the reference's rays.
+/// A subject of the test: a method without filter, a filter over one method, the reference, or the one-layer
+/// bound by the reference's rays.
 struct StressSubject {
     std::string id, label, kind;               ///< kind: "method", "filter", "reference", "bound"
-    const MethodDescriptor* method = nullptr;  ///< null: traced, not drawn
+    const MethodDescriptor* method = nullptr;  ///< null for traced subjects
     const MethodDescriptor* filter = nullptr;
 
-    /// Stress axis to the reason why it breaks there by its nature. A filter has its method's beside its own.
+    /// The reasons why it breaks by its nature, by stress axis. A filter has its method's beside its own.
     std::map<std::string, std::string> limits() const;
 };
 
-/// The method whose output filters are given.
+/// The method whose output is filtered.
 inline constexpr const char* kFilteredMethod = "gtao";
 
 /// The reference, the bound, all filters and these methods, or all of them where none is named. `registry`
 /// must outlive the result. Throws usage_error for an unknown method.
 std::vector<StressSubject> stress_subjects(const Registry& registry, const std::vector<std::string>& methods);
 
-/// The truth that subjects are held against which have none of their own.
+/// The query of the truth for subjects that have none of their own.
 TruthQuery reference_query(const StressCase& stress);
 
-/// What a subject is run as in a case.
+/// A subject's run in a case.
 struct StressRequest {
     const StressSubject* subject = nullptr;
-    std::shared_ptr<const Contestant> contestant;  ///< null where it is not run
+    std::shared_ptr<const Contestant> contestant;  ///< null where the subject is not run
     std::string preset = "default";
     TruthQuery own;
-    std::string skipped;  ///< why the stress does not concern it; empty where it is run
+    std::string skipped;  ///< why the stress does not apply; empty where it is run
 };
 /// Throws usage_error where a scaled parameter leaves its range.
 StressRequest stress_request(const StressSubject& subject, StressJudgement judgement,

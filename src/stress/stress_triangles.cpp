@@ -5,7 +5,7 @@
 namespace aoscore {
 namespace {
 
-// A vertex between two others; without normals the mesh stays flat.
+// Adds a vertex between two others; without normals the mesh stays flat.
 unsigned add_between(Mesh& mesh, unsigned a, unsigned b, double part) {
     mesh.positions.push_back(
         glm::vec3(glm::mix(glm::dvec3(mesh.positions[a]), glm::dvec3(mesh.positions[b]), part)));
@@ -25,7 +25,7 @@ double longest_edge(const Mesh& mesh, const glm::uvec3& t) {
     return std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
 }
 
-// Those with a longer edge than this.
+// Splits the triangles that have a longer edge than this.
 void split_in_four(Mesh& mesh, double longer_than_m) {
     std::vector<glm::uvec3> triangles;
     for (const glm::uvec3& t : std::vector<glm::uvec3>(mesh.triangles)) {

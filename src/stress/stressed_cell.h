@@ -10,19 +10,19 @@
 
 namespace aoscore {
 
-/// A picture that the maker has just made of the work's view, and what is known about it.
+/// The picture that the maker has just made of the work's view, with the data by which it is judged.
 StressedPicture stressed_picture(const StressWork& work, const StressRequest& request,
                                  const ViewMaker& maker);
 
-/// What is kept of one subject on a stressed view: numbers, and thumbnails of its picture and of the
-/// difference that its deviation is made of, which is empty where that is not.
+/// The stored result of one subject on a stressed view: its numbers, and thumbnails of its picture and of the
+/// difference behind its deviation, where there is one.
 struct StressedCell {
     StressCell cell;
     ImageF picture, difference;
 };
-/// An EXR: `Y` the picture, `D` the difference, and the numbers in its header.
+/// Writes an EXR with the picture in `Y`, the difference in `D`, and the numbers in its header.
 void write_stressed_cell(const std::filesystem::path& path, const StressedCell& cell);
-/// Throws file_error for a file of another form.
+/// Reads such a file. Throws file_error for one of another form.
 StressedCell read_stressed_cell(const std::filesystem::path& path);
 
 }  // namespace aoscore

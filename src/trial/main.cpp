@@ -1,5 +1,5 @@
 // aoscore-shader-trial VERTEX FRAGMENT: compiles two files and draws with them, within limits of its own.
-// Ends with 0 whether they compile or not; otherwise where memory or time does not suffice.
+// Ends with 0 whether they compile or not, and otherwise where memory or time does not suffice.
 #include "core/files.h"
 #include "core/process_limits.h"
 #include "core/threads.h"

@@ -11,7 +11,7 @@
 namespace aoscore {
 namespace {
 
-/// Why two views do not show the same; empty where they do.
+/// Says why two views show different pictures; empty where they show the same.
 std::string difference(const ViewRecord& a, const ViewRecord& b) {
     if (a.scene_digest != b.scene_digest) return "the scene has changed";
     if (a.width != b.width || a.height != b.height) return "the images differ in size";
@@ -23,7 +23,7 @@ std::string difference(const ViewRecord& a, const ViewRecord& b) {
     return {};
 }
 
-/// Why two cells cannot be compared; empty where they can.
+/// Says why two cells cannot be compared; empty where they can.
 std::string obstacle(const Results& now, const CellRecord& cell, const Results& before,
                      const CellRecord* old) {
     if (old == nullptr) return "not in the earlier run";
@@ -37,8 +37,8 @@ std::string obstacle(const Results& now, const CellRecord& cell, const Results& 
     return {};
 }
 
-/// The cell of the earlier run that this one stands for: of the same id, else the only one of its method,
-/// preset and filter on the view, so that a change of parameters can be held against what was before.
+/// The cell of the earlier run to compare with: the one of the same id, else the only one of its method,
+/// preset and filter on the view, so that changed parameters can be compared.
 const CellRecord* earlier_cell(const CellRecord& cell, const Results& before) {
     if (const CellRecord* same = find_row(before.cells, cell.id)) return same;
     const CellRecord* only = nullptr;
@@ -52,7 +52,7 @@ const CellRecord* earlier_cell(const CellRecord& cell, const Results& before) {
     return only;
 }
 
-/// A change, and where it can be resampled the metric now and before.
+/// A change, with the metric's draws now and before where it can be resampled.
 struct Compared {
     ChangeRecord change;
     std::vector<Resampled> now_and_before;
@@ -79,7 +79,7 @@ Compared compared(const Results& now, const CellRecord& cell, const Results& bef
         change.verdict = "worse";
         change.reason = "failed: " + cell.error;
     } else if (change.now && change.before) {
-        // Views are drawn apart: what they have by chance in common must not look like certainty.
+        // Views are resampled independently: a chance that they shared would look like certainty.
         const auto view = std::ranges::find(now.views, cell.view_key, &ViewRecord::key);
         const std::uint64_t seed = mix_bits(now.seed + static_cast<std::uint64_t>(view - now.views.begin()));
         for (const CellRecord* one : {&cell, old}) {
@@ -91,7 +91,7 @@ Compared compared(const Results& now, const CellRecord& cell, const Results& bef
     return result;
 }
 
-/// Gives every change that can be told its interval, all of them together, and what follows.
+/// Gives every change that can be resampled its interval, simultaneous for all of them, and its verdict.
 void judge(std::vector<Compared>& comparisons) {
     std::vector<Resampled> measures;
     std::vector<MeasurePair> pairs;

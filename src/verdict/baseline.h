@@ -4,9 +4,9 @@
 
 namespace aoscore {
 
-/// Holds every cell of a run against the cell of the same id in an earlier one. They are comparable where
-/// scene, camera, size, radius and mask are the same; whether they differ is told by the paired block
-/// bootstrap, for all cells together (see simultaneous_intervals()).
+/// Compares every cell of a run with its cell in an earlier one. They are comparable where scene, camera,
+/// size, radius and mask are the same; the paired block bootstrap tells whether they differ, for all cells
+/// together (see simultaneous_intervals()).
 BaselineRecord against_baseline(const Results& now, const Results& before);
 
 }  // namespace aoscore

@@ -18,7 +18,7 @@ namespace {
 using Kind = ClaimCheck::Kind;
 using Range = Measured::Range;
 
-/// A cell of a check as it was found in the results.
+/// A cell of a check, as found in the results.
 struct Found {
     const ClaimCell* asked;
     const CellRecord* cell;
@@ -26,7 +26,7 @@ struct Found {
     Measured measured;
 };
 
-/// One expression of a check with the range that it is claimed to lie in.
+/// One expression of a check with its claimed range.
 struct Part {
     std::string what;
     Measured measured;
@@ -36,7 +36,7 @@ struct Part {
 };
 
 const ViewRecord* find_view(const Results& results, const ViewPlan& plan) {
-    // The same size where it is there, else the view in any size.
+    // Takes the view of the same size if there is one, else of any size.
     const ViewRecord* other_size = nullptr;
     for (const ViewRecord& view : results.views) {
         if (view.scene != plan.scene || view.view != plan.view || view.radius_m != plan.radius_m) continue;
@@ -239,7 +239,7 @@ class Judge {
         if (!range) return result;
         result.low = range->low;
         result.high = range->high;
-        // Orders are strict: what is exactly equal is not less.
+        // Orders are strict: equal values are not less.
         const bool strict = check.kind == Kind::order;
         const auto above = [&](double v) {
             return !part.low || v > *part.low || (!strict && v == *part.low);
@@ -253,7 +253,7 @@ class Judge {
         return result;
     }
 
-    // What the truth says of the cells, whatever the claim asks of them.
+    // Adds the cells' errors against the truth, whatever the claim asks for.
     void add_errors(const ClaimCheck& check, ClaimRecord& record) const {
         for (const ClaimCell& asked : check.cells) {
             const ViewRecord* view = find_view(results_, list_.views.at(asked.view));

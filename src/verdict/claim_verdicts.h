@@ -7,10 +7,10 @@
 
 namespace aoscore {
 
-/// The verdict on every claim of the lists, from what the results hold. A part of a claim holds when the
-/// interval of its expression lies wholly inside the claimed range, fails when it lies wholly outside, and
-/// cannot be told when it straddles a limit or a cell was not measured. A claim holds when all its parts do
-/// and does not when one of them fails.
+/// Judges every claim of the lists by the results. A part of a claim holds when the interval of its
+/// expression lies wholly inside the claimed range, fails when it lies wholly outside, and cannot be decided
+/// when it straddles a limit or a cell was not measured. A claim holds when all its parts do and does not
+/// when one of them fails.
 std::vector<ClaimRecord> judge_claims(const std::vector<ClaimList>& lists, const Results& results);
 
 /// The verdict in a line: "H01 holds: … (Hussain, …, 2022, section 5.2)".

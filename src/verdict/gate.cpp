@@ -102,7 +102,7 @@ Gate Gate::passing(double value) const {
     const bool upper = relation == Relation::greater || relation == Relation::greater_equal;
     const auto sign =
         std::ranges::find(kRelations, relation, &std::pair<const char*, Relation>::second)->first;
-    // The nearest of few digits that holds, however the digits of the value go on.
+    // The nearest limit of few digits that holds, however the digits of the value continue.
     const double step = value == 0 ? 1e-6 : std::pow(10.0, std::floor(std::log10(std::abs(value))) - 3);
     const double nearest = upper ? std::ceil(value / step) : std::floor(value / step);
     for (int steps = 0;; ++steps) {

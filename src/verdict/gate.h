@@ -8,13 +8,13 @@
 
 namespace aoscore {
 
-/// What limits can be put on: every metric, and the areas of missing and false occlusion
-/// (mask_areas()), by id.
+/// The ids of measures that can be limited: every metric, and the areas of missing and false occlusion
+/// (mask_areas()).
 std::vector<std::string> limited_ids();
-/// Their values of one comparison; the areas are not there without an analysis.
+/// The values of these measures for one comparison; without an analysis the areas are missing.
 MetricMap limited_measures(const MetricMap& metrics, const std::optional<ErrorAnalysis>& analysis);
 
-/// A limit on a measure, written as what must not be: "rmse>0.02", blanks allowed.
+/// A limit on a measure, written as the condition that trips it: "rmse>0.02", blanks allowed.
 struct Gate {
     enum class Relation { greater, greater_equal, less, less_equal };
     std::string metric;
@@ -22,16 +22,16 @@ struct Gate {
     double threshold = 0;
     std::string text;
 
-    /// Throws usage_error for another form or an unknown measure, listing what is known.
+    /// Reads a limit. Throws usage_error for another form or an unknown measure, listing the known ones.
     static Gate parse(const std::string& text);
 
-    /// Whether the measured value breaks the limit. A value that could not be had breaks every limit.
+    /// Whether the measured value trips the limit. A missing value trips every limit.
     bool tripped_by(const MetricMap& metrics) const;
 
-    /// The nearest limit of its kind, of four digits, that a value does not break.
+    /// The nearest limit of its kind, with four digits, that a value does not trip.
     Gate passing(double value) const;
 
-    /// One line: the measured value and the limit that would have passed.
+    /// Says in one line the measured value and the limit that would have passed.
     std::string explain(const MetricMap& metrics) const;
 };
 

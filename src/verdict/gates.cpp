@@ -55,7 +55,7 @@ Gates::Tripped Gates::check(const MetricMap& measures) const {
 
 Gates::Tripped Gates::check(const ChangeRecord& change) const {
     Tripped tripped;
-    // A cell that was there before but cannot be compared any more may hide what the gate is for.
+    // A cell that can no longer be compared with its earlier one may hide a change for the worse.
     const bool untold = change.verdict == "not comparable" && change.before;
     if (change.verdict != "worse" && !untold) return tripped;
     const std::string line =

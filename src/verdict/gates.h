@@ -9,27 +9,28 @@
 
 namespace aoscore {
 
-/// The word that stands for "worse than the baseline, surely" among limits.
+/// The word among limits for "significantly worse than the baseline".
 inline constexpr const char* kWorse = "worse";
 
-/// Everything that must not be (--fail) or should not be (--warn).
+/// The limits of --fail and --warn.
 class Gates {
   public:
     /// Throws usage_error for a malformed limit, an unknown metric, and kWorse without a baseline.
     Gates(const std::vector<std::string>& fail, const std::vector<std::string>& warn, bool has_baseline);
 
-    /// Throws usage_error where a limit lies below what the truth's noise alone makes of the metric: a
-    /// perfect image would trip it. (One without_noise may lie below: noise averages out over the pixels.)
+    /// Throws usage_error where a limit lies below the value that the truth's noise alone gives the metric: a
+    /// perfect image would trip it. (Metrics that are without_noise may have lower limits: there, noise
+    /// averages out.)
     void require_above_noise(double noise_floor_rmse, const std::string& where) const;
 
-    /// One line for each tripped limit: the measured value and what would have passed.
+    /// One line for each tripped limit: the measured value and the limit that would have passed.
     struct Tripped {
         std::vector<std::string> failures, warnings;
         ExitCode exit_code() const;
         std::size_t count() const { return failures.size() + warnings.size(); }
         void add(const Tripped& other);
     };
-    Tripped check(const MetricMap& measures) const;  ///< limited_measures()
+    Tripped check(const MetricMap& measures) const;  ///< of limited_measures()
     Tripped check(const ChangeRecord& change) const;
 
   private:

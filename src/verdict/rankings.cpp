@@ -14,7 +14,7 @@
 namespace aoscore {
 namespace {
 
-/// One method as it was run, with its cells, one on each view of a ranking.
+/// One method with its settings: its cells, one on each view of a ranking.
 using Entry = std::vector<const CellRecord*>;
 using Views = std::vector<const ViewRecord*>;
 
@@ -24,7 +24,7 @@ std::vector<const BlockErrors*> blocks_of(const Entry& entry) {
     return blocks;
 }
 
-/// Empty where one of the cells lacks it.
+/// The metric over the views; empty where one of the cells lacks it.
 std::optional<double> value_over_views(const Entry& entry, const std::string& metric) {
     std::vector<double> values;
     for (const CellRecord* cell : entry) {
@@ -41,7 +41,7 @@ double area_over_views(const Entry& entry, const MaskArea& area) {
     return measure_over_views(area.id, areas);
 }
 
-/// Every measure that all cells have; of one view as its analysis says.
+/// Every measure that all cells have; for one view as its analysis gives it.
 std::map<std::string, MeasureRecord> measures_of(const Entry& entry, std::uint64_t seed) {
     std::map<std::string, MeasureRecord> measures;
     for (const auto& [id, metric] : entry.front()->ranked) {
@@ -104,7 +104,7 @@ RankingRecord ranking_of(std::vector<Entry> entries, const Views& views, std::ui
     return ranking;
 }
 
-/// What succeeded on every one of the views, in the order of the first one's cells.
+/// The entries that succeeded on all of the views, in the order of the first view's cells.
 std::vector<Entry> entries_on(const Views& views, const std::vector<CellRecord>& cells) {
     using Contestant = std::array<std::string, 4>;
     const auto contestant = [](const CellRecord& cell) {

@@ -25,9 +25,9 @@ nlohmann::json dumped(const fs::path& exr, const std::string& channel, const fs:
     return {{"file", to.string()}, {"width", image->width}, {"height", image->height}};
 }
 
-// Less than what CTest gives a test, so that the log is still shown.
+// This is less than CTest's limit, so that the log is still shown.
 constexpr int kLongestSpec_s = 540;
-constexpr int kTimedOut = 124;  // what timeout exits with
+constexpr int kTimedOut = 124;  // the exit code of timeout
 
 }  // namespace
 

@@ -9,14 +9,14 @@
 
 namespace aoscore::testing {
 
-/// A program or npm package that specs need and that is not here, in words; empty when all are here.
+/// Names a program or npm package that specs need and that is missing; empty when all are here.
 std::string missing_for_browser();
 
 /// The values of the results' EXR files, by the names that the page gives its images: {file, width, height}
 /// of raw float32 files that this writes below the folder.
 nlohmann::json exr_values(const Results& results, const std::filesystem::path& folder);
 
-/// Runs a script of specs/ with Node, with `folder` as AOSCORE_TEST_FOLDER, and expects that it ends well.
+/// Runs a script of specs/ with Node, with `folder` as AOSCORE_TEST_FOLDER, and expects that it succeeds.
 void expect_spec_holds(const std::string& script, const std::filesystem::path& folder);
 
 }  // namespace aoscore::testing

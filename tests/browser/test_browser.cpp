@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-/// The page in headless Chromium, driven by playwright-core: each specs/*.spec.mjs says what it claims.
+/// The page in headless Chromium, driven by playwright-core: each specs/*.spec.mjs begins with its claim.
 /// Screenshots stay in the test's output folder. A machine without Chromium, Node or the npm packages skips
 /// these tests and says so; with CI=true they fail there.
 namespace aoscore {

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 struct LiveCase {
     const char* name;
-    const char* arguments;      ///< of score, after the scene
+    const char* arguments;      ///< arguments of score after the scene
     double least_near = 0.995;  ///< share of the pixels that must be within 2/255
 };
 
@@ -38,7 +38,7 @@ TEST_P(LivePictures, EqualTheStoredOnes) {
 
 constexpr LiveCase kCases[] = {
     {"every_method", "--view close --methods all"},
-    // Without a filter to even them out, taps and sectors that roundings push over an edge stand out whole.
+    // Without a filter, taps and sectors that rounding pushes over an edge show in full.
     {"every_method_unfiltered", "--view close --methods all --filter none", 0.99},
     {"gaussian_depth", "--view wide --methods hbao,ssao --filter gaussian-depth"},
     {"normal_depth", "--view close --methods hbao,ssao --filter normal-depth"},
@@ -48,7 +48,7 @@ constexpr LiveCase kCases[] = {
 INSTANTIATE_TEST_SUITE_P(Page, LivePictures, ::testing::ValuesIn(kCases),
                          [](const auto& one) { return std::string(one.param.name); });
 
-/// The only cell's picture.
+/// The picture of the only cell.
 ImageF picture_of(const fs::path& folder) {
     const Results results = read_results(folder);
     EXPECT_EQ(results.cells.size(), 1U);
@@ -86,8 +86,7 @@ TEST(LiveExport, MeasuresWhatThePageShowed) {
         near += std::abs(shown[i] - measured.pixels[i]) <= 2.0F / 255 ? 1 : 0;
     EXPECT_GE(static_cast<double>(near), 0.995 * static_cast<double>(shown.size()));
 
-    // As the method's preset, merged into its descriptor; a preset names its filter but has none of its
-    // values.
+    // The preset is merged into the method's descriptor; it names its filter but has no values for it.
     nlohmann::json descriptor = nlohmann::json::parse(read_file(mine / "method.json"));
     descriptor.merge_patch(nlohmann::json::parse(read_file(folder / "preset.json")));
     write_atomically(mine / "method.json", descriptor.dump());

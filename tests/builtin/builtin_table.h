@@ -7,7 +7,7 @@
 #include <string>
 
 namespace aoscore {
-/// How a failure names its scene.
+/// Names the scene in a failure.
 inline void PrintTo(const BuiltinScene& scene, std::ostream* out) {
     *out << scene.id;
 }

@@ -89,7 +89,7 @@ TEST(PitForm, AgreesWithIntegrationAtEveryPlaceOfTheBottom) {
     const double a = pit::kRadius_m, depth = pit::depth_m();
     for (const double offset : {0.0, 0.3, 0.7, 0.95}) {
         const auto hit = [&](const dvec3& w) {
-            // From (offset, 0, 0) to the cylinder x^2 + z^2 = a^2.
+            // The distance from (offset, 0, 0) to the cylinder x^2 + z^2 = a^2.
             const double flat = w.x * w.x + w.z * w.z, b = offset * w.x;
             const double t = (-b + std::sqrt(b * b + flat * (a * a - offset * offset))) / flat;
             return t * w.y <= depth ? t : kNoCutoff;
@@ -139,8 +139,8 @@ TEST_P(ClosedFormScenes, ShowTheirFormOnAGoodPartOfEveryView) {
     }
 }
 
-/// The mesh, not only the formula: the view's mean visibility, over so many rays that facets or a wrong
-/// measure of the scene would show.
+/// Tests the mesh, not only the formula: the view's mean visibility, over so many rays that facets or a wrong
+/// dimension of the scene would show.
 TEST_P(ClosedFormScenes, MeanTracedVisibilityIsTheFormsWithinFourStandardErrors) {
     const Scene scene = load_scene(GetParam());
     const ReferenceScene reference(scene);

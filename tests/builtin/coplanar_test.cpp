@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
-/// Two faces in the same plane over the same area fight for the pixel: the rasteriser and the ray tracer may
-/// choose differently. No built-in scene may have any, in whatever part of it.
+/// Of two faces in the same plane over the same area (z-fighting), the rasteriser and the ray tracer may
+/// choose different ones. No built-in scene may have any.
 namespace aoscore {
 namespace {
 
@@ -38,7 +38,7 @@ std::vector<Face> faces_of(const Scene& scene) {
                     glm::vec3(instance.scene_from_mesh * glm::dvec4(mesh.positions[t[k]], 1));
             }
             face.normal = triangle_normal(face.corners[0], face.corners[1], face.corners[2]);
-            // Both sides of a plane are the same plane.
+            // Both sides of a plane count as one plane.
             const glm::dvec3 n = face.normal;
             const double sign =
                 n.x > 1e-3 || (n.x > -1e-3 && (n.y > 1e-3 || (n.y > -1e-3 && n.z > 0))) ? 1 : -1;
@@ -56,8 +56,7 @@ bool boxes_meet(const Corners& a, const Corners& b) {
     return glm::all(glm::lessThan(low(a), high(b))) && glm::all(glm::lessThan(low(b), high(a)));
 }
 
-/// How deep two triangles of one plane overlap: the least of their overlaps along all edge normals, <= 0 if
-/// apart.
+/// The depth of overlap of two triangles in one plane: the least along all edge normals, <= 0 if apart.
 double overlap(const Corners& a, const Corners& b) {
     double least = 1e30;
     for (const Corners* triangle : {&a, &b}) {
@@ -105,8 +104,8 @@ class CoplanarFaces : public testing::EveryBuiltin {};
 
 TEST_P(CoplanarFaces, NeverOverlap) {
     const std::vector<Face> faces = faces_of(GetParam().generate());
-    // Sorted by plane offset within cells of the direction; a face is entered in every cell its direction is
-    // near.
+    // Sorted by plane offset within cells of the direction; a face is entered in every cell near its
+    // direction.
     using Cell = std::array<int, 3>;
     std::map<Cell, std::vector<std::size_t>> cells;
     constexpr double kCell = 0.01;

@@ -26,7 +26,7 @@ std::vector<fs::path> shipped_view_files() {
     return files;
 }
 
-/// The filed views of a loaded scene see something, and are not stuck in a wall.
+/// Expects that the filed views of a loaded scene see something, and do not lie in a wall.
 void expect_good_views(const Scene& scene) {
     EXPECT_THAT(scene.warnings,
                 ::testing::Not(::testing::Contains(::testing::HasSubstr("its views are not used"))));
@@ -91,7 +91,7 @@ double share_inside(const Scene& scene, const View& view, const glm::dvec3& low,
 
 TEST(PillarViews, HideTheMiddleCrateInMainAndShowItFromAside) {
     const Scene scene = load_scene("pillar");
-    // Just above the floor, just off the back wall: the crates' space.
+    // The crates' space: just above the floor, just off the back wall.
     const glm::dvec3 low(-1, 0.01, 0.01), high(1, 2.5, 1.5);
     EXPECT_EQ(share_inside(scene, find_view(scene, "main"), low, high), 0.0);
     EXPECT_GT(share_inside(scene, find_view(scene, "moved"), low, high), 0.01);
@@ -103,8 +103,8 @@ TEST(PillarViews, DarkenTheWallBesideThePillarThatHidesTheCrate) {
     const CameraFrame frame(main.camera, 320, 180);
     const Truth truth =
         ReferenceScene(scene).trace(frame, {{Falloff::binary, *main.radius_m, 0}}, TruthSettings{}, "pillar");
-    // On the back wall at the height of the lowest crate, as near as the pillar lets one see, and far from
-    // any.
+    // Points on the back wall at the height of the lowest crate: as near to it as the pillar allows, and far
+    // from all.
     double beside = 0, open = 0;
     int beside_count = 0, open_count = 0;
     for (int y = 0; y < frame.height(); ++y) {

@@ -1,4 +1,4 @@
-// Small glTF scenes as other programs write them, with the command and the right answer of each.
+// Tests small glTF scenes as other programs write them, with the command and the right answer of each.
 #include "image/image_file.h"
 #include "support/support.h"
 
@@ -30,7 +30,7 @@ struct Answer {
     std::string warnings;
 };
 
-/// Runs the command on another scene than it names; `file` may be quoted.
+/// Runs the command on a scene other than it names; `file` may be quoted.
 Answer answer_of(std::string command, const std::string& file, const std::filesystem::path& scene,
                  const std::filesystem::path& folder) {
     command.replace(command.find(file), file.size(), "'" + scene.string() + "'");
@@ -49,7 +49,7 @@ Answer answer_of(std::string command, const std::string& file, const std::filesy
 
 TEST(AbroadGltf, EveryWayToWriteTheSceneGivesItsVisibility) {
     REQUIRE_SHARED_INPUTS();
-    // The manifest: 0.9445 over 5036 pixels, for all that cut away what else they hold.
+    // The manifest says 0.9445 over 5036 pixels, for all files that cut away their other surfaces.
     constexpr double kVisibility = 0.9445;
     constexpr int kPixels = 5036;
     const auto cases = gltf_cases();

@@ -26,7 +26,7 @@ void PrintTo(const Case& c, std::ostream* out) {
 
 class AbroadScene : public ::testing::TestWithParam<Case> {};
 
-/// Mean visibility over the pixels that show a surface, and how many those are.
+/// The mean visibility over the pixels that show a surface, and their number.
 std::pair<double, int> mean_visibility(const fs::path& truth) {
     const ImageFile file = read_image(truth);
     const ImageF &visibility = *file.channel("Y"), &mask = *file.channel("mask.Y");

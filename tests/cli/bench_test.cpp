@@ -9,7 +9,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// It fails by itself where a specialised shader and its uniform form give different pictures.
+// The command fails by itself where a specialised shader and its uniform form give different pictures.
 TEST(BenchMethods, ShowsEachPresetBesideItsUniformFormAndSumsUpTheMethodsWithKernels) {
     const auto run =
         testing::run_aoscore("bench methods plane --methods ssao,line-sweep,sao", testing::output_dir());

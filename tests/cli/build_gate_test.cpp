@@ -1,4 +1,4 @@
-// A gate in somebody's build: README's CTest project, followed word for word.
+// Tests a gate in a user's build: README's CTest project, word for word.
 #include "core/files.h"
 #include "core/shell.h"
 #include "support/support.h"
@@ -27,7 +27,7 @@ class Project {
   public:
     explicit Project(const std::filesystem::path& folder) : folder_(folder) {}
 
-    /// Whether the tests of the build pass; what it said is in log().
+    /// Whether the tests of the build pass; log() has its output.
     bool passes(const std::string& lists) {
         write_atomically(folder_ / "CMakeLists.txt", lists);
         const std::string command =

@@ -1,4 +1,4 @@
-// The cache of truths as a user meets it.
+// Tests the cache of truths through the program.
 #include "image/image_file.h"
 #include "results/results.h"
 #include "support/support.h"
@@ -103,7 +103,7 @@ TEST(CacheCommand, AnInterruptedReferenceKeepsWhatIsDoneAndGoesOn) {
     const auto folder = output_dir();
     const std::string reference = "reference pillar --size 320x200 --radius 2 --samples 1024 --causes --out ";
     ASSERT_EQ(run_aoscore(reference + "undisturbed.exr --no-cache", folder).exit_code, 0);
-    // Killed after ever longer times, until it is done in time: some of these fall into the middle.
+    // The run is killed after ever longer times, until it finishes: some of these stop it in the middle.
     int runs = 0, exit_code = 1;
     for (double seconds = 0.3; exit_code != 0 && runs < 60; ++runs, seconds *= 1.2) {
         exit_code =
@@ -142,7 +142,7 @@ TEST(TruthFile, SaysTheCommandThatMakesItAgain) {
         "reference pillar --view main --size 96x64 --radius 0.5,inf --samples 16 --causes --one-layer-bound "
         "--bent-normals --seed 7",
         "reference pillar --view main --size 96x64 --radius 0.5,inf --error 0.05 --seed 7",
-        // Served by the one before: what it says must make that one.
+        // The earlier truth serves this one: its command must make that truth.
         "reference pillar --view main --size 96x64 --radius 0.5,inf --error 0.1 --seed 7",
     };
     for (const std::string& call : arguments) {

@@ -1,5 +1,5 @@
-// `aoscore compare` with images as other programs write them: which channel is taken, what is refused, and
-// what is said of a picture that may have been meant otherwise.
+// Tests `aoscore compare` with images as other programs write them: the channel that is taken, refusals, and
+// warnings about pictures that may have been meant otherwise.
 #include "core/files.h"
 #include "image/image_file.h"
 #include "support/foreign_exr.h"
@@ -26,7 +26,7 @@ using testing::run_aoscore;
 
 constexpr int kWidth = 64, kHeight = 48;
 
-/// Occlusion in a corner and along a wall: like itself in no mirror.
+/// Occlusion in a corner and along a wall, which no mirroring maps to itself.
 ImageF truth_image() {
     ImageF image(kWidth, kHeight);
     for (int y = 0; y < kHeight; ++y) {
@@ -52,7 +52,7 @@ double decoded(double value) {
     return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }
 
-/// The truth with an error: a regular pattern of .05 that no other reading takes away.
+/// The truth with an error: a regular pattern of .05 that no other reading removes.
 ImageF good_test() {
     ImageF image = truth_image();
     for (std::size_t i = 0; i < image.size(); ++i)
@@ -79,7 +79,7 @@ class CompareAbroad : public ::testing::Test {
     std::filesystem::path folder_ = output_dir();
 };
 
-// ../shared/abroad/manifest.json: what each file is, and what is right.
+// ../shared/abroad/manifest.json describes each file, with the right answer.
 TEST(SharedAbroad, EachImageIsScoredRightOrRefusedInWords) {
     REQUIRE_SHARED_INPUTS();
     const auto folder = output_dir();
@@ -102,7 +102,7 @@ TEST(SharedAbroad, EachImageIsScoredRightOrRefusedInWords) {
         const json result = json::parse(run.out);
         EXPECT_EQ(result["test_channel"], image.channel) << image.file;
         const std::string name = image.file;
-        // Those two hold other pixels than the rest: values beyond 1, and a part of the picture.
+        // These two have other pixels than the rest: values beyond 1, and a part of the picture.
         if (name != "over1.exr" && name != "crop.exr") {
             EXPECT_NEAR(result["metrics"]["rmse"]["value"].get<double>(), kRight, 2e-6) << image.file;
         }

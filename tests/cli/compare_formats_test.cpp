@@ -23,7 +23,7 @@ using testing::run_aoscore;
 
 constexpr int kWidth = 40, kHeight = 24;
 
-/// Neither upside down nor inverted like itself, and within [0.05, 0.95].
+/// An image that changes when turned upside down or inverted, within [0.05, 0.95].
 ImageF truth_image() {
     ImageF image(kWidth, kHeight);
     for (int y = 0; y < kHeight; ++y) {
@@ -107,7 +107,7 @@ struct Format {
     const char* name;
     const char* extension;
     std::string (*encode)(const ImageF&);
-    bool integers;  ///< so that its coding has to be said
+    bool integers;  ///< whether the coding must be stated
     double step;    ///< the largest error of a stored number
 };
 

@@ -1,4 +1,4 @@
-// `aoscore compare`: the JSON object, gates, and the traps that comparing tools fall into.
+// Tests `aoscore compare`: its JSON object, gates, and the usual mistakes of comparing tools.
 #include "core/files.h"
 #include "image/image_file.h"
 #include "support/support.h"
@@ -248,7 +248,7 @@ TEST_F(Compare, AgreesWithIdiff) {
     const json metrics = compare("truth.exr test.exr", 0)["metrics"];
     EXPECT_NEAR(metrics["mae"]["value"].get<double>(), number("Mean error"), 1e-6) << said;
     EXPECT_NEAR(metrics["rmse"]["value"].get<double>(), number("RMS error"), 1e-6);
-    // Its PSNR is for the brightest value of the images, not for 1; its "Max error" has two blanks.
+    // OIIO's PSNR is for the brightest value of the images, not for 1; "Max error" is followed by two blanks.
     EXPECT_NEAR(metrics["max_error"]["value"].get<double>(), number("Max error "), 1e-6);
 }
 

@@ -46,7 +46,7 @@ class Contestant : public ::testing::Test {
         return run_aoscore(std::string(kScore) + " --out page " + options, folder);
     }
 
-    /// The contestant's row, when the folder's only image is this one.
+    /// The contestant's row when the folder has only this image.
     CellRecord row_of(const ImageF& changed, int exit_code, const std::string& more = {}) const {
         const ChannelView channel{"Y", &changed};
         write_exr(folder / "engine/oblique.exr", std::span(&channel, 1), {});

@@ -1,4 +1,4 @@
-// What goes wrong around the program: streams, caches, names and signals.
+// Tests faults around the program: streams, caches, names and signals.
 #include "core/files.h"
 #include "results/results.h"
 #include "support/support.h"
@@ -104,7 +104,7 @@ TEST(UnwritableCache, AFolderInPlaceOfAFileIsNoDamageOf2To64Bytes) {
 
 TEST(SceneName, OfAnyBytesIsScoredAndShownWithoutHarm) {
     const auto folder = output_dir();
-    // No UTF-8, a mark that turns the direction of what follows, a line separator, a line break.
+    // A byte that is no UTF-8, a mark that changes the direction of text, a line separator, a line break.
     const std::string name = "sc\xFF\u202E\u2028\nene";
     write_scene(folder / (name + ".gltf"));
     const std::string quoted = "'" + name + ".gltf'";
@@ -121,7 +121,7 @@ TEST(SceneName, OfAnyBytesIsScoredAndShownWithoutHarm) {
     for (const std::string& text : {run.err, list.out, read_file(folder / "o" / "index.html")}) {
         for (const char* bad : {"\xFF", "\u202E", "\u2028"}) EXPECT_THAT(text, Not(HasSubstr(bad)));
     }
-    // The kept command is one line that a shell can be given again.
+    // The stored command is one line that a shell accepts.
     const std::string command = line_with(read_file(folder / "o" / "results.json"), "\"command\"");
     EXPECT_THAT(command, HasSubstr("$'sc\\\\377\\\\342\\\\200\\\\256"));
 }
@@ -154,7 +154,7 @@ TEST(ResultsFile, WithANumberThatNoDoubleHoldsExitsWith4) {
     EXPECT_THAT(run.err, HasSubstr("results.json: line 1, column"));
 }
 
-// The rasteriser crashes where memory is refused to it.
+// The rasteriser crashes where it gets no memory.
 TEST(Memory, ThatALimitLeavesTooLittleOfIsTheWordOfTheError) {
 #ifdef __SANITIZE_ADDRESS__
     GTEST_SKIP() << "a sanitizer's address space has no limit";
@@ -169,7 +169,7 @@ TEST(Memory, ThatALimitLeavesTooLittleOfIsTheWordOfTheError) {
     }
 }
 
-// What `timeout -s INT` does: one signal for the process, one for its group.
+// As `timeout -s INT` does, it sends one signal to the process and one to its group.
 TEST(Interrupts, TwoInQuickSuccessionAreOne) {
     const auto folder = output_dir();
     const ProgramRun run = run_aoscore("score sphere --samples 100000 --out o", folder,

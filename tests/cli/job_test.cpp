@@ -1,4 +1,4 @@
-// A plan's jobs, listed and made one by one, as a cluster would.
+// Tests a plan's jobs, listed and made one by one, as on a cluster.
 #include "results/results.h"
 #include "support/support.h"
 

@@ -1,5 +1,4 @@
-// Every metric is listed, measured between two images and may be limited, those that are added later
-// included.
+// Every metric, also one added later, is listed, measured between two images and can be limited.
 #include "image/image_file.h"
 #include "metrics/metric.h"
 #include "support/support.h"

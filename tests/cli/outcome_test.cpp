@@ -1,4 +1,4 @@
-// What becomes of numbers: limits, exit codes, exports in every format, baselines.
+// Tests the outcomes of runs: limits, exit codes, exports in every format, baselines.
 #include "core/files.h"
 #include "image/image_file.h"
 #include "results/export/export_format.h"

@@ -1,4 +1,5 @@
-// Cameras of the user's own: view files, one on the command line, what the program offers as such.
+// Tests cameras of the user's own: view files, one on the command line, and those that the program prints for
+// reuse.
 #include "core/files.h"
 #include "image/image_file.h"
 #include "results/results.h"

@@ -1,4 +1,4 @@
-// What was measured before is not measured again, and nothing else is taken for it.
+// Earlier measurements are not repeated, and no other is taken for them.
 #include "core/files.h"
 #include "results/results.h"
 #include "support/support.h"

@@ -1,4 +1,4 @@
-// The way of an outside method as README shows it: export, render elsewhere, compare.
+// Tests the path of an outside method as README shows it: export, render elsewhere, compare.
 #include "image/image_file.h"
 #include "readme.h"
 
@@ -24,8 +24,8 @@ TEST(RoundTrip, CommandsOfTheReadmeScoreAnImageMadeElsewhere) {
     ASSERT_THAT(testing::readme_commands(section), ::testing::HasSubstr("./run.sh compare"));
     const auto run = testing::run_readme_commands(section, folder);
     ASSERT_EQ(run.exit_code, 0) << run.err;
-    // What a newcomer sees is an image of ambient occlusion that was understood: the channel by its name, an
-    // error like that of a method, and nothing to doubt.
+    // The output shows that the image was understood: the channel by its name, an error like that of a
+    // method, and no doubts.
     EXPECT_THAT(run.out, ::testing::ContainsRegex("test_channel +AO  named as ambient occlusion"));
     std::map<std::string, double> numbers;
     std::string measure, value, rest;

@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 using testing::output_dir;
 using testing::run_aoscore;
 
-/// A room's corner with things in it, every length times `scale`, without a camera.
+/// A room's corner with objects in it, every length times `scale`, without a camera.
 void write_scene(const std::filesystem::path& folder, const std::string& name, double scale) {
     testing::GltfFile file;
     const std::pair<glm::vec3, glm::vec3> boxes[] = {
@@ -31,7 +31,7 @@ void write_scene(const std::filesystem::path& folder, const std::string& name, d
     file.write(folder, name);
 }
 
-/// Scored with every method from one place, without a radius.
+/// Scores every method from one place, without a radius.
 Results scored(const std::filesystem::path& folder, double scale) {
     write_scene(folder, "room", scale);
     const auto at = [&](double x, double y, double z) {
@@ -62,8 +62,8 @@ std::vector<std::string> order_of(const Results& results) {
 
 class Units : public ::testing::TestWithParam<double> {};
 
-// Float roundings move a tap over a texel's edge, or a ray past one, in a few pixels of 9216: the error of
-// n8ao/published differs by 6e-5 at a scale of 1000, that of all others by less than 2e-5.
+// Float rounding moves a tap over a texel's edge, or a ray past an edge, in a few pixels of 9216: the error
+// of n8ao/published differs by 6e-5 at a scale of 1000, that of all others by less than 2e-5.
 constexpr double kNoise = 2e-4;
 
 TEST_P(Units, AreScoredAndRankedAsMetres) {

@@ -1,4 +1,4 @@
-// score without --samples or --error: as few rays as the scores need, and what is said of it.
+// Tests score without --samples or --error: it traces as few rays as the scores need, and says so.
 #include "core/files.h"
 #include "metrics/roles.h"
 #include "plan/plan.h"
@@ -39,7 +39,7 @@ TEST(ScoreGoal, LeavesEveryScoreAsSureAsItPromisesAndNearOneOfManyRays) {
             const double allowed =
                 metric == kRankingMetric ? goal.error : ScoreGoal::kOtherMetrics * goal.error;
             EXPECT_LE(half_width, allowed) << cell.id << " " << metric;
-            // 2,048 rays have a noise of their own, which is not taken off what is not debiased.
+            // 2,048 rays have noise of their own, which remains in metrics that are not debiased.
             EXPECT_NEAR(*cell.ranked.at(metric).value, *many.cells[i].ranked.at(metric).value,
                         2 * half_width + 1e-3)
                 << cell.id << " " << metric;

@@ -1,4 +1,4 @@
-// Whole runs through the program: truth files, pages, methods of one's own, real scenes.
+// Tests whole runs through the program: truth files, pages, a user's methods, real scenes.
 #include "core/files.h"
 #include "image/image_file.h"
 #include "readme.h"

@@ -1,4 +1,4 @@
-// What results say of how they were made makes them again: filters' parameters, and the command of the truth.
+// The settings in results make them again: filters' parameters, and the command of the truth.
 #include "image/image_file.h"
 #include "results/results.h"
 #include "support/support.h"

@@ -1,4 +1,4 @@
-// score --signals: what it scores, what it keeps, what it refuses.
+// Tests score --signals: its scores, its files, its refusals.
 #include "core/signal.h"
 #include "image/image_file.h"
 #include "metrics/signal_metric.h"

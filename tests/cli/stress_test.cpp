@@ -35,7 +35,7 @@ TEST(StressCommand, MakesAPageInWhichEveryCellOpensItsPictures) {
     for (const char* text :
          {"Depth format", "Radius", ">SAO<", "Reference (ray tracer)", "First setting that breaks"})
         EXPECT_THAT(html, HasSubstr(text));
-    // Rows of the reference, its bound, the method and every filter; two and three settings.
+    // There are rows for the reference, its bound, the method and every filter, with two and three settings.
     const std::size_t rows = 3 + folders_in(home_dir() / "shaders" / "filters");
     EXPECT_EQ(count_of(html, "data-at=\"0-") + count_of(html, "data-at=\"1-"), rows * 5);
     EXPECT_EQ(count_of(html, "\"visibility\":\"data:image/png;base64,"), 5U);

@@ -161,8 +161,8 @@ TEST(Claims, RaysContendWithoutATimeOfTheirOwn) {
         EXPECT_EQ(cell.method, "ray-traced");
         EXPECT_TRUE(cell.error.empty()) << cell.error;
         EXPECT_FALSE(cell.ao.median_ms);
-        // Of one ray everything is noise; of more, in a picture so small, the filter blurs more than it
-        // mends.
+        // With one ray everything is noise; with more, in so small a picture, the filter does more harm than
+        // good.
         if (cell.parameters.at("rays") == 1) {
             EXPECT_LT(*cell.ranked.at("rmse").value, *cell.raw.at("rmse").value) << "the filter mends";
         }

@@ -1,4 +1,4 @@
-// What truth files and results say beside the visibility.
+// Tests the contents of truth files and results beside visibility.
 #include "image/image_file.h"
 #include "results/results.h"
 #include "support/support.h"
@@ -18,7 +18,7 @@ namespace {
 using testing::output_dir;
 using testing::run_aoscore;
 
-/// How far the causes of a truth file are from adding up to 1 - `visibility`, at most.
+/// The largest difference between the sum of a truth file's causes and 1 - `visibility`.
 double most_sum_error(const ImageFile& file, const std::string& visibility) {
     double most = 0;
     for (std::size_t i = 0; i < file.channel(visibility)->size(); ++i) {

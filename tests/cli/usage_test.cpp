@@ -17,7 +17,7 @@ using testing::run_aoscore;
 bool holds_only_captures(const std::filesystem::path& folder) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         const std::string name = entry.path().filename().string();
-        // Kept truths are no output: a stopped run resumes from what it traced.
+        // Stored truths are no output: a stopped run resumes from them.
         if (name != "stdout.txt" && name != "stderr.txt" && name != "truth-cache" &&
             !name.starts_with("input"))
             return false;

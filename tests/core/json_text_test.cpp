@@ -1,4 +1,4 @@
-// JSON that nobody here has made.
+// Tests JSON of other programs.
 #include "core/json_text.h"
 
 #include "core/error.h"

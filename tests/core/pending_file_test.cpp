@@ -1,4 +1,4 @@
-// Where a file that is written ends up: in its place at once, through a link, or through a device.
+// A written file appears in its place at once, also through a link, or passes through a device.
 #include "core/pending_file.h"
 
 #include "core/error.h"
@@ -38,7 +38,7 @@ std::size_t entries_of(const fs::path& folder) {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
 }
 
-/// A device of its own: /dev is nothing to try on.
+/// Makes a device of the test's own, since tests must not touch /dev.
 bool make_device(const fs::path& path, unsigned minor) {
     if (mknod(path.c_str(), S_IFCHR | 0666, makedev(1, minor)) != 0) return false;
     const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);

@@ -8,7 +8,7 @@ namespace {
     return glm::dvec3(glm::vec3(v));
 }
 
-// Offsets against self-hits, depths and the camera contract all rely on it; see cmake/Rooms.cmake.
+// Offsets against self-hits, depths and the camera contract rely on this rounding; see cmake/Rooms.cmake.
 TEST(Rounding, DoublesThatPassThroughFloatAreRounded) {
     const glm::dvec3 rounded = through_float({0.1, 0.2, 0.3});
     EXPECT_EQ(rounded.x, static_cast<double>(0.1f));

@@ -1,4 +1,4 @@
-// Which cameras a scene without any gets.
+// Tests the cameras that a scene without any gets.
 #include "framing/automatic_views.h"
 
 #include "core/threads.h"
@@ -55,7 +55,7 @@ TEST(AutomaticViews, OfAnObjectShowAllOfItFromTwoSides) {
             EXPECT_GE(image.z, view.camera.near);
             EXPECT_LE(image.z, view.camera.far);
         }
-        // As large as the margin of 2 % on each side allows: two sides touch it.
+        // The picture is as large as the margin of 2 % on each side allows: two sides touch it.
         EXPECT_TRUE(low.x > 3.2 - 1e-6 && high.x < 156.8 + 1e-6 && low.y > 1.8 - 1e-6 &&
                     high.y < 88.2 + 1e-6);
         EXPECT_TRUE((low.x < 3.2 + 1e-6 && high.x > 156.8 - 1e-6) ||
@@ -151,7 +151,7 @@ TEST(AutomaticViews, SayByWhichRuleTheirRadiusWasFound) {
 }
 
 TEST(AutomaticViews, OfABallCoverWhatItsOutlineDoes) {
-    // The outline is a circle as high as the picture but for its margins, up to perspective.
+    // Up to perspective, the outline is a circle as high as the picture without its margins.
     const Scene scene = MadeScene().ball({4, 5, 6}, 2).made();
     for (const View& view : automatic_views(scene, kAspect))
         EXPECT_NEAR(coverage(scene, view), M_PI / 4 * 0.96 * 0.96 / kAspect, 0.01);

@@ -26,7 +26,7 @@ MadeScene& MadeScene::box(const glm::dvec3& low, const glm::dvec3& high, bool in
             across[(axis + 1) % 3] = (high - low)[(axis + 1) % 3];
             up[(axis + 2) % 3] = (high - low)[(axis + 2) % 3];
             if (far) corner[axis] = high[axis];
-            // across x up points along +axis, which is outwards at the far side.
+            // The product across x up points along +axis, which is outwards at the far side.
             if (far == inwards) std::swap(across, up);
             quad(corner, corner + across, corner + across + up, corner + up);
         }

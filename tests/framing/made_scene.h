@@ -15,7 +15,7 @@ class MadeScene {
     /// A ball of about 1500 triangles, wound outwards.
     MadeScene& ball(const glm::dvec3& centre, double radius);
     MadeScene& triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
-    /// With all coordinates times `scale`, measured.
+    /// Returns the measured scene, all coordinates times `scale`.
     Scene made(double scale = 1) const;
 
   private:

@@ -1,4 +1,4 @@
-// The camera that just shows some points, against closed forms.
+// Tests the camera that just shows some points against closed forms.
 #include "framing/outline_fit.h"
 
 #include "framing/spread_direction.h"
@@ -34,10 +34,10 @@ TEST(OutlineFit, OfABoxTouchesItsNearestFace) {
     std::vector<glm::dvec3> corners;
     for (int i = 0; i < 8; ++i)
         corners.emplace_back((i & 1) != 0 ? 3 : 1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-    // Along -z the face at z = 1 is 2 high: at 90 degrees the camera is half of that before it.
+    // Along -z the face at z = 1 is 2 high: at 90 degrees the camera stands half of that before it.
     const Camera tall = fit_outline(corners, {0, 0, -1}, {0, 1, 0}, kRightAngle, 2, 0);
     EXPECT_NEAR(glm::distance(tall.position, glm::dvec3(2, 0, 2)), 0, 1e-12);
-    // A picture half as wide as it is high is touched by the sides.
+    // In a picture half as wide as it is high, the sides touch.
     const Camera wide = fit_outline(corners, {0, 0, -1}, {0, 1, 0}, kRightAngle, 0.5, 0);
     EXPECT_NEAR(glm::distance(wide.position, glm::dvec3(2, 0, 3)), 0, 1e-12);
     const Camera free = fit_outline(corners, {0, 0, -1}, {0, 1, 0}, kRightAngle, 2, 0.2);

@@ -32,7 +32,7 @@ void PrintTo(const Case& c, std::ostream* out) {
 }
 
 /// Valid files that the manifest lets a tool refuse (or asks to where it does not know an extension), and
-/// that this one reads in full: nothing to warn about.
+/// that this one reads in full, without a warning.
 const std::set<std::string> kReadInFull = {"node_deep_chain_60000.gltf", "ext_quantization_required.gltf",
                                            "ext_gpu_instancing_required.gltf",
                                            // Its errors are those of an animation.
@@ -50,7 +50,7 @@ std::vector<Case> crafted_cases() {
     return cases;
 }
 
-/// The files that the README names as refused whatever the validator says of them; but for assimp/issue_3269,
+/// Whether the README names the file as refused whatever the validator says; except for assimp/issue_3269,
 /// whose sets of texture coordinates are numbered with a gap: every viewer shows it, and a warning names it.
 bool named_refusal(const std::string& file) {
     for (const char* part :

@@ -27,7 +27,8 @@ TEST(MutatedFiles, LoadOrAreRefusedButNeverCrash) {
           "mat_mask_texcoord_nan.gltf", "ext_quantization_required.gltf", "camera_scaled_node.gltf"}) {
         const std::string original = aoscore::read_file(crafted / seed);
         for (int i = 0; i < 1200; ++i) {
-            // A name of its own: a file system may wait for the disk when a file is written over.
+            // Each file has a name of its own: a file system may wait for the disk when a file is
+            // overwritten.
             const fs::path file = folder / (std::to_string(i) + fs::path(seed).extension().string());
             std::ofstream(file, std::ios::binary) << aoscore::testing::spoilt(original, random);
             try {
@@ -42,7 +43,7 @@ TEST(MutatedFiles, LoadOrAreRefusedButNeverCrash) {
             fs::remove(file);
         }
     }
-    // The mutations are neither all harmless nor all fatal, or this would prove nothing.
+    // Were all mutations harmless or all fatal, this would prove nothing.
     EXPECT_GT(loaded, 100);
     EXPECT_GT(refused, 500);
 }

@@ -1,4 +1,4 @@
-// What channels hold by the names that other programs give them.
+// Tests the meaning of channels by the names that other programs give them.
 #include "image/channel_meaning.h"
 
 #include <gtest/gtest.h>

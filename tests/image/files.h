@@ -21,7 +21,7 @@ namespace aoscore::testing {
 inline const VisibilityReading kLinear{.channel = {}, .coding = Coding::linear},
     kSrgb{.channel = {}, .coding = Coding::srgb};
 
-/// Any floats at all: every bit pattern is as likely.
+/// Random floats: every bit pattern is equally likely.
 inline ImageF random_bits(int width, int height, unsigned seed) {
     std::mt19937 random(seed);
     ImageF image(width, height);
@@ -40,7 +40,7 @@ inline ImageF random_visibility(int width, int height, unsigned seed) {
     return image;
 }
 
-/// Same bits, NaN and signed zeros included.
+/// Whether all bits are equal, NaN and signed zeros included.
 inline bool same_bits(const ImageF& a, const ImageF& b) {
     return a.same_size(b) && std::memcmp(a.pixels.data(), b.pixels.data(), a.size() * sizeof(float)) == 0;
 }
@@ -49,7 +49,7 @@ inline void write_bytes(const std::filesystem::path& path, const std::string& by
     std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
-/// The message of the file_error that `action` must end in.
+/// The message of the file_error that `action` must throw.
 inline std::string file_error_of(const std::function<void()>& action) {
     try {
         action();

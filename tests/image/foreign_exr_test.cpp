@@ -1,4 +1,4 @@
-// EXR files of the kinds that other programs write and ours does not.
+// Tests EXR files of kinds that only other programs write.
 #include "support/foreign_exr.h"
 
 #include "files.h"
@@ -89,8 +89,8 @@ TEST(ForeignExr, TheFirstPartsNameCountsToo) {
                 ::testing::HasSubstr("did you mean beauty.R?"));
 }
 
-// A crop: pixels of the display window that the file does not hold do not count. An overscan: pixels around
-// the display window are no part of the picture.
+// In a crop, pixels of the display window that the file lacks do not count; in an overscan, pixels around the
+// display window are no part of the picture.
 TEST(ForeignExr, DataWindowsAreInPixelsOfTheDisplayWindow) {
     const auto folder = output_dir();
     const ImageF crop = random_visibility(10, 6, 1), overscan = random_visibility(40, 30, 2);
@@ -145,7 +145,7 @@ TEST(ForeignExr, DeepPartsAreLeftOutAndADeepImageIsRefusedInWords) {
     EXPECT_THAT(testing::file_error_of([&] { read_image(path); }), ::testing::HasSubstr("is a deep image"));
 }
 
-// OpenEXR's own writer of luminance and chroma: Y in full resolution, RY and BY in a quarter of it.
+// OpenEXR's own writer makes luminance and chroma: Y in full resolution, RY and BY in a quarter of it.
 TEST(ForeignExr, OfLuminanceAndChromaYIsReadWhereThePictureIsGrey) {
     const auto folder = output_dir();
     const ImageF image = random_visibility(20, 10, 1);

@@ -13,7 +13,7 @@ ImageF numbered(int width, int height) {
     return image;
 }
 
-// What the tag means (TIFF 6.0, page 36): where in the shown picture the stored row 0 and column 0 are.
+// The tag's meaning (TIFF 6.0, page 36): the places in the shown picture of the stored row 0 and column 0.
 TEST(Orientation, PutsTheFirstRowAndColumnWhereTheTagSays) {
     enum Side { kTop, kBottom, kLeft, kRight };
     struct Meaning {
@@ -43,7 +43,7 @@ TEST(Orientation, PutsTheFirstRowAndColumnWhereTheTagSays) {
                 EXPECT_EQ(image.at(x, y), stored.at(column, row)) << meaning.tag;
             }
         }
-        // A rectangle goes where its only pixel goes.
+        // A rectangle of one pixel goes where that pixel goes.
         const PixelRect rect = shown({2, 0, 1, 1}, 3, 2, Orientation::of_tag(meaning.tag));
         EXPECT_EQ(image.at(rect.x, rect.y), stored.at(2, 0)) << meaning.tag;
     }

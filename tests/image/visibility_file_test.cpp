@@ -120,7 +120,7 @@ TEST(VisibilityFile, DepthIsNeverVisibilityWhateverItsName) {
     const std::vector<std::vector<ChannelView>> files = {
         {{"Z", &depth}},
         {{"depth", &depth}},
-        {{"Y", &depth}, {"Z", &depth}},  // as this program's G-buffers are, for viewers
+        {{"Y", &depth}, {"Z", &depth}},  // as in this program's G-buffers
         {{"R", &kFirst},
          {"G", &kSecond},
          {"B", &kThird},

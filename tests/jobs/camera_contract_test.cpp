@@ -16,7 +16,7 @@ CameraFrame frame() {
     return {camera, kWidth, kHeight};
 }
 
-/// Depth of a surface as a function of pixel position; nothing where it is 0.
+/// The depth of a surface as a function of pixel position; 0 where there is none.
 using DepthOf = std::function<double(double x, double y)>;
 
 // A plane at 5 m that leans back to the right: depth differs at every column, so a shift is a difference.

@@ -1,4 +1,4 @@
-// What contestants say that they are made of, and those that no shader draws.
+// Tests the inputs that contestants state, and contestants that no shader draws.
 #include "jobs/contest/contestant.h"
 
 #include "core/error.h"
@@ -30,7 +30,7 @@ class Contestants : public ::testing::Test {
         folder.images["oblique"] = "absent.exr";
     }
 
-    /// The kinds of what the image of a view's only cell is made of.
+    /// The kinds of the inputs of the image of a view's only cell.
     std::vector<std::string> read_by(const std::shared_ptr<const Contestant>& contestant) {
         const ViewJobs jobs =
             view_jobs(work({{.id = "cell", .contestant = contestant, .own = {}, .timed = {}}}));
@@ -108,7 +108,7 @@ TEST_F(Contestants, ThatAreTheTruthDifferFromItByNothing) {
     EXPECT_THROW(true_image({Falloff::binary, 0.25, 0})->image({tools, frame, &truth}), Error);
 }
 
-// What one depth layer holds is a part of all that occludes.
+// The occluders in one depth layer are a part of all occluders.
 TEST_F(Contestants, ThatKnowOneLayerFindNoMoreOcclusionThanThereIs) {
     const Truth truth = traced();
     const ImageF bound = one_layer_bound(query)->image({tools, frame, &truth}).visibility;

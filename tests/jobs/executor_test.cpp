@@ -1,4 +1,4 @@
-// Schedules, without OpenGL or Embree: a mock makes artifacts by writing down that it did.
+// Tests schedules without OpenGL or Embree: a mock makes artifacts by recording their names.
 #include "jobs/executor.h"
 
 #include "core/error.h"
@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::Pair;
 
-/// Keeps what it makes under the job's key; `failing` jobs throw.
+/// Keeps its artifacts under the jobs' keys; `failing` jobs throw.
 class MockMaker final : public Maker {
   public:
     bool take(const Job& job) override { return kept.contains(job.key.hex); }

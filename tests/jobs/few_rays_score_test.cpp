@@ -1,5 +1,5 @@
-// Scores from few rays against those from a truth of 2 x 512 rays a pixel, on four scenes: whatever the
-// noise, the converged value lies within what is stated.
+// Compares scores from few rays with those from a truth of 2 x 512 rays a pixel, on four scenes: whatever the
+// noise, the converged value lies within the stated interval.
 #include "reference/truth.h"
 #include "scene/scene.h"
 #include "screen/screen.h"

@@ -1,4 +1,4 @@
-// What the ray march finds in one depth layer, against what the ray tracer says is there.
+// Compares the ray march's occlusion in one depth layer with the ray tracer's one-layer bound.
 #include "core/error.h"
 #include "reference/truth.h"
 #include "scene/scene.h"
@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kRadius = 0.5;
 
-/// RMSE against the visibility that the visible surfaces alone leave, of ray marches on the atrium's wide
-/// view.
+/// Measures the RMSE of ray marches on the atrium's wide view, against the visibility that the visible
+/// surfaces alone leave.
 class MarchOfOneLayer : public ::testing::Test {
   protected:
     MarchOfOneLayer() {

@@ -15,7 +15,7 @@ TEST(OwnTruth, OfEveryPresetIsNamedByItsDescriptor) {
     }
 }
 
-// A truth over the reach of the taps: XeGTAO's radius is multiplied by 1.457, and any other radius likewise.
+// The truth extends over the range of the taps: XeGTAO's radius is multiplied by 1.457, whatever it is.
 TEST(OwnTruth, HasAFalloffAtAMultipliedRadiusWhereTheDescriptorSaysSo) {
     const auto methods = load_methods();
     MethodDescriptor xegtao = find_method(methods, "xegtao");

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kWidth = 64, kHeight = 48;
 
-/// A truth that sees, through each pixel, a plane's depth and normal in view space.
+/// A truth that sees a plane's depth and normal, in view space, through each pixel.
 struct Surface {
     double depth;
     glm::vec3 normal;

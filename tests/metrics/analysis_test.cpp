@@ -52,7 +52,7 @@ TEST(WorstRegions, AreConnectedPiecesWithPlaceSizeAndCauseWorstFirst) {
     Pair pair(40, 30);
     pair.truth = ImageF(40, 30, 0.5F);
     pair.test = pair.truth;
-    for (int i = 0; i < 6; ++i) pair.test.at(10 + i, 5 + i) = 0.75F;  // Joined at corners only.
+    for (int i = 0; i < 6; ++i) pair.test.at(10 + i, 5 + i) = 0.75F;  // These pixels touch at corners only.
     pair.test.at(12, 7) = 1.0F;
     pair.test.at(30, 20) = 0.8F;
     for (int x = 3; x < 6; ++x) pair.test.at(x, 25) = 0.25F;

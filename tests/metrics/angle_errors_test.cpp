@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// A row of pixels: directions in the plane of x and z at these angles from z.
+/// A row of pixels with directions in the plane of x and z at these angles from z.
 SignalImage directions(const std::vector<double>& degrees, float length = 1) {
     SignalImage image(3, ImageF(static_cast<int>(degrees.size()), 1));
     for (std::size_t i = 0; i < degrees.size(); ++i) {

@@ -97,7 +97,8 @@ TEST(Bootstrap, DifferencesArePairedSoThatWhatTwoTestsShareCancels) {
     EXPECT_LE(held, 200);
 }
 
-/// Everything measured of a pair: values by id of bootstrap_measures(), and what they are resampled from.
+/// The measurements of a pair: values by id of bootstrap_measures(), and the sums that they are resampled
+/// from.
 struct Measured {
     std::map<std::string, double> values;
     BlockErrors blocks;
@@ -126,7 +127,7 @@ double total(const std::vector<double>& sums) {
     return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-/// Patches that err each in its own way, and nothing else in the picture.
+/// A picture whose only errors are patches, each with its own error.
 Pair patchwork(int side_px, int patch_px, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> shift(-0.3F, 0.3F), noise(-2, 2), texture(-0.1F, 0.1F);
@@ -168,7 +169,7 @@ TEST(BlockErrors, InfluenceOfASquareIsWhatMsSsimLosesWithoutIt) {
     const double value = ms_ssim_of(pair, whole);
     ASSERT_EQ(whole.ms_ssim_influences.size(), 25U);
     EXPECT_NEAR(total(whole.ms_ssim_influences), 0, 1e-12);
-    // The square that does most, so that what its neighbours' windows miss of it matters least.
+    // Takes the square with the largest effect, of which its neighbours' windows miss the least.
     const auto most =
         std::ranges::max_element(whole.ms_ssim_influences, {}, [](double x) { return std::abs(x); });
     const auto square = static_cast<int>(most - whole.ms_ssim_influences.begin());
@@ -194,7 +195,7 @@ TEST(Bootstrap, IntervalsHoldTheirMeasuresAndAreNarrowForLargeImages) {
         << "twelve squares are too few";
 }
 
-/// How wide intervals are against how much pictures of one kind differ; 1 where they say the truth.
+/// The width of intervals over the spread of pictures of one kind; 1 where the intervals are right.
 struct Calibration {
     double sum = 0, squares = 0, widths = 0;
     int pictures = 0;

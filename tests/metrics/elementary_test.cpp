@@ -104,7 +104,7 @@ TEST(FinitePixels, CountsThoseThatEitherImageSpoils) {
     EXPECT_EQ(std::count(finite.pixels.begin(), finite.pixels.end(), 1), 16 * 16 - 3);
 }
 
-// A method that is off by .05 everywhere, against truths of as many samples as named: the number of open rays
+// Compares a method that is off by .05 everywhere with truths of so many samples: the number of open rays
 // of each pixel is binomial.
 class Debiased : public ::testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Samples, Debiased, ::testing::Values(16, 64, 256));

@@ -48,12 +48,12 @@ TEST(Flip, OfAFlatPairDoesNotChangeWithTheMask) {
     pair.test = ImageF(64, 64, 0.6F);
     const double whole = flip(pair);
     testing::mask_out(pair, 0.5);
-    // The square root of a rounding error in the features is what is left.
+    // There remains the square root of a rounding error in the features.
     EXPECT_NEAR(flip(pair), whole, 1e-6);
 }
 
-/// The paper's definition for grays as it stands there: a filter's response is a double sum over its square
-/// window, pixel by pixel; invalid pixels have no part in a mean and the value of the pixel itself in a
+/// Evaluates the paper's definition for grays literally: a filter's response is a double sum over its square
+/// window, pixel by pixel; invalid pixels do not count in a mean, and have the value of the pixel itself in a
 /// derivative.
 class PixelByPixel {
   public:
@@ -137,7 +137,7 @@ class PixelByPixel {
     }
 
     double at(int x, int y) const {
-        // The largest difference, of sRGB's green and blue, from the XYZ that IEC 61966-2-1 gives them.
+        // The largest difference is that of sRGB's green and blue, by their XYZ in IEC 61966-2-1.
         const auto lab = [](double fx, double fy, double fz) {
             const double l = lightness(fy), scale = 0.01 * l;
             return std::array<double, 3>{l, scale * 500 / 116 * (lightness(fx) - l),

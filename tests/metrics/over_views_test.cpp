@@ -23,7 +23,7 @@ TEST(OverViews, OneViewIsItselfAndEqualViewsAreOne) {
     }
 }
 
-// Two pictures of one size beside each other are a picture: what is made of sums has its value.
+// Two pictures of one size side by side are one picture: metrics made of sums have its value.
 TEST(OverViews, TwoViewsAreThePictureOfBoth) {
     testing::Pair left = testing::natural_pair(40, 30), right = testing::natural_pair(40, 30, 9),
                   both(80, 30);

@@ -20,7 +20,7 @@ struct Pair {
     }
 };
 
-/// 8-bit gray levels as functions of the pixel.
+/// Makes a pair from 8-bit gray levels, which are functions of the pixel.
 inline Pair pair_of_levels(int width, int height, const std::function<int(int, int)>& truth,
                            const std::function<int(int)>& test_of_truth) {
     Pair pair(width, height);
@@ -34,7 +34,7 @@ inline Pair pair_of_levels(int width, int height, const std::function<int(int, i
     return pair;
 }
 
-/// Something with flat parts, slopes, edges and noise, like visibility.
+/// A pair with flat parts, slopes, edges and noise, like visibility.
 inline Pair natural_pair(int width, int height, unsigned seed = 1) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> noise(-0.05F, 0.05F);

@@ -45,8 +45,8 @@ TEST(PublishedValues, RmseAgreesToOneInAMillion) {
         EXPECT_NEAR(*evaluate(c.pair.input()).at("rmse").value, c.rmse, 1e-6) << c.name;
 }
 
-// Wider than the printed digits: in single precision, the flat picture's features are a rounding error e that
-// the definition takes the square root of.
+// The tolerance is wider than the printed digits: in single precision, the flat picture's features are a
+// rounding error e, whose square root the definition takes.
 TEST(PublishedValues, FlipAgreesToSinglePrecision) {
     for (const Case& c : cases())
         EXPECT_NEAR(*evaluate(c.pair.input()).at("flip").value, c.flip, 3e-5) << c.name;

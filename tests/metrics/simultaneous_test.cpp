@@ -1,4 +1,4 @@
-// Made-up scores whose ranks are known.
+// Tests invented scores whose ranks are known.
 #include "metrics/intervals/simultaneous.h"
 
 #include "core/error.h"
@@ -72,7 +72,7 @@ TEST(SimultaneousIntervals, FailTogetherInOneCaseOfTwenty) {
             break;
         }
     }
-    // 25 of 500 with a standard deviation of 5.
+    // The expected number is 25 of 500, with a standard deviation of 5.
     EXPECT_GE(failed, 10);
     EXPECT_LE(failed, 40);
     EXPECT_LE(missed_ranks, 40) << "fewer, for surely different ones cannot be confused";

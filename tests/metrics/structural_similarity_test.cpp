@@ -23,7 +23,7 @@ double ssim(const Pair& pair) {
     return *metric("ssim").measure(pair.input()).value;
 }
 
-/// By the definition, pixel by pixel and with centred sums.
+/// Computes SSIM by its definition, pixel by pixel and with centred sums.
 double ssim_by_definition(const Pair& pair) {
     double sum = 0;
     int count = 0;
@@ -124,10 +124,10 @@ TEST(MsSsim, OfAUniformShiftIsTheCoarsestLuminanceTermByItsExponent) {
     EXPECT_NEAR(*metric("ms_ssim").measure(pair.input()).value, std::pow(luminance, 0.1333), 1e-9);
 }
 
-// Computed outside: contrast-structure by scipy 1.10.1 (ndimage.gaussian_filter, sigma 1.5, truncate 3.5),
-// the coarsest scale by scikit-image 0.19.3 (metrics.structural_similarity, as in AgreesWithScikitImage),
-// halved by its transform.downscale_local_mean without an odd last row or column; gray levels by 255 in
-// double precision.
+// The values were computed by other programs: contrast-structure by scipy 1.10.1 (ndimage.gaussian_filter,
+// sigma 1.5, truncate 3.5), the coarsest scale by scikit-image 0.19.3 (metrics.structural_similarity, as in
+// AgreesWithScikitImage), halved by its transform.downscale_local_mean without an odd last row or column;
+// gray levels by 255 in double precision.
 TEST(MsSsim, AgreesWithScipyAndScikitImage) {
     struct Case {
         const char* name;

@@ -1,4 +1,4 @@
-// Claims about every row of the table of metrics, those that are added later included.
+// Claims about every row of the table of metrics, also of rows added later.
 #include "core/error.h"
 #include "core/threads.h"
 #include "metrics/evaluate.h"

@@ -13,7 +13,7 @@ using testing::Pair;
 
 constexpr int kSide = 256;
 
-// An error of this standard deviation that comes again after so many pixels.
+// A pair whose error has this standard deviation and repeats after so many pixels.
 Pair repeating(int period_px, float deviation) {
     std::mt19937 random(7);
     std::normal_distribution<float> normal(0, deviation);

@@ -1,5 +1,5 @@
-// Against a truth without noise, which only a made-up picture has: what is taken off and extrapolated is
-// right on average, and the stated half widths hold the converged value as often as they say.
+// Compares with a truth without noise, which only an invented picture has: debiased and extrapolated values
+// are right on average, and the stated half widths hold the converged value as often as they claim.
 #include "metrics/evaluate.h"
 #include "support/halved_scores.h"
 
@@ -30,7 +30,7 @@ ImageF smooth_truth() {
     return image;
 }
 
-/// Too bright in the shadows, with a halo beside the edges.
+/// A test image that is too bright in the shadows, with a halo beside the edges.
 ImageF test_of(const ImageF& truth) {
     ImageF image = truth;
     for (int y = 0; y < kHeight; ++y) {
@@ -42,7 +42,7 @@ ImageF test_of(const ImageF& truth) {
     return image;
 }
 
-/// A half of the truth as `rays` independent rays a pixel see it.
+/// A half of the truth by `rays` independent rays a pixel.
 ImageF half_of(const ImageF& truth, int rays, std::mt19937_64& random) {
     ImageF image(kWidth, kHeight);
     for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -72,7 +72,7 @@ TEST_P(HalvesOfATruth, HoldTheConvergedValueOfEveryMetricAsOftenAsTheySay) {
         const ImageF first = half_of(truth, GetParam(), random), second = half_of(truth, GetParam(), random);
         const testing::HalvedScores measured = measure(test, first, second);
         for (const auto& [metric, half_width] : measured.noise) {
-            // Without noise nothing has to be taken off.
+            // Without noise the metric that is not debiased is exact.
             const std::string exact = metric == "rmse_debiased" ? "rmse" : metric;
             const double error = *measured.values.at(metric).value - *converged.at(exact).value;
             held[metric] += std::abs(error) <= half_width;
@@ -86,7 +86,8 @@ TEST_P(HalvesOfATruth, HoldTheConvergedValueOfEveryMetricAsOftenAsTheySay) {
         RecordProperty(metric, fmt::format("{:.3f}, off by {:.2g} on average, half width {:.2g}", share,
                                            sum[metric], width[metric]));
         EXPECT_GE(share, 0.92) << metric << " off by " << sum[metric] << ", half width " << width[metric];
-        // What is extrapolated may lie in its interval more often: that allows for what no seed changes.
+        // Extrapolated values may lie in their intervals more often, which allow for errors that no seed
+        // changes.
         const bool is_unbiased = aoscore::metric(metric).noise == Metric::Noise::taken_off;
         EXPECT_LE(share, is_unbiased ? 0.98 : 1)
             << metric << " off by " << sum[metric] << ", half width " << width[metric];

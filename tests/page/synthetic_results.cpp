@@ -19,7 +19,7 @@ struct MethodFacts {
     double rmse;
     double ao_ms;
     double fetches;
-    float shift;  // of its picture from the truth's
+    float shift;  // difference of its picture from the truth
 };
 constexpr MethodFacts kMethods[] = {{"crytek-ssao", "Crytek SSAO", 0.2, 100, 16, -0.2F},
                                     {"hbao-hussain", "HBAO (Hussain)", 0.08, 300, 36.5, 0.08F},
@@ -150,7 +150,7 @@ std::map<std::string, MeasureRecord> measures_of(const CellRecord& cell) {
     return measures;
 }
 
-/// One a view, where every method is surely apart from the others.
+/// One ranking a view, in which all methods differ significantly.
 std::vector<RankingRecord> rankings_of(const std::vector<CellRecord>& cells) {
     std::vector<RankingRecord> rankings;
     for (const CellRecord& cell : cells) {

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <set>
 
-/// What the page holds for its live section. That it unpacks to the same numbers is shown in tests/browser.
+/// Tests the page's data for its live section; tests/browser shows that they unpack to the same numbers.
 namespace aoscore {
 namespace {
 
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-/// As screen/method_data.h has it, without what its shaders are.
+/// A method as in screen/method_data.h, without its shaders' text.
 json processed(const std::string& id, const std::string& label) {
     return {{"id", id},
             {"label", label},
@@ -160,7 +160,7 @@ std::vector<json::json_pointer> places_in(const json& document) {
     return places;
 }
 
-/// Whether the object at this place has members of any name.
+/// Whether the object at this place may have members of any name.
 bool names_freely(const json::json_pointer& place) {
     static const std::set<std::string> kObjects{"views",   "derived",        "macros",     "presets",
                                                 "default", "method_lengths", "depth-only", "when"};

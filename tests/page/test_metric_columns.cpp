@@ -1,4 +1,4 @@
-// Every metric reaches the page with the words of its row, those that are added later included.
+// Every metric, also one added later, is on the page with the words of its row.
 #include "metrics/metric.h"
 #include "page/section.h"
 #include "page/sections/interval_tables.h"

@@ -24,7 +24,7 @@ std::string page_of(const Results& results) {
     return read_file(write_page(folder));
 }
 
-/// The page without what only a machine reads: pictures, style, script and tags.
+/// The page's visible text, without pictures, style, script and tags.
 std::string visible_text(const std::string& html) {
     std::string text = std::regex_replace(html, std::regex("<style>[^<]*</style>"), "");
     for (std::size_t at = text.find("<script"); at != std::string::npos; at = text.find("<script", at)) {
@@ -64,7 +64,7 @@ TEST(Page, ShowsEverySectionViewCellAndTable) {
     const std::string html = page_of(results);
     std::size_t last = 0;
     for (const Section& section : sections()) {
-        if (section.id == "signals") continue;  // of which these results have none; see test_signals.cpp
+        if (section.id == "signals") continue;  // these results have no signals; see test_signals.cpp
         const std::size_t at = html.find("<section id=\"" + std::string(section.id) + "\"");
         ASSERT_NE(at, std::string::npos) << section.id;
         EXPECT_GT(at, last) << section.id << " is out of order";

@@ -36,7 +36,7 @@ std::string from_base64(const std::string& text) {
     return bytes;
 }
 
-/// The values that a page's script would unpack, written from the format's description.
+/// Unpacks the values as the page's script does, written after the format's description.
 std::vector<double> unpacked(const QuantisedImage& image) {
     const auto width = static_cast<std::size_t>(image.width);
     const std::size_t size = width * static_cast<std::size_t>(image.height);

@@ -222,12 +222,12 @@ TEST(Cost, FrontIsWhatNothingBeatsInTimeAndError) {
     SyntheticPage page;
     const json charts = section::cost(page.source())["charts"];
     ASSERT_EQ(charts.size(), 2U);
-    // On both presets of wide, Alchemy is both the cheapest and the closest: without its filter cheaper
-    // still.
+    // On wide, Alchemy is the cheapest and has the least error with both presets, and is cheaper still
+    // without its filter.
     ASSERT_EQ(charts[0]["front"].size(), 1U);
     EXPECT_EQ(charts[0]["front"][0]["method"], "Alchemy AO");
     EXPECT_EQ(charts[0]["front"][0]["preset"], "quality");
-    // On close it failed: Crytek SSAO is cheaper, HBAO closer.
+    // On close it failed: Crytek SSAO is cheaper, and HBAO has less error.
     ASSERT_EQ(charts[1]["front"].size(), 2U);
     EXPECT_EQ(charts[1]["front"][0]["method"], "Crytek SSAO");
     EXPECT_EQ(charts[1]["front"][1]["method"], "HBAO (Hussain)");

@@ -1,4 +1,4 @@
-// The section of signals beside visibility.
+// Tests the section of signals beside visibility.
 #include "core/files.h"
 #include "core/signal.h"
 #include "image/image_file.h"

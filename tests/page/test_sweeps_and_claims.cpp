@@ -22,7 +22,7 @@ TEST_F(SweepsAndClaims, TheFrontIsMadeWithinEachView) {
     ASSERT_EQ(views.size(), 2u);
     bool any = false;
     for (const auto& row : views.at(0).at("rows")) {
-        // Alchemy is both the cheapest and the closest of the synthetic methods.
+        // Of the synthetic methods Alchemy is the cheapest and has the least error.
         const bool on_front = row.at("front").get<bool>();
         any |= on_front;
         EXPECT_TRUE(!on_front || row.at("method") == "Alchemy AO") << row;

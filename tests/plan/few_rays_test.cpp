@@ -24,7 +24,7 @@ class FewRays : public ::testing::Test {
 
     ImageF traced(int rays) { return trace_few_rays(tools.reference(), frame, asked(rays)); }
 
-    /// Every request has the seed 1, as this truth has: what they shared would show.
+    /// Every request has the seed 1, as this truth has, so that shared rays would show.
     Truth truth(int samples) {
         TruthSettings settings;
         settings.samples = samples;
@@ -56,7 +56,7 @@ TEST_F(FewRays, OneRayErrsAsACoinThatFallsOpenAsOftenAsTheTruthIs) {
     EXPECT_LT(std::abs(mean), 4 * std::sqrt(coin)) << "unbiased";
 }
 
-// Were they a part of the truth's own, four of its eight rays would agree with it.
+// Were its rays among the truth's own, four of the truth's eight would agree with it.
 TEST_F(FewRays, ShareNothingWithATruthOfTheSameSeed) {
     const Truth exact = truth(1024), coarse = truth(8);
     const ImageF few = traced(8);

@@ -108,7 +108,7 @@ TEST_F(Plan, SizesAndRadiiMustMakeSense) {
     }
 }
 
-// With the program's own definitions.
+// This test reads the program's own definitions.
 TEST(Experiments, PlanTheClaimsThatTheyName) {
     for (const ExperimentDefinition& experiment : list_experiments()) {
         const json definition = json::parse(read_file(experiment.file));

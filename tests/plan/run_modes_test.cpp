@@ -1,4 +1,4 @@
-// The modes of a run, which results list among a cell's parameters.
+// Tests the modes of a run, which results list among a cell's parameters.
 #include "plan/run_modes.h"
 
 #include "plan/resolved_cell.h"

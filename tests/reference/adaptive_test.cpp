@@ -29,7 +29,7 @@ Truth accurate(const ReferenceScene& reference, const CameraFrame& frame) {
     return reference.trace(frame, kOneMetre, settings, "accurate");
 }
 
-/// Over the pixels with a surface of one or several truths.
+/// Sums over the pixels with a surface, of one or several truths.
 struct ErrorSums {
     double bias = 0, squared = 0, stated = 0, pixels = 0;
     void add(const Truth& truth, const Truth& exact) {

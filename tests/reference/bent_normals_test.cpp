@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// What a scene's middle pixel, at the origin and with its normal upward, must see.
+/// The expected signal of a scene's middle pixel, at the origin with its normal upward.
 struct Expected {
-    glm::dvec3 bent_normal;  ///< world
+    glm::dvec3 bent_normal;  ///< in world space
     double cone_rad;
 };
 
@@ -36,8 +36,8 @@ double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-/// Holds all pixels of a view so narrow that all see the same against the closed form: errors as parts of
-/// what is stated.
+/// Compares all pixels of a view so narrow that all see the same with the closed form: errors are in units of
+/// the stated ones.
 void expect_closed_form(const Scene& scene, const Camera& camera, const Expected& expected) {
     const CameraFrame frame(camera, 8, 8);
     const glm::dmat3 world_from_view(frame.world_from_view());
@@ -84,10 +84,10 @@ Scene pit(double rim_rad) {
     return scene;
 }
 
-/// Each closed form at three scales.
+/// Tests each closed form at three scales.
 class BentNormalsAtScale : public ::testing::TestWithParam<double> {
   protected:
-    /// From above, a millionth of a radian wide.
+    /// Expects the signal in a view from above, a millionth of a radian wide.
     void expect_seen(const Scene& scene, const glm::dvec3& eye, const Expected& expected) const {
         const testing::Similarity by{.scale = GetParam()};
         const Camera camera = testing::looking(eye, {0, 0, 0}, 1e-6);
@@ -171,7 +171,7 @@ TEST(BentNormals, ChangeNoBitOfTheVisibility) {
     EXPECT_EQ(plain.standard_error[0].pixels, bent.standard_error[0].pixels);
 }
 
-/// Stated errors against those of few rays, seen from many more.
+/// Stated errors of few rays against their errors from a truth of many more.
 struct Calibration {
     double root_mean_square = 0, tail = 0;
 };
@@ -188,7 +188,7 @@ StatedErrors calibrate(const Scene& scene, const Camera& camera, int samples) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         const Truth few = bent_truth(scene, camera, 1, samples, seed, kSize);
         for (std::size_t i = 0; i < few.bent_normal.size(); ++i) {
-            // Where nearly nothing is open a direction has no error to speak of.
+            // Where almost nothing is open, the error of a direction is not meaningful.
             if (few.hits.surface.pixels[i] == 0 || few.bent_error_rad.pixels[i] > 0.5F) continue;
             const double stated(few.bent_error_rad.pixels[i]), cone_stated(few.cone_error_rad.pixels[i]);
             const double angle = angle_between(few.bent_normal.pixels[i], sure.bent_normal.pixels[i]);

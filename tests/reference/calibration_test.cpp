@@ -1,4 +1,5 @@
-// Stated errors against true ones, pixel by pixel and in the tail, on six scenes; leaves calibration.md.
+// Compares stated errors with true ones, pixel by pixel and in the tail, on six scenes; writes
+// calibration.md.
 #include "reference/test_scenes.h"
 #include "reference/truth.h"
 #include "scene/scene.h"
@@ -52,7 +53,7 @@ struct Calibration {
         pixels += other.pixels;
         beyond += other.beyond;
     }
-    /// The truth's pixels that needed rays; what is left of the error of `exact` counts as stated.
+    /// Adds the truth's pixels that needed rays; the stated errors include that of `exact`.
     void add(const Truth& truth, const Truth& exact) {
         for (std::size_t i = 0; i < truth.sample_counts.size(); ++i) {
             if (truth.sample_counts.pixels[i] == 0) continue;
@@ -71,8 +72,8 @@ std::string row(const std::string& name, int samples, const Calibration& c) {
     return fmt::format("| {} | {} | {:.3f} | {:.2f} |\n", name, samples, c.ratio(), 100 * c.share_beyond());
 }
 
-// One scene's law may lie apart from the usual one: fewest errors are found in the yard of a few large boxes,
-// most in the thicket of blades.
+// A scene's distribution of errors may differ from the usual one: the yard of a few large boxes has the
+// fewest, the thicket of blades the most.
 TEST(StandardErrors, HoldInTheTailAtFewRays) {
     constexpr std::array kSamples = {16, 64, 256};
     std::array<Calibration, kSamples.size()> all;

@@ -16,9 +16,9 @@ namespace {
 
 const CameraFrame kFrame(testing::looking({2, 2, 3}, {0, 0.5, 0}), 80, 60);
 
-/// Many runs of one picture with different seeds: the true error of each pixel, and what was stated.
+/// Many runs of one picture with different seeds: the true and the stated error of each pixel.
 struct Runs {
-    std::vector<double> mean, true_variance, stated_variance;  // of pixels with a surface
+    std::vector<double> mean, true_variance, stated_variance;  // values of pixels with a surface
     double rmse() const {
         double sum = 0;
         for (const double v : true_variance) sum += v;
@@ -48,9 +48,9 @@ Runs run(const ReferenceScene& scene, const TruthQuery& query, TruthSettings set
     return runs;
 }
 
-/// Bins of visibility, but for pixels that are open or blocked to two rays: of them many runs see one
-/// kind of rays only. Errors are drawn towards the mean of their tile, so that those of one bin may be stated
-/// a fifth too large, but hardly too small.
+/// Compares errors in bins of visibility, without pixels that are open or blocked but for two rays, whose
+/// rays are all alike in many runs. Errors are shrunk towards the mean of their tile, so that those of one
+/// bin may be stated a fifth too large, but hardly too small.
 void expect_calibrated(const Runs& runs, int samples) {
     constexpr std::array kBins = {0.0, 0.02, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 0.98, 1.0};
     const double lowest = 2.0 / samples, highest = 1 - lowest;
@@ -95,7 +95,7 @@ TEST(StandardErrors, AreCalibratedAmongThinOccluders) {
 }
 
 TEST(StandardErrors, AreHonestWhereAllRaysOfAPixelAgree) {
-    // Judged by what was seen, not by what is there: pixels whose every ray was open, or every one blocked.
+    // Pixels are chosen by the rays seen, not by their visibility: all rays were open, or all were blocked.
     for (const Scene& scene : {testing::still_life(), testing::thicket()}) {
         const ReferenceScene reference(scene);
         TruthSettings settings;
@@ -131,7 +131,7 @@ TEST(StandardErrors, AreHonestWhereAllRaysOfAPixelAgree) {
 }
 
 TEST(StandardErrors, OfAWholePictureAreIndependentBetweenNeighbours) {
-    // The error of a mean over pixels is that of independent pixels: nothing is shared between them.
+    // The error of a mean over pixels is that of independent pixels, since they share no samples.
     const ReferenceScene scene(testing::thicket());
     TruthSettings settings;
     settings.samples = 64;
@@ -149,7 +149,7 @@ TEST(StandardErrors, OfAWholePictureAreIndependentBetweenNeighbours) {
         squares += picture * picture;
     }
     const double seen = (squares - sum * sum / kSeeds) / (kSeeds - 1);
-    // A variance of 100 values is known to 14 %; four times that.
+    // The variance of 100 values is known to 14 %; the limit is four times that.
     EXPECT_LT(seen / variance, 1.6);
     EXPECT_GT(seen / variance, 0.4);
 }
@@ -179,7 +179,7 @@ TEST(StandardErrors, FallFasterThanMonteCarlo) {
 }
 
 TEST(Estimates, CompareBlocksWithTheirSiblings) {
-    // 7 rays: blocks of one, of which the seventh has no sibling.
+    // 7 rays make blocks of one, of which the seventh has no sibling.
     const std::array sums = {1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0};
     const PixelSpread pixel = pixel_spread(sums, 7);
     EXPECT_DOUBLE_EQ(pixel.visibility, 3.0 / 7);
@@ -197,7 +197,7 @@ TEST(Estimates, PoolIndependentBlocksAsPlainMeans) {
 
 TEST(Estimates, PoolAlignedBlocksByTheRatio) {
     EXPECT_NEAR(pooled_variance(512, 0.37), 0.37 * 0.37 * 0.37, 1e-12);
-    // Three of four: V(3 n) = (V(n) + 8 V(4 n)) / 9, here of pairs of blocks.
+    // For three of four, V(3 n) = (V(n) + 8 V(4 n)) / 9, here of pairs of blocks.
     EXPECT_NEAR(pooled_variance(384, 0.37), (0.37 + 8 * 0.37 * 0.37 * 0.37) / 9, 1e-12);
 }
 
@@ -232,14 +232,14 @@ TEST(Estimates, OfSingleRaysStateTheSpreadOfTheirTile) {
 }
 
 TEST(Estimates, OfALuckyHalfAreThoseOfItsNeighbours) {
-    // All blocks of one pixel of a penumbra agree by luck; its neighbours say how little that means.
+    // All blocks of one pixel of a penumbra agree by chance; its neighbours show how little that means.
     const std::array lucky = {4.0, 4.0, 4.0, 4.0, 4.0, 4.0, 4.0, 4.0};
     const std::array usual = {5.0, 4.0, 3.0, 4.0, 4.0, 5.0, 4.0, 3.0};
     std::vector<PixelSpread> pixels(64, pixel_spread(usual, 64));
     pixels[0] = pixel_spread(lucky, 64);
     const std::vector<Estimate> estimates = moderated_estimates(pixels, {});
     EXPECT_GT(estimates[0].standard_error, 0.9 * estimates[1].standard_error);
-    // A whole tile that agrees states no less than a part of what all scenes have.
+    // A whole tile that agrees still states a part of the usual error of scenes.
     std::fill(pixels.begin(), pixels.end(), pixel_spread(lucky, 64));
     EXPECT_GT(moderated_estimates(pixels, {})[0].standard_error, 0.5 / 64);
 }
@@ -262,7 +262,7 @@ TEST(Estimates, OfAgreeingPixelsFallAsTheirTileAgrees) {
         return moderated_estimates(pixels, {})[0].standard_error;
     };
     EXPECT_GT(first_error({none, none, many, many}), first_error({none, none, none, none}));
-    // What lies across an edge of depth, mostly blocked, does not speak for it or against it.
+    // Mostly blocked pixels across an edge of depth do not change the error.
     EXPECT_DOUBLE_EQ(first_error({none, none, most, most}), first_error({none, none}));
 }
 

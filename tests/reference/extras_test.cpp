@@ -22,7 +22,7 @@ struct Split {
     double bound = 0, occlusion = 0;
 };
 
-/// Of the middle pixel.
+/// The split of the middle pixel.
 Split split(const Scene& scene, const Camera& camera, double radius_m, int width = 65, int height = 49) {
     const CameraFrame frame(camera, width, height);
     const Truth truth =

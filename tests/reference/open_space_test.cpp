@@ -62,7 +62,7 @@ TEST(OpenSpace, WhatIsSkippedWouldHaveBeenOpen) {
 }
 
 TEST(OpenSpace, ProvesMostOfWhatIsOpen) {
-    // A floor with one box on it: far from the box everything is open, and known to be.
+    // On a floor with one box, everything far from the box is proven open.
     Scene scene = testing::empty_scene();
     testing::add(scene, testing::floor_grid(5, 4));
     testing::add(scene, testing::sphere({0, 0.5, 0}, 0.5, 6));

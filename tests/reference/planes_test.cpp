@@ -10,7 +10,7 @@
 namespace aoscore {
 namespace {
 
-/// Every ray is traced: what is proven open would show nothing here.
+/// Traces every ray, since pixels proven open would hide a fault.
 TruthSettings every_ray(int samples) {
     TruthSettings settings;
     settings.samples = samples;
@@ -18,7 +18,7 @@ TruthSettings every_ray(int samples) {
     return settings;
 }
 
-/// Pixels of a lone plane that are not exactly open, over tilts from facing to grazing.
+/// Counts pixels of a lone plane that are not exactly open, over tilts from facing to grazing.
 int darkened_pixels(double half_size, int cells, double radius_m, double scale,
                     const glm::dvec3& translation) {
     int darkened = 0;
@@ -61,7 +61,7 @@ TEST(Plane, IsExactlyOpenAtEveryScaleAndFarFromTheOrigin) {
 }
 
 TEST(Plane, ConvexBodyIsOpenOutside) {
-    // Every facet's plane has the rest of the sphere behind it: nothing may be met at any edge.
+    // Every facet's plane has the rest of the sphere behind it, so that no ray may hit at any edge.
     Scene scene = testing::empty_scene();
     testing::add(scene, testing::sphere({0.3, -0.2, 0.1}, 1, 96));
     const ReferenceScene reference(scene);

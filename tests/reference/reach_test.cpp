@@ -27,14 +27,14 @@ Mesh box(const glm::dvec3& low, const glm::dvec3& high) {
     return mesh;
 }
 
-/// Numbers in [-1, 1].
+/// Random numbers in [-1, 1].
 auto random_numbers(std::uint64_t seed) {
     return [state = seed * 100000]() mutable {
         return static_cast<double>(mix_bits(state++) >> 11) * 0x1p-53 * 2 - 1;
     };
 }
 
-/// Floor tiles, and some hundred balls and boxes on and over them, at random.
+/// Floor tiles with some hundred balls and boxes on and over them, at random places.
 Scene field(std::uint64_t seed) {
     Scene scene = testing::empty_scene();
     scene.meshes = {testing::floor_grid(1, 3), testing::sphere({0, 0, 0}, 1, 5),
@@ -139,7 +139,7 @@ struct Row {
         for (int i = 0; i < 10; ++i)
             scene.instances.push_back({1, glm::translate(glm::dmat4(1), {0.0, 0.0, 0.1 + 0.5 * i})});
     }
-    /// Looks along -z, orthographically, from the plane z = 0: near and far plane are what bounds it.
+    /// Looks along -z, orthographically, from the plane z = 0, bounded by near and far plane.
     CameraFrame frame() const {
         Camera camera = testing::looking({0, 1, 0.5}, {0, 1, -1});
         camera.projection = Camera::Projection::orthographic;
@@ -148,7 +148,7 @@ struct Row {
         camera.far = 20;
         return {camera, 64, 64};
     }
-    /// Boxes out of the ten that are within reach, in their order.
+    /// The boxes of the ten that are within the radius, in their order.
     std::vector<char> boxes(double reach_m) const {
         std::vector<char> within = Reach(scene).instances(frame(), reach_m);
         EXPECT_EQ(within.at(0), 1) << "the floor";
@@ -171,7 +171,7 @@ TEST(Reach, LooksAtAllSidesOfThePicture) {
     Scene scene = testing::empty_scene();
     testing::add(scene, box({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}));
     const Mesh cube = scene.meshes[0];
-    // In view space; the picture is 2 x 1 half heights wide and high at z = -4, near is 1, far 9.
+    // Points in view space; the picture is 2 x 1 half heights wide and high at z = -4, near is 1, far 9.
     const std::vector<glm::dvec3> just_outside{{-4.9, 0, -4}, {4.9, 0, -4}, {0, -2.7, -4},
                                                {0, 2.7, -4},  {0, 0, -0.3}, {0, 0, -9.7}};
     for (const Camera::Projection projection :

@@ -10,14 +10,15 @@ namespace aoscore::testing {
 Scene empty_scene();
 /// Adds a mesh and places it once.
 void add(Scene& scene, Mesh mesh);
-/// Two triangles.
+/// A mesh of two triangles.
 Mesh quad(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d);
 /// A square of side 2 h in y = 0 about the origin, cut into n x n cells.
 Mesh floor_grid(double half_size, int cells);
 /// A sphere of n x 2n facets, corners on the sphere.
 Mesh sphere(const glm::dvec3& centre, double radius, int n);
 
-/// A floor with a few spheres and a screen on it, some sky behind: something of everything.
+/// A floor with a few spheres and a screen on it, and sky behind: edges, contact and open space in one
+/// picture.
 Scene still_life();
 /// Three hundred thin blades at random over a floor.
 Scene thicket();

@@ -159,7 +159,7 @@ TEST(Truth, HolesOfCutOutsLetEveryRayThrough) {
     EXPECT_EQ(*std::min_element(open.visibility[0].pixels.begin(), open.visibility[0].pixels.end()), 1.0f);
     EXPECT_NEAR(open.hits.depth.at(20, 15), 6, 0.02);
 
-    // Alpha crosses the cutoff in the middle of the roof: one half of it is there, for both kinds of rays.
+    // Alpha crosses the cutoff in the middle of the roof: both kinds of rays see one half of it.
     Texture half;
     half.texels = Image<glm::u8vec4>(2, 1, glm::u8vec4(255));
     half.texels.at(0, 0).a = 0;

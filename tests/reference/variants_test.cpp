@@ -1,4 +1,4 @@
-// The same scene written in other ways gives the same truth.
+// A scene gives the same truth when it is written in other ways.
 #include "reference/truth.h"
 #include "scene/scene.h"
 #include "support/support.h"
@@ -34,7 +34,8 @@ Truth truth_of(const Scene& scene) {
                                        "test");
 }
 
-/// Pixels of two pictures that both see a surface, at one depth to 1 %: beside edges.
+/// The comparison of two pictures, over pixels that see a surface in both, at one depth to 1 %, which leaves
+/// out edges.
 struct Comparison {
     int common = 0, all = 0;
     double mean_difference = 0;
@@ -69,7 +70,7 @@ struct Variant {
     const char* file;
     const char* original;
     bool mirrored = false;
-    /// Of the mean, beyond noise: quantisation moves edges of shadows.
+    /// Tolerance of the mean beyond noise: quantisation moves edges of shadows.
     double tolerance = 0.002;
 };
 

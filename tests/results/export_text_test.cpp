@@ -1,4 +1,4 @@
-// What names of any characters become in an export.
+// Tests names of any characters in exports.
 #include "results/export/csv_line.h"
 #include "results/export/export_format.h"
 
@@ -27,7 +27,7 @@ TEST(ExportText, OfEveryFormatHoldsNoCharacterThatIsNone) {
     table.text_columns = {"lengths"};
     table.rows.push_back({hostile, {"a\uFFFE", hostile}, {0.5}, {hostile}, "broken\uFFFF", {"tripped\x1b"}});
     for (const ExportFormat& format : export_formats()) {
-        if (format.extension == ".json") continue;  // the document, which the caller has made
+        if (format.extension == ".json") continue;  // it writes the caller's document
         const std::string text = format.write(table);
         for (const char* bad : {"\uFFFE", "\u202E", "\u2028", "\x01", "\xFF", "\uFFFF", "\x1b"})
             EXPECT_THAT(text, Not(HasSubstr(bad))) << format.label;

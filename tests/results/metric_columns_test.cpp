@@ -1,4 +1,4 @@
-// Every metric is in every export with the words of its row, those that are added later included.
+// Every metric, also one added later, is in every export with the words of its row.
 #include "core/known_names.h"
 #include "metrics/metric.h"
 #include "results/export/export_format.h"

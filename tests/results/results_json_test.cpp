@@ -78,8 +78,8 @@ TEST(Results, ComeBackFromJsonAsTheyWere) {
     EXPECT_EQ(back.views.size(), 3U);
 }
 
-// Member by member, so that one that the list in results_members.h forgets is seen: a record that came back
-// is compared where the compiler knows the members.
+// Records are compared member by member as the compiler knows them, so that a member missing in
+// results_members.h is noticed.
 TEST(Results, ComeBackWithEveryMemberOfACell) {
     Results results;
     CellRecord cell;
@@ -146,7 +146,7 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     EXPECT_EQ(image_file, "c.exr");
 }
 
-/// How many members a plain struct has: as many as the list visits.
+/// Counts the members of a plain struct, which the list must visit.
 struct Counter {
     int members = 0;
     template <class T>

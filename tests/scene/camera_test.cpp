@@ -108,13 +108,13 @@ TEST(CameraFrame, IsARotationWithoutMirror) {
 }
 
 TEST(CameraFrame, FirstPixelIsTopLeft) {
-    Camera camera;  // at the origin, looks down -z, y up
+    Camera camera;  // a camera at the origin that looks down -z, y up
     const CameraFrame frame(camera, 4, 2);
     const glm::dvec3 direction = frame.ray(0.5, 0.5).direction;
     EXPECT_LT(direction.x, 0);
     EXPECT_GT(direction.y, 0);
     EXPECT_NEAR(direction.z, -1, 1e-15);
-    // A pixel's centre is half a pixel from the picture's middle for even sizes.
+    // For even sizes a pixel's centre is half a pixel from the picture's middle.
     EXPECT_NEAR(frame.ray(2, 1).direction.x, 0, 1e-15);
 }
 

@@ -16,7 +16,7 @@ using aoscore::testing::GltfFile;
 using aoscore::testing::output_dir;
 using nlohmann::json;
 
-/// A box of 2 m around the origin, a perspective camera and whatever node carries it.
+/// A box of 2 m around the origin, and a perspective camera on this node.
 GltfFile camera_file(json node, const json& lens = {{"yfov", 0.8}, {"znear", 0.1}}) {
     GltfFile file;
     file.add_box({-1, -1, -1}, {1, 1, 1});
@@ -83,7 +83,7 @@ TEST(GltfCameras, AMirroredSceneGivesTheMirroredPicture) {
     const auto folder = output_dir();
     GltfFile file = camera_file({{"translation", {3, 2, 6}}, {"rotation", {0, 0.2, 0, std::sqrt(1 - 0.04)}}});
     const Scene scene = file.load(folder);
-    // The same under a root that mirrors x.
+    // Puts the same under a root that mirrors x.
     file.document["nodes"].push_back({{"scale", {-1, 1, 1}}, {"children", {0, 1}}});
     file.document["scenes"][0]["nodes"] = {2};
     const Scene mirrored = file.load(folder);

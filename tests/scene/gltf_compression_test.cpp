@@ -31,8 +31,8 @@ using aoscore::testing::output_dir;
 using aoscore::testing::plain_file;
 using nlohmann::json;
 
-/// The same triangles in the same order. Their corners may begin at another one: the coding of triangles
-/// turns them.
+/// Expects the same triangles in the same order. Their corners may be rotated, as the coding of triangles
+/// does.
 void expect_within(const Scene& a, const Scene& b, double tolerance) {
     const auto corners_a = all_corners(a), corners_b = all_corners(b);
     ASSERT_EQ(corners_a.size(), corners_b.size());
@@ -106,7 +106,8 @@ TEST(GltfMeshopt, OctahedralNormalsAreUnit) {
 }
 
 TEST(GltfMeshopt, ColoursAreThoseOfTheSpecificationsFormula) {
-    // Encoded by hand, 8 bits: Y, Co, Cg of (200, 100, 50) are (112.5, 75, -12.5); here whole numbers.
+    // These 8 bits are encoded by hand: Y, Co, Cg of (200, 100, 50) are (112.5, 75, -12.5), here whole
+    // numbers.
     std::string bytes = {static_cast<char>(112), static_cast<char>(75), static_cast<char>(-12),
                          static_cast<char>(0x80 | 0x40)};
     aoscore::gltf::decode_colours(bytes, 1);
@@ -225,7 +226,7 @@ TEST(GltfDraco, BrokenStreamsAndThoseThatStateMoreThanTheyHoldAreRefused) {
     EXPECT_EQ(refusal(stream), "");
     EXPECT_NE(refusal(stream.substr(0, stream.size() / 2)).find("broken Draco stream"), std::string::npos);
     EXPECT_NE(refusal("DRACX" + stream.substr(5)).find("is no Draco stream"), std::string::npos);
-    // After head and traversal: the vertices' count, then the faces': here 2^31 of them.
+    // Header and traversal are followed by the number of vertices, then of faces, here 2^31.
     std::string many = stream.substr(0, 12);
     many += std::string("\xFF\xFF\xFF\xFF\x07\xFF\xFF\xFF\xFF\x07", 10) + stream.substr(16);
     EXPECT_NE(refusal(many).find("more than a stream"), std::string::npos) << refusal(many);

@@ -42,7 +42,7 @@ TEST(GltfCutOuts, TheVerticesAlphaOfEveryTypeCuts) {
               expected);
     EXPECT_EQ(alphas(coloured_file<std::uint16_t>({1, 1, 1, 65535, 1, 1, 1, 13107, 1, 1, 1, 0}, "VEC4", 4)),
               expected);
-    // Out of range, and no number at all.
+    // These values are out of range, or no numbers.
     EXPECT_EQ(alphas(coloured_file<float>({1, 1, 1, std::nanf(""), 1, 1, 1, 0.2f, 1, 1, 1, -3}, "VEC4", 4)),
               expected);
 }

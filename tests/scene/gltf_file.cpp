@@ -27,7 +27,7 @@ int GltfFile::add_view(const void* data, std::size_t bytes) {
 
 int GltfFile::add_positions(const std::vector<float>& xyz) {
     const int accessor = add_accessor(xyz, "VEC3", 3);
-    // Required by the specification, never trusted by the loader.
+    // The specification requires bounds; the loader does not trust them.
     document["accessors"].back()["min"] = {0, 0, 0};
     document["accessors"].back()["max"] = {1, 1, 1};
     return accessor;

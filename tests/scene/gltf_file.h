@@ -15,11 +15,11 @@ namespace aoscore::testing {
 /// Writes small glTF files for tests: a document with one external buffer, to which accessors are appended.
 class GltfFile {
   public:
-    /// With an asset, one scene and no nodes.
+    /// Begins a file with an asset, one scene and no nodes.
     GltfFile();
 
     nlohmann::json document;
-    nlohmann::json fallback;  ///< a second buffer, as it stands in the document; null: none
+    nlohmann::json fallback;  ///< a second buffer as JSON; null: none
 
     /// Appends the values, 4-byte aligned, and returns the index of their accessor.
     template <class T>
@@ -33,23 +33,23 @@ class GltfFile {
     }
     int add_positions(const std::vector<float>& xyz);
     int add_view(const void* data, std::size_t bytes);
-    /// A mesh of one primitive with these members; returns its index.
+    /// Adds a mesh of one primitive with these members; returns its index.
     int add_mesh(const nlohmann::json& primitive);
-    /// A node at the root; returns its index.
+    /// Adds a node at the root; returns its index.
     int add_node(const nlohmann::json& node);
-    /// A mesh of the triangles of a box from `low` to `high`; returns its index.
+    /// Adds a mesh of a box from `low` to `high`; returns its index.
     int add_box(const glm::vec3& low, const glm::vec3& high);
-    /// A PNG of one row of RGBA texels as an image in the buffer, with a texture of that sampler; returns the
+    /// Adds a PNG of one row of RGBA texels to the buffer, with a texture of that sampler; returns the
     /// texture's index.
     int add_texture(const Image<glm::u8vec4>& texels,
                     const nlohmann::json& sampler = nlohmann::json::object());
 
     /// Writes name.gltf and name.bin to the folder; returns the path of the first.
     std::filesystem::path write(const std::filesystem::path& folder, const std::string& name = "test");
-    /// Writes and loads.
+    /// Writes the file and loads it.
     Scene load(const std::filesystem::path& folder, const LoadOptions& options = {});
 
-    /// What load() refuses it with; empty when it loads.
+    /// The error of load(); empty when it loads.
     std::string refusal(const std::filesystem::path& folder);
 
   private:
@@ -65,12 +65,12 @@ class GltfFile {
 
 /// A PNG file of these texels.
 std::string png_bytes(const Image<glm::u8vec4>& texels);
-/// Whether a warning holds this text.
+/// Whether a warning contains this text.
 bool has_warning(const Scene& scene, const std::string& part);
 
 /// The three corners of triangle `i` of an instance, in scene space.
 std::vector<glm::dvec3> corners(const Scene& scene, const Instance& instance, std::size_t i);
-/// Of all triangles of the scene, in order of instances.
+/// The corners of all triangles of the scene, in the order of instances.
 std::vector<glm::dvec3> all_corners(const Scene& scene);
 
 }  // namespace aoscore::testing

@@ -53,7 +53,7 @@ TEST(GltfGeometry, TakesStripsApartWithOneWinding) {
 }
 
 TEST(GltfGeometry, TakesFansApartAroundTheFirstVertex) {
-    // 2 is right of 0; 3 above; 1 left of that: a fan counter-clockwise.
+    // Vertex 2 is right of 0, 3 above it, and 1 left of that: a counter-clockwise fan.
     const Scene scene = load_indexed<std::uint16_t>({0, 2, 3, 1}, 6);
     EXPECT_EQ(scene.triangle_count, 2u);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -100,7 +100,7 @@ TEST(GltfGeometry, ReplacesSparseElements) {
     expect_same(all_corners(file.load(output_dir())), {{0, 0, 0}, {5, 0, 0}, {0, 1, 0}}, 0);
 }
 
-/// The same triangle at steps of a quarter, coded as T; `scale` undoes the coding.
+/// A triangle at steps of a quarter, coded as T; `scale` undoes the coding.
 template <class T>
 void expect_quantised_triangle(const std::vector<T>& values, bool normalized, double scale) {
     GltfFile file;
@@ -209,7 +209,7 @@ TEST(GltfGeometry, ManyPrimitivesOverOneLongAccessorStaySmall) {
 
 TEST(GltfGeometry, AFileThatAsksForFarMoreThanItHoldsIsRefused) {
     GltfFile file;
-    // Zeros without data: legal, and a terabyte of triangles.
+    // Zeros without data are legal, and make a terabyte of triangles.
     file.document["accessors"].push_back({{"componentType", 5126}, {"count", 3000000000u}, {"type", "VEC3"}});
     file.add_mesh({{"attributes", {{"POSITION", 0}}}});
     file.add_node({{"mesh", 0}});

@@ -88,7 +88,7 @@ TEST(GltfMaterials, SamplersWrapAsTheySay) {
 }
 
 TEST(GltfMaterials, TextureTransformTurnsTheWaySpecifiedByItsExample) {
-    // The extension's example: the lower left quadrant of the image, turned clockwise by a quarter.
+    // This is the extension's example: the lower left quadrant of the image, turned clockwise by a quarter.
     GltfFile file = textured_file({{"alphaMode", "MASK"}});
     file.document["extensionsRequired"] = file.document["extensionsUsed"] = {"KHR_texture_transform"};
     file.document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]

@@ -68,7 +68,7 @@ TEST(GltfMutations, OfStreamsPosesAndInstancesLoadOrAreRefusedButNeverCrash) {
             std::ofstream(in_text ? text : data, std::ios::binary) << (in_text ? json : bytes);
         }
     }
-    // The mutations are neither all harmless nor all fatal, or this would prove nothing.
+    // Were all mutations harmless or all fatal, this would prove nothing.
     EXPECT_GT(loaded, 50);
     EXPECT_GT(refused, 500);
 }

@@ -25,7 +25,7 @@ TEST(GltfVisibility, AHiddenNodeHidesItselfAndAllBelowIt) {
     file.add_box({0, 0, 0}, {1, 1, 1});
     file.add_node({{"mesh", 0}});
     file.add_node({{"mesh", 0}, {"translation", {5, 0, 0}}, {"children", {2}}, {"extensions", hidden()}});
-    // Visible itself, and not by its parent.
+    // The node is visible itself, but its parent is not.
     file.document["nodes"].push_back({{"mesh", 0}, {"extensions", hidden(true)}});
     const Scene scene = file.load(output_dir());
     EXPECT_EQ(scene.instances.size(), 1u);
@@ -60,7 +60,7 @@ GltfFile instanced(const std::vector<float>& translations, const std::vector<flo
 
 TEST(GltfInstancing, InstancesShareOneMeshAndAreTurnedThenMovedThenPlacedByTheirNode) {
     const float h = static_cast<float>(std::sqrt(0.5));
-    // The second: a quarter turn about y takes x to -z and z to x.
+    // The second has a quarter turn about y, which takes x to -z and z to x.
     const Scene scene =
         instanced({0, 0, 0, 0, 5, 0}, {0, 0, 0, 1, 0, h, 0, h}, {1, 1, 1, 3, 1, 1}).load(output_dir());
     EXPECT_EQ(scene.meshes.size(), 1u);
@@ -79,7 +79,7 @@ TEST(GltfInstancing, RotationsMayBeNormalisedIntegersAndAnyAttributeMayBeMissing
     file.document["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["ROTATION"] = rotations;
     const Scene scene = file.load(output_dir());
     ASSERT_EQ(scene.instances.size(), 2u);  // the third is scaled to nothing
-    // Half a turn about y.
+    // The second has half a turn about y.
     EXPECT_LT(glm::distance(glm::dvec3(scene.instances[1].scene_from_mesh * glm::dvec4(1, 1, 1, 1)),
                             glm::dvec3(6, 4, -4)),
               1e-5);

@@ -56,7 +56,7 @@ GltfFile skinned(const Weights& w, const glm::vec3& first = {0, 0, 0}) {
 const Weights kHalfHeld = {{0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, {1, 0, 0, 0, 1, 0, 0, 0, 0.5f, 0.5f, 0, 0}};
 
 TEST(GltfSkins, VerticesFollowTheirJointsAndTheNodesOwnTransformDoesNotCount) {
-    // Joint 1 stands at height 2 and was bound at height 1: it lifts by 1; the third vertex by a half.
+    // Joint 1 stands at height 2 and was bound at height 1: it lifts vertices by 1, and the third by a half.
     expect_corners(skinned(kHalfHeld).load(output_dir()), {{0, 0, 0}, {1, 1, 0}, {0, 1.5, 0}});
     expect_corners(skinned(kHalfHeld, {3, 0, 0}).load(output_dir()), {{3, 0, 0}, {4, 1, 0}, {3, 1.5, 0}});
 }

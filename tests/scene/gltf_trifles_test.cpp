@@ -34,10 +34,10 @@ GltfFile box() {
 struct Trifle {
     const char* name;
     std::function<void(json&)> spoil;
-    const char* warning;  // part of it; empty: nothing is worth a word
+    const char* warning;  // part of the warning; empty: none is given
 };
 
-/// What is not legal, and what every viewer accepts: its meaning is plain.
+/// Faults that every viewer accepts, since their meaning is clear.
 const std::vector<Trifle>& trifles() {
     static const std::vector<Trifle> all = {
         {"factor",
@@ -69,7 +69,7 @@ const std::vector<Trifle>& trifles() {
          "without primitives"},
         {"texcoords", [](json& d) { d["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] = 0; },
          "TEXCOORD set without"},
-        {"count",  // of an accessor that nothing reads
+        {"count",  // the count of an accessor that nothing reads
          [](json& d) {
              d["accessors"].push_back({{"componentType", 5126}, {"count", 0}, {"type", "SCALAR"}});
          },

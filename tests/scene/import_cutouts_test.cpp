@@ -19,7 +19,7 @@ const std::string kLeaf =
     "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl leaf\n"
     "f 1/1 2/2 3/3 4/4\n";
 
-/// Two by two texels; only the one at the top left is a hole.
+/// Two by two texels, of which only the one at the top left is a hole.
 Image<glm::u8vec4> top_left_hole(bool in_alpha) {
     Image<glm::u8vec4> texels(2, 2, glm::u8vec4(255));
     texels.at(0, 0) = in_alpha ? glm::u8vec4(255, 255, 255, 0) : glm::u8vec4(0, 0, 0, 255);

@@ -57,7 +57,7 @@ TEST(Fbx, PlacesOneMeshManyTimesInItsOwnUnit) {
 TEST(Fbx, ItsUpAxisBecomesY) {
     const ImportFolder folder;
     const Scene scene = folder.load("a.fbx", fbx(100, true));
-    // What was y in a file with z up points away from the viewer.
+    // The y axis of a file with z up points away from the viewer.
     EXPECT_NEAR(scene.bounds.low.z, -2, 1e-6);
     EXPECT_NEAR(scene.bounds.high.y, 0, 1e-6);
     EXPECT_NEAR(scene.bounds.high.x, 11, 1e-6);

@@ -21,8 +21,7 @@ class ImportFolder {
 
     /// Writes the file and loads it as a scene.
     Scene load(const std::string& name, std::string_view content, const LoadOptions& options = {}) const;
-    /// What it is refused with, which must be a file_error of one line that names the file; empty when it
-    /// loads.
+    /// Its error, which must be a file_error of one line that names the file; empty when it loads.
     std::string refusal(const std::string& name, std::string_view content) const;
 
   private:

@@ -69,7 +69,7 @@ TEST(Obj, StarsOfAnyShapeAndTiltKeepTheirAreaAndWinding) {
         const Scene scene = folder.load("star.obj", text + "\n");
         EXPECT_EQ(scene.triangle_count, static_cast<std::size_t>(corners - 2));
         EXPECT_NEAR(area_of(scene), shoelace, 1e-5);
-        // No triangle is turned over: their areas as vectors add up to the same.
+        // No triangle is turned over: their areas as vectors have the same sum.
         glm::dvec3 sum(0);
         const auto points = aoscore::testing::all_corners(scene);
         for (std::size_t i = 0; i + 2 < points.size(); i += 3)
@@ -103,7 +103,7 @@ TEST(Obj, NormalsAreSmoothWhereGivenAndFlatElsewhere) {
 
 TEST(Obj, PlacesFarFromTheOriginKeepTheirDetails) {
     const ImportFolder folder;
-    // National grids are millions of metres off; float32 has steps of half a metre there.
+    // National grids lie millions of metres off, where float32 has steps of half a metre.
     const Scene scene =
         folder.load("city.obj",
                     "v 2600000.125 1200000 400\nv 2600000.625 1200000 400\nv 2600000.625 1200000.25 400\n"
@@ -127,7 +127,7 @@ TEST(Obj, WhatIsBrokenIsRefusedWithItsPlace) {
     } cases[] = {{kSquare + "f 1 2 9\n", "face 1: names position 9"},
                  {kSquare + "f 1 2 3\nf -5 2 3\n", "face 2: names position -5"},
                  {kSquare + "f 0 1 2\n", "face 1: names position 0"},
-                 {kSquare + "f 1/1 2/1 3/1\n", ""},  // without a texture nobody asks for texture coordinates
+                 {kSquare + "f 1/1 2/1 3/1\n", ""},  // without a texture no texture coordinates are needed
                  {kSquare + "f 1//1 2//1 3//1\n", "names normal 1"},
                  {kSquare + "f a b c\n", "line 5: holds what is no finite number"},
                  {"v 0 0 nan\nv 1 0 0\nv 1 1 0\nf 1 2 3\n", "line 1: holds what is no finite number"},

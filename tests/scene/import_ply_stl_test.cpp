@@ -20,7 +20,7 @@ using aoscore::testing::ImportFolder;
 using aoscore::testing::warnings_of;
 using ::testing::HasSubstr;
 
-/// The bytes of a number, the least first or last.
+/// The bytes of a number, little-endian or big-endian.
 template <class T>
 std::string bytes(T value, bool big_endian) {
     std::string text(reinterpret_cast<const char*>(&value), sizeof value);
@@ -28,7 +28,7 @@ std::string bytes(T value, bool big_endian) {
     return text;
 }
 
-/// A unit square with a hole's worth of corners: an L of area 3, as one polygon.
+/// An L of area 3 as one polygon.
 const glm::vec3 kL[] = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
 
 std::string binary_ply(bool big_endian) {
@@ -172,7 +172,7 @@ const char* const kStlText =
 
 std::string binary_stl(std::uint32_t triangles) {
     std::string text(80, ' ');
-    text.replace(0, 5, "solid");  // many programs write it there, though it is binary
+    text.replace(0, 5, "solid");  // many programs begin binary files so
     text += bytes(triangles, false);
     for (const float number : {0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 2.f, 0.f, 0.f, 0.f, 2.f, 0.f})
         text += bytes(number, false);

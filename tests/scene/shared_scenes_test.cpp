@@ -25,7 +25,7 @@ const aoscore::Camera& own_camera(const Scene& scene) {
         ->camera;
 }
 
-/// Compares corner by corner through `move`, in parts of the first scene's diagonal.
+/// Compares corner by corner after `move`, in shares of the first scene's diagonal.
 void expect_same_shape(const Scene& a, const Scene& b, double tolerance,
                        glm::dvec3 (*move)(const glm::dvec3&)) {
     const auto corners_a = all_corners(a), corners_b = all_corners(b);
@@ -105,7 +105,7 @@ TEST(Variants, MirroredIsTheMirrorImage) {
 
 TEST(Variants, QuantisedIsTheOriginalWithinQuantisation) {
     REQUIRE_SHARED_INPUTS();
-    // 14 bits over each mesh's own extent.
+    // The file has 14 bits over each mesh's own extent.
     expect_same_shape(load("stanford_group.glb"), load("variants/stanford_group.quantized.glb"), 1.0 / 16383,
                       stay);
     expect_same_shape(load("sponza_crytek.glb"), load("variants/sponza_crytek.quantized.glb"), 1.0 / 16383,
@@ -118,7 +118,7 @@ TEST(Variants, ZUpRootGivesTheOriginal) {
     const double diagonal = original.bounds.diagonal();
     EXPECT_NEAR(turned.bounds.diagonal(), diagonal, 1e-5 * diagonal);
     EXPECT_EQ(turned.triangle_count, original.triangle_count);
-    // What a camera sees is the same: both bring the scene's corners to one view space.
+    // Both cameras see the same: they bring the scene's corners to one view space.
     const aoscore::CameraFrame a(own_camera(original), 160, 90), b(own_camera(turned), 160, 90);
     const auto corners_a = all_corners(original), corners_b = all_corners(turned);
     ASSERT_EQ(corners_a.size(), corners_b.size());
@@ -171,7 +171,7 @@ TEST(Variants, WebPCutOutsEqualTheOriginals) {
     EXPECT_TRUE(webp.textures[0].texels.same_size(png.textures[0].texels));
 }
 
-/// Least and largest of all corners, in parts of the diagonal of `b`.
+/// Compares the least and largest of all corners, in shares of the diagonal of `b`.
 void expect_same_bounds(const Scene& a, const Scene& b, double tolerance) {
     EXPECT_LE(glm::distance(a.bounds.low, b.bounds.low), tolerance * b.bounds.diagonal());
     EXPECT_LE(glm::distance(a.bounds.high, b.bounds.high), tolerance * b.bounds.diagonal());
@@ -220,7 +220,7 @@ TEST(Features, NegativeScalesMirrorTheirInstances) {
 
 TEST(Features, SparseAccessorMovesThreeVertices) {
     REQUIRE_SHARED_INPUTS();
-    // Khronos' sample: a band of the height 1 whose upper middle vertices are lifted to 2, 3 and 4.
+    // Khronos' sample is a band of height 1 whose upper middle vertices are lifted to 2, 3 and 4.
     const Scene scene = load("features/SimpleSparseAccessor-glTF/SimpleSparseAccessor.gltf");
     EXPECT_NEAR(scene.bounds.high.y, 4, 1e-6);
 }

@@ -50,7 +50,7 @@ TEST(Capture, PeelsLayersOffFrontToBack) {
 TEST(Capture, HasAPictureForEachFrameAndEyeOfItsOwnCamera) {
     ScreenRenderer renderer;
     renderer.set_scene(three_planes());
-    // Two frames of two eyes; the edge of the near plane lies at x = 0.
+    // The capture has two frames of two eyes; the edge of the near plane lies at x = 0.
     Capture capture(camera_at(-30), {});
     for (const double x : {30.0, 1.0, -1.0}) capture.cameras.push_back(camera_at(x));
     capture.eyes = 2;

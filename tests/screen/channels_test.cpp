@@ -1,5 +1,4 @@
-// The table of image/channels.h is all that a channel needs: it is drawn, read by shaders and read back from
-// there.
+// A channel needs only its row in image/channels.h to be drawn, read by shaders and read back.
 #include "image/channels.h"
 
 #include "core/files.h"
@@ -48,7 +47,7 @@ class EveryChannel : public ::testing::TestWithParam<std::string> {
         renderer_.draw_gbuffer(CameraFrame(corner_camera(), kWidth, kHeight), {std::string(channel_.id)});
         return renderer_.read_gbuffer();
     }
-    /// What the probe reads of one component, which it moves into [0,1].
+    /// One component as the probe reads it, moved into [0,1].
     ImageF read_by_a_pass(const char* component) {
         const MethodDescriptor method =
             method_of(channel_.id, fmt::format("0.5 + centre_{}(){} / 256.0", channel_.id, component));
@@ -106,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(Channels, EveryChannel, ::testing::ValuesIn(ids_of(gbuf
 
 TEST(Channels, HaveANameInFilesForEachValueAndNoTwoShareOne) {
     std::set<std::string_view> names = {"Y", "mask.Y", "P.X", "P.Y",
-                                        "P.Z"};  // what else a file of them holds
+                                        "P.Z"};  // further channels of a G-buffer's file
     std::set<std::string_view> ids;
     for (const Channel& channel : gbuffer_channels()) {
         EXPECT_TRUE(ids.insert(channel.id).second) << channel.id;

@@ -20,9 +20,8 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kPixel_m = formula::kPixel;
 constexpr double kFloor = Relief::kFloor;
 
-// Beside a sphere that floats over the floor. From above one sees its upper half and takes what lies below
-// for full: in a slice, everything under the upper tangent of the circle that the slice cuts out of the
-// sphere.
+// A point beside a sphere that floats over the floor. Seen from above, the space below its upper half counts
+// as solid: in a slice, all under the upper tangent of the circle in which the slice cuts the sphere.
 Relief sphere() {
     constexpr int kSize = 181, kRings = 96, kSectors = 192;
     constexpr double kRadius = 0.25, kHeight = 0.32, kDistance = 0.4;
@@ -57,11 +56,11 @@ Relief sphere() {
     return relief;
 }
 
-// A method that knows horizons, what it makes of one, and how near it must come.
+// A horizon-based method, its visibility for a horizon, and the tolerance.
 struct HorizonMethod {
     std::string name, method, source;
     ParameterValues settings;
-    std::function<double(double elevation)> open;  // of one azimuth; V is the mean over azimuths
+    std::function<double(double elevation)> open;  // visibility of one azimuth, whose mean is V
     double tolerance;
 };
 
@@ -69,8 +68,8 @@ double cosine_weighted(double e) {
     return std::pow(std::cos(e), 2);
 }
 
-// 4 m: what lies beyond counts for less than the tolerance; a step a pixel. The rays of the march are
-// shorter: the walls are lower than that.
+// The radius is 4 m, beyond which occluders count for less than the tolerance, with a step a pixel. The rays
+// of the march are shorter, but longer than the walls are high.
 std::vector<HorizonMethod> horizon_methods(bool endless) {
     const double radius = endless ? 4 : 1;
     const int steps = endless ? 400 : 100;
@@ -86,7 +85,7 @@ std::vector<HorizonMethod> horizon_methods(bool endless) {
     const auto uniform_sectors = [](double e) { return 1 - 2 * e / kPi; };
     return {
         {"gtao", "gtao", "exact", gtao, cosine_weighted, 0.015},
-        // 32 sectors round a horizon to 5.6 degrees.
+        // 32 sectors make a horizon precise to 5.6 degrees.
         {"visibility-bitmask, cosine", "visibility-bitmask", "exact", bitmask("cosine"), cosine_weighted,
          endless ? 0.015 : 0.05},
         {"visibility-bitmask, uniform", "visibility-bitmask", "uniform sectors", bitmask("uniform"),
@@ -122,7 +121,7 @@ class ClosedForms : public ::testing::Test {
         MethodRequest request;
         request.method = &method(tested.method);
         request.parameters = request.method->values("default", tested.settings);
-        // In an orthographic view, what is at the border goes on for ever.
+        // In an orthographic view, surfaces at the border go on endlessly.
         request.border = Border::clamp;
         const ImageF image = renderer_.run(request).raw;
         double sum = 0;
@@ -130,7 +129,8 @@ class ClosedForms : public ::testing::Test {
         return sum / static_cast<double>(relief.pixels.size());
     }
 
-    // Mean over a column's pixels, which are all alike, and over seeds; one pixel for what is no mean.
+    // The mean over a column's pixels, which are all alike, and over seeds; for a case of one seed, a single
+    // pixel.
     double read(const formula::Case& tested) {
         constexpr int kMiddle = formula::kSize / 2, kRows = 20, kSeeds = 4;
         const bool alone = tested.seeds == 1;
@@ -152,14 +152,13 @@ class ClosedForms : public ::testing::Test {
     std::vector<MethodDescriptor> methods_ = load_methods();
 };
 
-// The part of the cosine-weighted hemisphere beyond a wall at c = d/R of the reach: a segment of the unit
-// disc.
+// The part of the cosine-weighted hemisphere beyond a wall at c = d/R: a segment of the unit disc.
 double segment(double c) {
     return c < 1 ? 1 - closed_form::wall_visibility_cutoff(c, 1) : 0;
 }
 
-// N8AO's points behind the wall count less the deeper they lie under its top, at the height 1: the mean over
-// their distance and the hemisphere's disc.
+// N8AO beside a wall of height 1: points behind it count less the deeper they lie under its top. This is the
+// mean over their distance and the hemisphere's disc.
 double n8ao_beside_the_wall(double c) {
     constexpr int kCells = 120;
     double sum = 0, count = 0;
@@ -183,7 +182,7 @@ double n8ao_beside_the_wall(double c) {
 std::map<std::string, double> beside_the_cut_off_wall(double c) {
     const auto cap = [](double x) {
         return x < 1 ? std::pow(1 - x, 2) * (2 + x) / 4 : 0.0;
-    };  // of a ball's volume
+    };  // share of a ball's volume
     const double faded = formula::kRadius / (-kFloor - formula::kRadius);
     return {
         {"hemisphere", 1 - segment(c)},
@@ -197,7 +196,7 @@ std::map<std::string, double> beside_the_cut_off_wall(double c) {
     };
 }
 
-// The whole table is one test, so that it ends up in one file: fidelity.md.
+// The whole table is one test, so that it is written to one file: fidelity.md.
 TEST_F(ClosedForms, AndTheMethodsOwnBiasesAreRead) {
     FidelityTable table;
     EXPECT_NEAR(mean_over_azimuths(wall(2, 8), cosine_weighted), closed_form::wall_visibility(1, 2), 1e-6);
@@ -205,7 +204,7 @@ TEST_F(ClosedForms, AndTheMethodsOwnBiasesAreRead) {
     std::vector<Relief> reliefs;
     for (const double k : {0.5, 1.0, 2.0}) {
         reliefs.push_back(wall(k, 8));
-        // A sweep knows no border to be clamped: it needs to see the wall's length.
+        // A line sweep has no border to clamp, and needs to see the wall's length.
         reliefs.push_back(wall(k, 512));
     }
     for (const double degrees : {30.0, 60.0}) reliefs.push_back(pit(degrees));
@@ -218,7 +217,7 @@ TEST_F(ClosedForms, AndTheMethodsOwnBiasesAreRead) {
         }
     }
 
-    // Planes and a wall within reach, to every estimator.
+    // Every estimator is given planes and a wall within its radius.
     constexpr double kEdge = 19.5 * kPixel_m, kHeight = formula::kRadius;
     const auto closed = beside_the_cut_off_wall(kEdge / formula::kRadius);
     for (const double degrees : {30.0, 60.0, -1.0}) {

@@ -10,8 +10,7 @@
 namespace aoscore::testing {
 namespace {
 
-// What every method must keep, whatever it computes. A new folder in shaders/methods/ is tested by being
-// there.
+// Rules that every method must keep. A new folder in shaders/methods/ is tested without an entry here.
 class EveryMethod : public ::testing::TestWithParam<std::string> {
   protected:
     static const std::vector<MethodDescriptor>& methods() {
@@ -87,7 +86,7 @@ TEST_P(EveryMethod, GivesTheSameImageWithUniformParameters) {
         std::size_t different = 0;
         for (std::size_t i = 0; i < open.size(); ++i)
             different += std::abs(open.pixels[i] - specialised.pixels[i]) > 1e-3F ? 1 : 0;
-        // Another order of roundings may push a tap over a texel's edge here and there.
+        // Another order of rounding may push a few taps over a texel's edge.
         EXPECT_LE(different, open.size() / 1000) << preset;
     }
 }
@@ -132,7 +131,7 @@ TEST_P(EveryMethod, RejectsUnknownPresetsAndParametersWithTheKnownOnes) {
 INSTANTIATE_TEST_SUITE_P(Registry, EveryMethod, ::testing::ValuesIn(method_ids()),
                          [](const auto& tested) { return test_name(tested.param); });
 
-// The counts that Hussain 2022 implies for its tables: one depth fetch a sample.
+// Hussain 2022 implies these counts for its tables: one depth fetch a sample.
 TEST(Fetches, AreThoseOfThePublishedTables) {
     const auto methods = load_methods();
     const auto filters = load_filters();

@@ -9,7 +9,7 @@
 namespace aoscore::testing {
 namespace {
 
-// A method that shows an input: the cosine between two normals as visibility.
+// A method that shows an input, as the cosine between two normals.
 MethodDescriptor normal_viewer(const std::string& source) {
     const auto folder = output_dir();
     write_atomically(folder / "viewer" / "method.json", R"({"label": "v", "paper": "none", "summary": "v",
@@ -72,7 +72,7 @@ TEST(Normals, OfARequestReplaceTheDescribedOnes) {
     EXPECT_LT(difference / static_cast<double>(geometric.size()), 0.01);
 }
 
-// 16 bits between near and far, two components of the normal: close, not equal.
+// With 16 bits between near and far and two components of the normal, the images are close, but not equal.
 TEST(PackedPrecision, GivesNearlyTheSameImage) {
     const auto methods = load_methods();
     const auto filters = load_filters();
@@ -126,7 +126,7 @@ TEST(DepthMips, OfTheRotatedGridHoldDepthsOfThePicture) {
     }
 }
 
-// Coarser levels blur what taps read, no more: neighbouring pixels that read different levels must not
+// Coarser levels only smooth the depths of taps: neighbouring pixels that read different levels must not
 // disturb each other.
 TEST(DepthMips, ChangeXegtaoLittle) {
     const auto methods = load_methods(), filters = load_filters();

@@ -46,7 +46,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text.replace(at, from.size(), to);
 }
 
-// A folder of methods that holds this one.
+// Makes a folder of methods that holds this one.
 fs::path folder_with(const std::string& descriptor, const std::string& fragment) {
     const fs::path folder = output_dir();
     write(folder / "depth-edges" / "method.json", descriptor);
@@ -97,7 +97,7 @@ TEST(UsersMethod, OfTwoTextFilesAppearsAndRuns) {
     }
 }
 
-// The walk-through of shaders/README.md: copy a method, change its function.
+// Follows the walk-through of shaders/README.md: copy a method, change its function.
 TEST(UsersMethod, CopiedFromAnExistingOneAndChangedRuns) {
     const fs::path folder = output_dir();
     fs::copy(find_method(load_methods(), "crytek-ssao").folder, folder / "my-ssao",

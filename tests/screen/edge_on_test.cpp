@@ -1,6 +1,6 @@
-// Ray marching on a floor that is seen almost edge-on, in double precision: a picture of few texels must give
-// what a picture many times as fine gives. What is far behind a point must not hide it because its texel is
-// tall.
+// Tests ray marching on a floor that is seen almost edge-on, in double precision: a picture of few texels
+// must give the result of one many times as fine. A surface far behind a point must not hide it because its
+// texel is tall.
 #include "hand_made.h"
 #include "oracle.h"
 
@@ -12,8 +12,8 @@
 namespace aoscore::testing {
 namespace {
 
-constexpr int kSize = 160;  ///< of the picture that the shader is given
-constexpr int kFiner = 8;   ///< times as wide and high is what the formula is given
+constexpr int kSize = 160;  ///< side of the shader's picture
+constexpr int kFiner = 8;   ///< the formula's picture is so many times as wide and high
 constexpr double kRadius = 0.5;
 constexpr int kSteps = 48;
 
@@ -22,7 +22,7 @@ struct Picture {
     GBufferImages images;
 };
 
-// `tilt_deg` between the line of sight and the floor's normal.
+// Tilts the camera to `tilt_deg` between the line of sight and the floor's normal.
 Camera tilted(Camera camera, double tilt_deg) {
     const double distance = glm::distance(camera.position, camera.target);
     const double tilt = tilt_deg * std::numbers::pi / 180;

@@ -6,13 +6,14 @@
 
 namespace aoscore::testing {
 
-/// What methods read where the value is known: rows of scene, method, the source of the value, both values.
+/// The results of methods where the value is known: rows of scene, method, the source of the value, both
+/// values.
 class FidelityTable {
   public:
-    /// Also expects `read` within `tolerance` of `expected`.
+    /// Adds a row, and expects `read` within `tolerance` of `expected`.
     void add(const std::string& scene, const std::string& method, const std::string& source, double read,
              double expected, double tolerance);
-    /// As Markdown.
+    /// Writes the table as Markdown.
     void write(const std::filesystem::path& file) const;
 
   private:

@@ -14,7 +14,7 @@
 namespace aoscore::testing {
 namespace {
 
-// Properties that follow from what ambient occlusion is, for every method of the registry.
+// Tests every method for properties that follow from the definition of ambient occlusion.
 class Fidelity : public ::testing::TestWithParam<std::string> {
   protected:
     const MethodDescriptor& method() const { return find_method(methods_, GetParam()); }
@@ -31,7 +31,7 @@ class Fidelity : public ::testing::TestWithParam<std::string> {
         request.uniform_form = true;  // one shader for all settings of a test
         return renderer_.run(request).raw;
     }
-    // What the published mathematics of a method read on the picture that was drawn, its radius given.
+    // The result of a method's published mathematics on the picture that was drawn, with this radius.
     double published_on_what_was_drawn(
         int width, int height,
         const std::function<published::Estimator(const published::Picture&, double)>& make) {
@@ -95,9 +95,9 @@ TEST_P(Fidelity, ScalingTheSceneAndItsRadiusTogetherChangesNothing) {
     }
 }
 
-// In any unit: roundings push a tap over a texel's edge, or a point through a surface, here and there (in up
-// to 0.2 % of the pixels where this was measured). Where nothing ends a pixel's reach, one comparison that
-// falls the other way, such as of depths at a line sweep's edge, is seen by every pixel behind it (9 %).
+// Rounding pushes a few taps over a texel's edge, or points through a surface (in up to 0.2 % of the pixels
+// where this was measured). Where no radius limits a pixel, one comparison with another result, such as of
+// depths at a line sweep's edge, affects every pixel behind it (9 %).
 TEST_P(Fidelity, MillimetresInchesAndKilometresAreDrawnAlike) {
     constexpr double kRadius_m = 0.4;
     const double most = method().find_parameter("radius") == nullptr ? 0.1 : 0.005;
@@ -112,8 +112,8 @@ TEST_P(Fidelity, MillimetresInchesAndKilometresAreDrawnAlike) {
     }
 }
 
-// What a plane reads that faces the viewer when the radius goes to nothing: here a hundredth of a pixel,
-// which float still tells from none. Crytek's bias opens what is smaller than it.
+// Tests a plane that faces the viewer as the radius goes to 0: here to a hundredth of a pixel, which float
+// can distinguish from 0. Crytek's bias opens anything smaller.
 TEST_P(Fidelity, VanishingRadiusReadsOpen) {
     if (method().find_parameter("radius") == nullptr) GTEST_SKIP() << "has no radius";
     const ImageF image =
@@ -135,14 +135,14 @@ Scene mirrored_scene(Scene scene, const CameraFrame& frame, Mirror mirror) {
     return scene;
 }
 
-// Left and right, up and down are alike: with its randomness mirrored too, the picture of the mirrored scene
-// is the mirrored picture, pixel by pixel.
+// With its randomness mirrored too, the picture of the mirrored scene is the mirrored picture, pixel by
+// pixel, from left to right and from top to bottom.
 TEST_P(Fidelity, MirroredSceneAndNoiseGiveTheMirroredImage) {
-    // Halving leaves no texel over in six levels of depth mips; blocks of up to 8 pixels have their middle
-    // pixels at mirrored places where a pixel more is there, as have lines that start from the middle one.
+    // An even size halves into six levels of depth mips without a rest. With one pixel more, the middle
+    // pixels of blocks of up to 8 lie at mirrored places, as do lines that start from the middle pixel.
     const bool halves = reads_depth_mips();
     const int width = halves ? 160 : 161, height = halves ? 96 : 97;
-    // Nor is there a coarser texel beyond the last one: a block at the picture's edge is of one side only.
+    // There is no coarser texel beyond the last one, so that a block at the picture's edge has one side only.
     const int coarsest = method().passes.front().scale, margin = coarsest > 1 ? 2 * coarsest : 0;
     const CameraFrame frame(corner_camera(), width, height);
     const ImageF plain = run(corner_scene(), corner_camera(), width, height);
@@ -158,7 +158,7 @@ TEST_P(Fidelity, MirroredSceneAndNoiseGiveTheMirroredImage) {
                 different += std::abs(plain.at(x, y) - other) > 1e-3F ? 1 : 0;
             }
         }
-        // A point on a texel's edge falls to either side by rounding: measured, at most one pixel.
+        // Rounding decides the side of a point on a texel's edge: at most one pixel was measured.
         EXPECT_LE(different, compared / 2000) << "of " << compared;
     }
 }
@@ -190,8 +190,8 @@ TEST_P(Fidelity, TiltedPlaneReadsOpen) {
         double expected, tolerance;
     };
     // Point tests compare a point with the depth of its texel's centre: on a slope, points within half a
-    // texel of the plane are hidden by it; a depth mip lies beside its tap. Slices are few by default: their
-    // mean has noise.
+    // texel of the plane are hidden by it; a depth mip lies beside its tap. The few default slices have a
+    // noisy mean.
     const std::map<std::string, double> tolerances = {
         {"ssao", 0.05},
         {"sd-ssao", 0.05},
@@ -206,7 +206,7 @@ TEST_P(Fidelity, TiltedPlaneReadsOpen) {
         {"volumetric-sphere", 0.05},
         {"line-sweep", 5e-3},
         {"sao", 0.01},
-        // Taps have their texel's depth at a place beside its centre.
+        // Taps use their texel's depth at a place beside its centre.
         {"three-gtao", 5e-3},
     };
     for (const double degrees : {0.0, 30.0, 60.0}) {
@@ -216,8 +216,8 @@ TEST_P(Fidelity, TiltedPlaneReadsOpen) {
         const double read = mean_over(image, surface());
         double expected = 1;
         if (GetParam() == "xegtao") {
-            // Its own measure of a plane, seen in the middle of the picture: lerp(|n_p|, 1, 0.05) (cos γ + γ
-            // sin γ), to the power 2.2.
+            // Its own formula for a plane in the middle of the picture: lerp(|n_p|, 1, 0.05) (cos γ + γ sin
+            // γ), to the power 2.2.
             constexpr int kSlices = 720;
             double sum = 0;
             for (int i = 0; i < kSlices; ++i) {
@@ -229,8 +229,9 @@ TEST_P(Fidelity, TiltedPlaneReadsOpen) {
             }
             expected = std::pow(std::min(sum, 1.0), 2.2);
         }
-        // A root or a power of 0.6 enlarges what taps, of one depth a texel, find of a slope: Filament's
-        // published mathematics in double precision read a plane a quarter closed in so small a picture.
+        // A root or a power of 0.6 enlarges the occlusion that taps, of one depth a texel, find on a slope:
+        // Filament's published mathematics in double precision read a plane a quarter closed in so small a
+        // picture.
         if (GetParam() == "filament-ssao")
             expected = published_on_what_was_drawn(160, 90, published::filament_ssao);
         if (GetParam() == "unity-ssao") {

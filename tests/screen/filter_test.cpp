@@ -16,12 +16,12 @@ class EveryFilter : public ::testing::TestWithParam<std::string> {
         MethodRequest request = request_for(find_method(methods_, method), filters_, "default");
         request.filter = &filter();
         ParameterValues settings = filter_overrides;
-        // A power over all makes contrast, and roughness, of its own.
+        // A final power adds contrast, and roughness, of its own.
         if (filter().find_parameter("exponent") != nullptr) settings.try_emplace("exponent", 1.0);
         request.filter_parameters = filter().values("default", settings);
         return renderer_.run(request);
     }
-    // Every setting of every choice, one at a time.
+    // Every value of every choice, one at a time.
     std::vector<ParameterValues> variants() const {
         std::vector<ParameterValues> all = {{}};
         for (const Parameter& p : filter().parameters) {
@@ -89,7 +89,7 @@ TEST(BoxFilter, IsTheMeanOfItsSquareWhateverTheSide) {
     for (const int side : {1, 2, 3, 4, 7, 8}) {
         request.filter_parameters = request.filter->values("default", {{"size", side}});
         const MethodOutput output = renderer.run(request);
-        // Beside the box's edge, so that the squares lie on surfaces.
+        // The centres lie beside the box's edge, so that the squares lie on surfaces.
         for (const glm::ivec2 centre : {glm::ivec2(30, 20), glm::ivec2(41, 30)}) {
             double mean = 0;
             for (int y = -(side / 2); y < side - side / 2; ++y) {
@@ -101,13 +101,13 @@ TEST(BoxFilter, IsTheMeanOfItsSquareWhateverTheSide) {
     }
 }
 
-// Two planes, one behind the other: a filter that knows depth must not carry occlusion over the edge.
+// Of two planes, one behind the other, a depth-aware filter must not carry occlusion over the edge.
 TEST(GaussianDepth, KeepsOcclusionOnItsSideOfAnEdge) {
     const auto methods = load_methods();
     const auto filters = load_filters();
     Scene scene = plane_scene({0, 0, -6}, {0, 0, 1}, 30);
-    add_quad(scene, {-30, -30, -3}, {30, 0, 0}, {0, 60, 0});    // nearer, on the left
-    add_quad(scene, {-0.4, -30, -3}, {0, 0, 0.4}, {0, 60, 0});  // with a thin wall on it
+    add_quad(scene, {-30, -30, -3}, {30, 0, 0}, {0, 60, 0});    // a nearer plane on the left
+    add_quad(scene, {-0.4, -30, -3}, {0, 0, 0.4}, {0, 60, 0});  // a thin wall on it
     ScreenRenderer renderer;
     renderer.set_scene(scene);
     const CameraFrame frame(front_camera(), 192, 108);
@@ -138,7 +138,7 @@ TEST_P(EveryResolution, GivesNearlyTheFullPicture) {
     const ImageF full = renderer.run(request).raw;
     const double full_fetches = mean_over(renderer.count_fetches(request), surface);
     double before = 1;
-    // A power enlarges little occlusion as often as it says. Filament's root and Unity's power of 0.6 enlarge
+    // A power multiplies slight occlusion by its exponent. Filament's root and Unity's power of 0.6 enlarge
     // it without bound: 0.15 and 0.18 of the mean and 0.36 and 0.32 a pixel, whose seven and eight taps are
     // noise, were measured here.
     const bool takes_root = GetParam() == "filament-ssao" || GetParam() == "unity-ssao";
@@ -174,7 +174,7 @@ TEST_P(EveryResolution, GivesNearlyTheFullPicture) {
         const double error = std::sqrt(squared / count);
         EXPECT_GT(error, 0);
         EXPECT_LT(error, takes_root ? 0.4 : 0.15);
-        // The dual picture repairs the half one.
+        // Dual resolution repairs the errors of half resolution.
         if (resolution == Resolution::dual) {
             EXPECT_LT(error, before);
         }
@@ -187,8 +187,8 @@ TEST_P(EveryResolution, GivesNearlyTheFullPicture) {
     }
 }
 
-// Two walls that meet, both seen at an angle: what is brought up follows their planes, without steps of the
-// coarse picture's pixels.
+// On two walls that meet, both seen at an angle, the upsampled picture follows their planes, without steps of
+// the coarse pixels.
 TEST(CoarsePicture, IsBroughtUpWithoutStripesOnASlope) {
     Scene scene = empty_scene();
     const glm::dvec3 corner(0.3, -3, -4.5), left(-0.6, 0, 0.8), right(0.8, 0, 0.6);
@@ -205,7 +205,7 @@ TEST(CoarsePicture, IsBroughtUpWithoutStripesOnASlope) {
     // The darkest pixels are the corner.
     int middle = 0;
     for (int x = 0; x < image.width; ++x) middle = image.at(x, 90) < image.at(middle, 90) ? x : middle;
-    // Beside it visibility grows to 1, and may change its step from pixel to pixel, not jump.
+    // Beside it visibility grows to 1, with steps that change gradually from pixel to pixel.
     double largest = 0, range = 0;
     for (int x = 40; x < image.width - 40; ++x) {
         if (std::abs(x - middle) < 6) continue;

@@ -9,7 +9,7 @@
 namespace aoscore::testing {
 namespace {
 
-// Where the plane n.x = n.c is met along a pixel's ray: the view depth.
+// The view depth at which a pixel's ray meets the plane n.x = n.c.
 double plane_depth(const CameraFrame& frame, int x, int y, const glm::dvec3& centre,
                    const glm::dvec3& normal) {
     const CameraFrame::Ray ray = frame.ray(x + 0.5, y + 0.5);
@@ -52,8 +52,8 @@ PlaneErrors plane_errors(const Camera& camera, const glm::dvec3& centre, const g
     return errors;
 }
 
-// One hundredth of a pixel's footprint: a rasteriser that was off by half a pixel, or by a pixel, would be
-// off by tens of that on these slopes.
+// The tolerance is a hundredth of a pixel's footprint: on these slopes, a rasteriser off by half a pixel
+// would exceed it tens of times.
 constexpr double kDepthTolerance = 0.01;
 constexpr double kNormalTolerance = 1e-6;
 
@@ -126,8 +126,8 @@ TEST(GBuffer, BackgroundHasTheFarPlanesDepthAndNoSurface) {
     EXPECT_LT(background, images.surface.size() / 2);
 }
 
-// A checker of alpha on a quad that fills the picture: what is cut must be what alpha_at() says, pixel for
-// pixel, but where alpha lies within rounding of the cutoff.
+// On a quad that fills the picture with a checker of alpha, holes must be those of alpha_at(), pixel for
+// pixel, except where alpha lies within rounding of the cutoff.
 TEST(GBuffer, CutOutsAreThoseOfAlphaAt) {
     for (const auto wrap :
          {Texture::Wrap::repeat, Texture::Wrap::mirrored_repeat, Texture::Wrap::clamp_to_edge}) {

@@ -23,17 +23,17 @@ Scene plane_scene(const glm::dvec3& centre, const glm::dvec3& normal, double hal
 /// background.
 Scene corner_scene();
 
-/// At the origin, looking down -z.
+/// A camera at the origin that looks down -z.
 Camera front_camera();
 /// A view of corner_scene() with background on the right.
 Camera corner_camera();
 
-/// Writes a picture to look at; values from 0 to 1.
+/// Writes a picture for inspection; values from 0 to 1.
 void write_png(const std::string& path, const ImageF& image);
-/// The same of linear colours, in sRGB.
+/// Writes a picture of linear colours, in sRGB.
 void write_png(const std::string& path, const Image<glm::vec3>& image);
 
-/// The ids of the registry's methods, and a name for gtest made of such an id.
+/// The ids of the registry's methods, and gtest's name for such an id.
 std::vector<std::string> method_ids();
 std::string test_name(std::string id);
 

@@ -1,4 +1,4 @@
-// Methods of a user's folder that ask for too much, or for what is not theirs.
+// Tests methods of a user's folder that ask for too much, or for files outside of it.
 #include "core/error.h"
 #include "hand_made.h"
 #include "support/support.h"
@@ -51,7 +51,7 @@ std::string loading_error(const fs::path& folder) {
     return error_of([&] { load_methods(folder); });
 }
 
-/// What counting the fetches of the folder's method "hostile" ends with.
+/// The error of counting the fetches of the folder's method "hostile".
 std::string counting_error(const fs::path& folder) {
     const auto methods = load_methods(folder);
     ScreenRenderer renderer;

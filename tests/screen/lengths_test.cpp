@@ -50,7 +50,7 @@ TEST_P(Lengths, AtTheirReferenceRadiusAreTheOwnToTheLastBit) {
     }
 }
 
-// One radius a run: where the radius of a method is a parameter, it is the run's.
+// A run has one radius: where a method has a parameter for its radius, it gets the run's.
 TEST_P(Lengths, NameTheRadiusThatEveryMethodIsDrawnWith) {
     const std::string& radius = method().reference_radius.parameter;
     ASSERT_EQ(radius.empty(), method().find_parameter("radius") == nullptr);

@@ -1,4 +1,4 @@
-// The lighting pass: ambient light times visibility, Lambert times each light, and its highlight.
+// Tests the lighting pass: ambient light times visibility, Lambert times each light, and its highlight.
 #include "hand_made.h"
 #include "screen/method/request_digest.h"
 #include "support/support.h"
@@ -95,11 +95,12 @@ TEST_F(Lighting, WithoutLightsIsAmbientTimesVisibilityAfterItsFilter) {
     EXPECT_TRUE(occluded && background) << "the scene has both";
 }
 
-// Row 0 is at the top, and light from the right falls on what faces right.
+// Row 0 is at the top, and light from the right falls on surfaces that face right.
 TEST_F(Lighting, IsNeitherMirroredNorUpsideDown) {
     const MethodOutput output = draw(plane_scene({0, 0, -6}, {0, 0, 1}, 60), front_camera(),
                                      {{"lights", 4}, {"saturation", 1}, {"ring", 3}, {"ahead", 5}});
-    // At an eighth of a turn, above on the right: between yellow and red; and so on, against the clock.
+    // At an eighth of a turn, at the upper right, the hue is between yellow and red, and so on
+    // counter-clockwise.
     const auto near_light = [&](int i) {
         const double angle = 2 * std::numbers::pi * (i + 0.5) / 4;
         const glm::dvec3 image = CameraFrame(front_camera(), kWidth, kHeight)

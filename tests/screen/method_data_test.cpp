@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// What a method is as data is enough to run it elsewhere: complete settings, shaders, kernels.
+/// A method's data suffice to run it elsewhere: complete settings, shaders, kernels.
 namespace aoscore {
 namespace {
 
@@ -72,7 +72,7 @@ Kernel with_choices(Kernel kernel, const json& chosen) {
     return kernel;
 }
 
-// What a reader makes of the table for a smaller size is what the program compiles in.
+// The kernel that a reader takes from the table for a smaller size is the one that the program compiles in.
 TEST(MethodData, KernelTablesHoldThePointsOfEverySize) {
     std::size_t kernels = 0;
     for (const MethodDescriptor& method : methods_and_filters()) {

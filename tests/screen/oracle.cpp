@@ -87,7 +87,7 @@ Slice slice(const Field& field, const Point& point, double azimuth, double radiu
         double horizon = open;
         constexpr int kSteps = 300;
         for (int i = 1; i <= kSteps; ++i) {
-            // From one footprint on, as in a depth buffer.
+            // The march begins after one footprint, as in a depth buffer.
             const double t = field.footprint + (radius - field.footprint) * i / kSteps;
             const glm::dvec3 v =
                 surface(field, point.p.x + side * t * along.x, point.p.y + side * t * along.y) - point.p;

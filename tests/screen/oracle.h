@@ -13,19 +13,19 @@ namespace oracle {
 
 struct Field {
     std::function<double(double, double)> z;
-    double footprint = 0;  ///< of a pixel, metres
+    double footprint = 0;  ///< a pixel's, in metres
 };
 struct Point {
     glm::dvec3 p{0};
     glm::dvec3 n{0, 0, 1};  ///< unit, n.z > 0
 };
 
-/// Where an offset lands on the surface.
+/// The point of the surface at an offset.
 inline glm::dvec3 surface(const Field& field, double x, double y) {
     return {x, y, field.z(x, y)};
 }
 
-/// Tangent, bitangent, normal.
+/// The frame of tangent, bitangent and normal.
 glm::dmat3 basis(const glm::dvec3& n);
 
 using Random = std::mt19937_64;
@@ -36,10 +36,10 @@ glm::dvec3 hemisphere_direction(Random& random);  ///< uniform, z >= 0
 glm::dvec3 cosine_direction(Random& random);      ///< z >= 0
 glm::dvec2 disc_point(Random& random);
 
-/// Mean of `value(random)` over `count` draws.
+/// The mean of `value(random)` over `count` draws.
 double mean(int count, const std::function<double(Random&)>& value);
 
-/// Mean of `value` over offsets evenly in a disc of this radius around the point; it gets v = S - P.
+/// The mean of `value(S - P)` over offsets that fill a disc of this radius around the point evenly.
 double disc_mean(const Field& field, const Point& point, double radius,
                  const std::function<double(const glm::dvec3& v)>& value);
 

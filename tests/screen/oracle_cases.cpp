@@ -124,7 +124,7 @@ const std::vector<Case>& cases() {
          "alchemy-spiral",
          {{"samples", 9}, {"radius", kRadius}},
          [](const Field& f, const Point& p) {
-             // The very taps: their rotation is a function of the pixel (y runs down).
+             // These are the shader's exact taps, whose rotation is a function of the pixel (y runs down).
              const double column = p.p.x / kPixel + kSize / 2.0, row = kSize / 2.0 - p.p.y / kPixel;
              const double turn = 2.3734372915 * column + 3.58540627421 * row;
              double sum = 0;

@@ -7,13 +7,13 @@
 #include <ostream>
 #include <vector>
 
-/// Every estimator at high quality, with what its paper's formula gives: for any height field that is seen
-/// along -z by an orthographic camera of kSize x kSize pixels, kPixel metres each.
+/// Every estimator at high quality with its paper's formula, for any height field seen along -z by an
+/// orthographic camera of kSize x kSize pixels, kPixel metres each.
 namespace aoscore::testing::formula {
 
 inline constexpr int kSize = 121;
 
-/// A method, what its shader's mean over seeds must be, and how near.
+/// A method with the expected mean of its shader over seeds, and the tolerance.
 struct Case {
     const char* name;
     const char* method;

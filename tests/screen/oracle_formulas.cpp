@@ -12,7 +12,7 @@ using glm::dvec3;
 
 constexpr double kPi = std::numbers::pi;
 
-// Mean over directions and steps, both dense, of a march's contributions.
+// The mean of a march's contributions over dense directions and steps.
 double march(const std::function<double(double azimuth, double shift)>& direction) {
     double sum = 0;
     constexpr int kDirections = 180, kShifts = 4;
@@ -36,7 +36,7 @@ double smooth_step(double low, double high, double x) {
     return t * t * (3 - 2 * t);
 }
 
-// V = 1 - mean of what hides, over points P + frame · draw() · R.
+// V = 1 - the mean occlusion at points P + frame · draw() · R.
 double point_test(const Field& field, const Point& point, const std::function<dvec3(Random&)>& draw,
                   const std::function<double(const dvec3& offset, double surface_z)>& weight, double bias) {
     const glm::dmat3 frame = oracle::basis(point.n);
@@ -50,7 +50,7 @@ double always(const dvec3&, double) {
     return 1;
 }
 
-// A radius evenly in volume.
+// Scales a direction by a random distance, so that the points fill the ball evenly.
 dvec3 in_volume(const dvec3& direction, Random& random) {
     return direction * std::cbrt(oracle::unit(random));
 }
@@ -63,7 +63,7 @@ double alchemy(const Field& field, const Point& point, double sigma, double kapp
 }
 
 double sao(const Field& field, const Point& point) {
-    // The spiral's radius is even in its length, not in the disc's area: weight 1/r.
+    // The spiral's taps are even in radius, not in the disc's area: their weight is 1/r.
     double weights = 0;
     const double sum = oracle::disc_mean(field, point, kRadius, [&](const dvec3& v) {
         const double r = std::max(glm::length(dvec2(v)), 1e-4), d2 = glm::dot(v, v);
@@ -125,7 +125,7 @@ double tangent_sphere(const Field& field, const Point& point) {
     return open / (whole / (400 * 400 * kPi / 4));
 }
 
-// Increments of the horizon, 32 steps.
+// Adds increments of the horizon over 32 steps.
 double hbao(const Field& field, const Point& point, double bias) {
     constexpr int kSteps = 32;
     return 1 - march([&](double azimuth, double shift) {
@@ -145,7 +145,7 @@ double hbao(const Field& field, const Point& point, double bias) {
            });
 }
 
-// One attenuation, at the last sample in range; t = acos(D·n) - π/2 + bias; steps of `step` metres.
+// Attenuates once, at the last sample in range; t = acos(D·n) - π/2 + bias; steps of `step` metres.
 double hbao_hussain(const Field& field, const Point& point, double step, int steps) {
     return march([&](double azimuth, double) {
         const dvec2 d(std::cos(azimuth), std::sin(azimuth));
@@ -199,7 +199,7 @@ double xegtao(const Field& field, const Point& point) {
     return std::max(0.03, std::pow(std::min(open, 1.0), 2.2));
 }
 
-// Solid surfaces: a slice is open between its horizons.
+// For solid surfaces a slice is open between its horizons.
 double uniform_sectors(const Field& field, const Point& point) {
     return slices([&](double azimuth) {
         const auto s =
@@ -214,7 +214,7 @@ double ray_march(const Field& field, const Point& point) {
         const dvec3 direction = frame * oracle::cosine_direction(random);
         for (int i = 1; i <= 100; ++i) {
             const dvec3 s = point.p + direction * (kRadius * i / 100);
-            // The first steps lie within rounding of the surface itself.
+            // The first steps may lie within rounding of the surface itself.
             if (field.z(s.x, s.y) > s.z + 1e-6) return 0.0;
         }
         return 1.0;

@@ -1,5 +1,5 @@
-// What a method's descriptor calls its limits, in double precision: under the same stress the formula itself
-// goes as far from what is there as the shader does. Arithmetic is not at fault.
+// Tests the limits in methods' descriptors in double precision: under the same stress the formula itself is
+// as wrong as the shader, so that arithmetic is not at fault.
 #include "hand_made.h"
 #include "oracle_cases.h"
 #include "oracle_formulas.h"
@@ -17,22 +17,22 @@ namespace {
 
 using namespace formula;
 
-// A stress of the oracle's world. The formulas' radius is fixed, so that the pixel's size is what changes.
+// A stress of the oracle's height field. The formulas' radius is fixed, so the pixel's size changes instead.
 struct OracleStress {
     const char* axis;
     double footprint_m = kPixel;
     Precision precision = Precision::full;
     std::function<double(double, double)> z;       ///< what is there
-    std::function<double(double, double)> stored;  ///< what a depth buffer holds of it, at any place
+    std::function<double(double, double)> stored;  ///< the surface in a depth buffer, at any place
 };
 
-// Where the texel that covers x has its centre.
+// The centre of the texel that covers x.
 double texel_centre(double x, double footprint_m) {
     const double half = formula::kSize / 2.0;
     return (std::floor(x / footprint_m + half) + 0.5 - half) * footprint_m;
 }
 
-// Less than half a pixel: a slope, of which each texel keeps one depth.
+// The radius is less than half a pixel, on a slope of which each texel holds one depth.
 OracleStress radius_below_a_pixel() {
     const auto slope = [](double x, double y) { return -80 + 1.6 * x + 0.6 * y; };
     OracleStress stress{"radius", 1.0, Precision::full, slope, {}};
@@ -40,7 +40,7 @@ OracleStress radius_below_a_pixel() {
     return stress;
 }
 
-// 800 pixels: flat as far as the picture goes, and walls all around beyond it, where a depth buffer has
+// The radius is 800 pixels: the picture is flat, with walls all around beyond it, where a depth buffer has
 // nothing.
 OracleStress radius_beyond_the_picture() {
     constexpr double kFootprint = kRadius / 800, kHalf = formula::kSize * kFootprint / 2;
@@ -54,7 +54,7 @@ OracleStress radius_beyond_the_picture() {
     return stress;
 }
 
-// 16 bits between near and far plane.
+// Depth has 16 bits between near and far plane.
 OracleStress coarse_depth() {
     const auto slope = [](double x, double y) { return -6 + 0.25 * x + 0.1 * y; };
     OracleStress stress{"depth-format", kPixel, Precision::linear_16, slope, {}};
@@ -67,7 +67,7 @@ OracleStress coarse_depth() {
 }
 
 struct LimitCase {
-    const char* name;  ///< of an oracle case
+    const char* name;  ///< name of an oracle case
     OracleStress (*stress)();
     const char* id;
 };
@@ -130,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, Limit, ::testing::ValuesIn(limit_cases()), [](
     return std::string(tested.param.id) + "_" + tested.param.name;
 });
 
-// The finest of the multi-resolution method's levels, at a pixel: its result can only be darker.
+// The finest level of the multi-resolution method at a pixel, whose result can only be darker.
 double finest_level(const Field& field, const Point& point) {
     constexpr int kWindow = 2;
     constexpr double kReach = 0.5, kStrength = 2;
@@ -149,7 +149,7 @@ double finest_level(const Field& field, const Point& point) {
     return 1 - kStrength * sum / taps;
 }
 
-// A sphere half a pixel wide at every texel within the radius, as Sphere caps has it.
+// Sphere caps' formula: a sphere half a pixel wide at every texel within the radius.
 double caps_of_all_texels(const Field& field, const Point& point) {
     const int reach = static_cast<int>(kRadius / field.footprint) + 1;
     double sum = 0;
@@ -176,8 +176,8 @@ class LimitOfCoarseDepth : public ::testing::Test {
         images_ = renderer_.read_gbuffer();
     }
 
-    /// What a formula makes of the stored depth and of what is there, and the shader of the stored depth:
-    /// means over a block of pixels.
+    /// Means over a block of pixels: of the formula on the stored depth and on the true surface, and of the
+    /// shader on the stored depth.
     struct Means {
         double formula = 0, unlimited = 0, shader = 0;
     };
@@ -225,7 +225,7 @@ TEST_F(LimitOfCoarseDepth, IsThatTapsOfMultiResolutionAreAPixelAway) {
     EXPECT_TRUE(request.method->limits.contains("depth-format"));
 }
 
-// Their bias is a height over the tangent plane that grows with the distance from the eye.
+// The methods' bias is a height over the tangent plane that grows with the distance from the eye.
 TEST(LimitOfAlchemy, IsThatItsBiasGrowsWithTheDistance) {
     const auto bowl_at = [](double distance) {
         return [=](double x, double y) { return -distance + 2 * (x * x + y * y); };
@@ -250,7 +250,7 @@ TEST(LimitOfAlchemy, IsThatItsBiasGrowsWithTheDistance) {
     }
 }
 
-// Its steps are a part of the picture, not of the radius.
+// Its steps are a share of the picture, not of the radius.
 TEST(LimitOfHbaoHussain, IsThatItLooksOnlyAsFarAsItsSteps) {
     const OracleStress stress = radius_beyond_the_picture();
     const auto methods = load_methods();
@@ -274,7 +274,7 @@ TEST(LimitOfHbaoHussain, IsThatItLooksOnlyAsFarAsItsSteps) {
 class LimitOfWideAngles : public ::testing::Test {
   protected:
     static constexpr int kSide = 1001;     ///< lines of a sweep pass half a pixel beside its pixels
-    static constexpr double kTan = 11.43;  ///< of half the field of view, 170 degrees
+    static constexpr double kTan = 11.43;  ///< of half the angle of view, 170 degrees
 
     LimitOfWideAngles() {
         Camera camera = front_camera();
@@ -287,7 +287,7 @@ class LimitOfWideAngles : public ::testing::Test {
         return glm::normalize(glm::dvec3(-kTan * ((x + 0.5) / kSide * 2 - 1), 0, 1));
     }
     struct Slice {
-        double open = 0;   ///< the plane's part in it
+        double open = 0;   ///< the plane's part of the slice
         double spans = 0;  ///< the angle about the view vector for each angle of the picture
     };
     static Slice slice(const glm::dvec3& view, double azimuth) {
@@ -308,7 +308,7 @@ class LimitOfWideAngles : public ::testing::Test {
         return std::min(sum, 1.0);
     }
 
-    // Along the middle row, out to 80 degrees from the axis.
+    // Tests pixels along the middle row, out to 80 degrees from the axis.
     void expect_formula(const std::string& method, const ParameterValues& parameters, int slices,
                         bool spanned) {
         const std::vector<MethodDescriptor> methods = load_methods();

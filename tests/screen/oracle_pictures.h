@@ -9,13 +9,14 @@
 
 namespace aoscore::testing {
 
-/// A height field as triangles: wider than the oracle's picture and twice as fine. `footprint_m` of a pixel.
+/// A height field as triangles, wider than the oracle's picture and twice as fine; `footprint_m` is a
+/// pixel's.
 Scene height_field_scene(const std::function<double(double, double)>& z, double footprint_m);
 
-/// formula::kSize pixels square, orthographic, down -z.
+/// An orthographic camera of formula::kSize pixels square that looks down -z.
 CameraFrame oracle_frame(double footprint_m);
 
-/// The mean over the case's seeds of what its method's shader gives on the current G-buffer.
+/// The mean picture of the case's shader over its seeds, on the current G-buffer.
 ImageF mean_over_seeds(ScreenRenderer& renderer, const std::vector<MethodDescriptor>& methods,
                        const formula::Case& c, Precision precision = Precision::full);
 

@@ -18,14 +18,14 @@ namespace {
 using glm::dvec3;
 using namespace formula;
 
-// A slope, a bump, a hollow and a steep step, 6 m away. No texel of it is where a formula changes abruptly.
+// A slope, a bump, a hollow and a steep step, 6 m away. At none of its texels a formula changes abruptly.
 double terrain(double x, double y) {
     const double bump = 0.18 * std::exp(-((x + 0.2) * (x + 0.2) + (y - 0.15) * (y - 0.15)) / 0.02);
     const double hollow = -0.15 * std::exp(-((x - 0.15) * (x - 0.15) + (y + 0.2) * (y + 0.2)) / 0.015);
     return -6 + 0.25 * x + bump + hollow + 0.2 * smooth_step(0.2, 0.26, y + 0.3 * x);
 }
 
-// The pixels that are compared: far enough from the border for every radius.
+// The compared pixels, which are far enough from the border for every radius.
 const std::vector<glm::ivec2> kPixels = {{60, 60}, {46, 52}, {70, 76}, {72, 45}, {52, 66}, {64, 48}};
 
 class Estimator : public ::testing::TestWithParam<Case> {};
@@ -69,8 +69,8 @@ TEST_P(Estimator, AgreesWithItsPapersFormulaInDoublePrecision) {
 INSTANTIATE_TEST_SUITE_P(Methods, Estimator, ::testing::ValuesIn(cases()),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
-// In a bowl all levels look alike from pixel to pixel, so that bringing one up changes nothing: the picture
-// is the darkest level, or the product of all. A level is the mean over a checkerboard of its own pixels.
+// In a bowl each level is alike from pixel to pixel, so that upsampling changes nothing: the picture is the
+// darkest level, or the product of all. A level is the mean over a checkerboard of its own pixels.
 TEST(MultiResolution, ReadsItsLevelsFormulasAtTheBottomOfABowl) {
     constexpr double kCurvature = 1.5, kBottom = -6, kStrength = 2;
     const auto bowl = [](double x, double y) { return kBottom + kCurvature / 2 * (x * x + y * y); };
@@ -112,9 +112,9 @@ TEST(MultiResolution, ReadsItsLevelsFormulasAtTheBottomOfABowl) {
 
 // A new method must be checked like the others, or be named here with the reason.
 TEST(Estimators, OfAllMethodsAreChecked) {
-    // The line sweep has no radius: closed_form_test.cpp has it. Multi-resolution is checked above. three.js'
-    // pass, Filament's and Unity's follow no paper: published_test.cpp has them, as all that are drawn as
-    // published.
+    // The line sweep has no radius: closed_form_test.cpp checks it. Multi-resolution is checked above.
+    // three.js' pass, Filament's and Unity's follow no paper: published_test.cpp checks them, like all
+    // methods drawn as published.
     std::set<std::string> checked = {"multi-resolution", "line-sweep", "three-gtao", "filament-ssao",
                                      "unity-ssao"};
     for (const Case& c : cases()) checked.insert(c.method);

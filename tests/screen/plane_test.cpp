@@ -8,8 +8,7 @@
 namespace aoscore::testing {
 namespace {
 
-// What the methods read on a plane, which is open everywhere: V = 1, or what a method's own formula gives
-// there.
+// Tests methods on a plane, which is open everywhere: V = 1, or the value of a method's own formula there.
 class Plane : public ::testing::Test {
   protected:
     double mean(const std::string& method, const std::string& preset, const ParameterValues& overrides,
@@ -20,7 +19,7 @@ class Plane : public ::testing::Test {
         request.seed = seed;
         return mean_over(renderer_.run(request).raw, renderer_.read_gbuffer().surface);
     }
-    // Over kernels, of which a seed has only one.
+    // The mean over kernels, of which a seed has only one.
     double mean_over_seeds(const std::string& method, const std::string& preset,
                            const ParameterValues& overrides) {
         constexpr int kSeeds = 300;
@@ -69,7 +68,7 @@ TEST_F(Plane, TiltedIsOpenToHbaoWithoutBias) {
 }
 
 // Its printed tangent angle is right where the direction runs up the slope and too low elsewhere: the bias
-// hides that up to a tilt, not beyond.
+// hides that up to a certain tilt.
 TEST_F(Plane, TiltedIsOpenToHussainsHbaoWhileTheBiasHidesItsTangent) {
     EXPECT_EQ(mean("hbao-hussain", "quality", {}, {0, 0, 1}), 1);
     EXPECT_NEAR(mean("hbao-hussain", "quality", {}, {0.5, 0, 1}), 1, 1e-3);

@@ -13,14 +13,13 @@ namespace {
 
 class EveryPrecision : public ::testing::TestWithParam<PrecisionFormat> {};
 
-// The largest error of depth that a format may make: half a step of its integers, or some roundings of
-// floats.
+// The largest error of depth by a format: half a step of its integers, or some rounding of floats.
 double allowed_error(Precision precision, const Camera& camera, double depth) {
     const bool orthographic = camera.projection == Camera::Projection::orthographic;
     const double span = camera.far - camera.near;
     constexpr double kUlp = 0x1p-23;
     const double rounding = 8 * kUlp * (orthographic ? camera.far : depth);
-    // How far depth moves with window depth; window depth itself is computed in floats.
+    // The derivative of depth by window depth, which is itself computed in floats.
     const double window = orthographic ? span : depth * depth * span / (camera.near * camera.far);
     switch (precision) {
         case Precision::full:
@@ -40,10 +39,10 @@ double allowed_error(Precision precision, const Camera& camera, double depth) {
     return 0;
 }
 
-// More than 1 is cut off in a method's picture; a power of two leaves depth as exact as it is.
+// A method's picture clips at 1; a power of two keeps depth exact.
 constexpr double kShownPerMetre = 1.0 / 1024;
 
-// A method that shows nothing but the depth that it is given.
+// A method that shows its depth input.
 const MethodDescriptor& depth_viewer(std::vector<MethodDescriptor>& methods) {
     const auto folder = output_dir();
     write_atomically(folder / "viewer" / "method.json", R"({"label": "v", "paper": "none", "summary": "v",

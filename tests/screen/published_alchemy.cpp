@@ -1,4 +1,4 @@
-// Alchemy's estimator as two theses' programs have it.
+// Alchemy's estimator as in the programs of two theses.
 #include "published_methods.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ using glm::dvec3;
 
 constexpr double kSigma = 0.128, kKappa = 1.56, kBeta = 0.001, kEpsilon = 1e-4;
 
-// The surface that a tap reads, taken to lie where the tap is.
+// The surface that a tap reads, taken to lie at the tap's place.
 dvec3 tapped(const Picture& picture, const dvec2& place) {
     const int x = static_cast<int>(std::floor(place.x)), y = static_cast<int>(std::floor(place.y));
     const bool inside = x >= 0 && y >= 0 && x < picture.width() && y < picture.height();

@@ -11,7 +11,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-// Left, right, above, below, in pictures of every second pixel.
+// Offsets to the left, right, above and below, in pictures of every second pixel.
 constexpr int kSides[4][2] = {{-2, 0}, {2, 0}, {0, -2}, {0, 2}};
 
 std::array<double, 4> edges(const Picture& picture, int x, int y, bool by_normals = true) {
@@ -41,7 +41,7 @@ struct Assao {
     std::vector<dvec2> pattern;
     double radius, tan_half;
 
-    // Turned by quarter turns and mirrored, one of five ways in each of the four pictures.
+    // Turns a place by quarter turns and mirrors it, in one of five ways in each of the four pictures.
     static dvec2 turned(const dvec2& place, int px, int py) {
         constexpr int kOrder[] = {0, 1, 4, 3, 2};
         const int pass = px % 2 + 2 * (py % 2), part = kOrder[(py / 2 * 2 + px / 2) % 5];
@@ -63,7 +63,7 @@ struct Assao {
             const dvec3 v = picture.point(x + 0.5, y + 0.5, picture.depth(x, y)) - p;
             sum += 0.5 * open[i] * obscurance(v, n, reach / 2);
         }
-        // Godot brings the depth alone nearer, after that.
+        // Godot then moves only the depth nearer.
         if (is_godot) p.z *= 0.99;
         const double u = (px + 0.5) / picture.width(), v = (py + 0.5) / picture.height();
         const double inward = 10 * std::min({u, 1 - u, v, 1 - v}) + 0.6,
@@ -134,7 +134,8 @@ ImageF cacao_blurred(const Picture& picture, const ImageF& visibility) {
                     image.at(x, y) = static_cast<float>(sum / weights);
                     continue;
                 }
-                // Of the picture of every second pixel that begins at (cx, cy), at a place in the whole one.
+                // The value of the picture of every second pixel that begins at (cx, cy), at a place in the
+                // whole picture.
                 const auto other = [&](int cx, int cy, double at_x, double at_y) {
                     const double u = at_x / 2 - 0.5, v = at_y / 2 - 0.5;
                     const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v));

@@ -13,7 +13,7 @@ using glm::dvec3;
 // One of the sixteen pictures of every fourth pixel, and a pixel of it.
 struct Interleaved {
     const Picture& picture;
-    int column, row;  // of the first pixel
+    int column, row;  // place of the first pixel
 
     dvec3 point(int i, int j) const {
         const int last_i = (picture.width() - 1 - column) / 4, last_j = (picture.height() - 1 - row) / 4;
@@ -46,7 +46,7 @@ double estimate(const Picture& picture, const Noise& noise, double radius, int p
     return std::clamp(1 - 2 * sum / 32, 0.0, 1.0);
 }
 
-// Along a row or column, over values and depths.
+// Filters along a row or column, by values and depths.
 ImageF blurred(const Picture& picture, const ImageF& image, int dx, int dy) {
     ImageF result = image;
     for (int y = 0; y < image.height; ++y) {

@@ -40,7 +40,7 @@ struct N8ao {
         const glm::dvec4 xi = noise(px, py);
         double hidden = 0, counted = 0;
         for (int i = 0; i < kSamples; ++i) {
-            // The sunflower's disc, raised to the hemisphere, turned backward by the noise.
+            // The sunflower's disc is raised to the hemisphere, and turned backward by the noise.
             const double r = std::sqrt((i + 0.5) / kSamples), angle = 2.399963 * i - kTau * xi.x;
             const dvec3 local(r * std::cos(angle), r * std::sin(angle), std::sqrt(1 - r * r));
             const dvec3 s = p + radius * fraction(xi.y + i / double{kSamples}) * to_view(n, local);
@@ -54,7 +54,8 @@ struct N8ao {
                 std::clamp(static_cast<int>(std::floor(std::log2(std::max(away, 1.0)))) - 4, 0, 5);
             const int tx = static_cast<int>(std::floor(at.x)), ty = static_cast<int>(std::floor(at.y));
             const double surface = levels.depth(level, tx, ty);
-            // Pixel centre to the tap's texel corner; rows counted from below.
+            // The distance runs from the pixel's centre to the corner of the tap's texel; rows count from
+            // below.
             const double dx = px + 0.5 - tx;
             const double dy = (picture.height() - 1 - py) + 0.5 - (picture.height() - 1 - ty);
             if (dx * dx + dy * dy < 1 || surface == picture.depth(px, py) || surface >= -s.z) continue;
@@ -70,7 +71,7 @@ double disc_mean(const Picture& picture, const ImageF& image, double radius, dou
     double sum = static_cast<double>(image.at(px, py)), weights = 1;
     for (int i = 0; i < 8; ++i) {
         const double angle = kTau * (11 * i / 8.0), r = 12 * std::pow((i + 1) / 8.0, 0.75);
-        // Turned in the picture, whose rows run down; the disc's rows run up.
+        // The disc is turned in the picture, whose rows run down; its own rows run up.
         const dvec2 disc(r * std::cos(angle), -r * std::sin(angle));
         const dvec2 at(px + 0.5 + std::cos(turn) * disc.x - std::sin(turn) * disc.y,
                        py + 0.5 + std::sin(turn) * disc.x + std::cos(turn) * disc.y);

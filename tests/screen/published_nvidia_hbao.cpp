@@ -1,4 +1,4 @@
-// HBAO and its blur as in NVIDIA's Direct3D SDK 11. Its view space has the depth as z, and rows run down.
+// HBAO and its filter as in NVIDIA's Direct3D SDK 11. Its view space has the depth as z, and rows run down.
 #include "published_methods.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ constexpr int kDirections = 8;
 constexpr double kSteps = 6;
 const double kTangentBias = std::tan(10 * std::numbers::pi / 180);
 
-// Of an elevation, from its tangent.
+// The sine of an elevation from its tangent.
 double sine(double tangent) {
     return tangent / std::sqrt(1 + tangent * tangent);
 }
@@ -26,7 +26,7 @@ struct March {
     const Picture& picture;
     double radius;
     ivec2 pixel;
-    dvec3 p, right, down;  // of the pixel; steps to the neighbours on the tangent plane
+    dvec3 p, right, down;  // the pixel's point; steps to its neighbours on the tangent plane
     double step, count, jitter;
 
     dvec3 surface(const ivec2& offset) const {
@@ -42,7 +42,7 @@ struct March {
             elevation(static_cast<double>(offset.x) * right + static_cast<double>(offset.y) * down);
         return plane ? std::optional(*plane + kTangentBias) : std::nullopt;
     }
-    // What a tap adds over `low`; the horizon rises to it.
+    // The occlusion that a tap adds over `low`; raises the horizon to the tap.
     double rise(const dvec3& v, std::optional<double> low, std::optional<double>& horizon) const {
         const auto top = elevation(v);
         const double part = glm::dot(v, v) / (radius * radius);
@@ -98,7 +98,7 @@ ImageF blurred(const Picture& picture, const ImageF& image, const ivec2& axis, d
             if (!picture.surface(x, y)) continue;
             double sum = static_cast<double>(image.at(x, y)), weights = 1;
             for (int r = -15; r <= 15; r += 2) {
-                // Between the pixels on both sides of ±1.5, ±3.5, …
+                // Interpolates between the pixels on both sides of ±1.5, ±3.5, …
                 const int near = r < 0 ? r - 1 : r, far = near + 1;
                 const ivec2 a = ivec2(x, y) + near * axis, b = ivec2(x, y) + far * axis;
                 const double at = (near + far) / 2.0;
@@ -121,7 +121,7 @@ Estimator nvidia_hbao(const Picture& picture, const Noise& noise, double radius)
 }
 
 ImageF nvidia_hbao_blurred(const Picture& picture, const ImageF& visibility) {
-    // Sharpness 8 of a scene whose radius is its unit.
+    // The sharpness is 8 for a scene whose unit is the radius.
     const double depth_step = 2 * std::sqrt(std::numbers::ln2) / 8;
     return blurred(picture, blurred(picture, visibility, {1, 0}, depth_step), {0, 1}, depth_step);
 }

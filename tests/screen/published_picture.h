@@ -26,7 +26,7 @@ class Picture {
     double near() const { return near_; }
     double far() const { return far_; }
 
-    /// Of the texel, or the nearest one in the picture.
+    /// The depth of a texel, or of the nearest one in the picture.
     double depth(int x, int y) const;
     bool surface(int x, int y) const;
     /// All depths of the texel that were given with take_layers(), else its depth alone.
@@ -35,18 +35,18 @@ class Picture {
     glm::dvec3 normal(int x, int y) const;
     glm::dvec3 smooth_normal(int x, int y) const;
 
-    /// On the line of sight through a place.
+    /// The point on the line of sight through a place.
     glm::dvec3 point(double x, double y, double depth) const;
     glm::dvec3 point(int x, int y) const { return point(x + 0.5, y + 0.5, depth(x, y)); }
     glm::dvec2 place(const glm::dvec3& point) const;
     double pixels_per_metre(double depth) const { return height() / (2 * tan_y_ * depth); }
 
-    /// From the differences of position to the right and below, or to the left and above at the picture's
-    /// edge; turned to the camera.
+    /// The normal by differences of position to the right and below, or to the left and above at the
+    /// picture's edge; it faces the camera.
     glm::dvec3 face_normal(int x, int y) const;
 
-    /// From the depths around, extrapolated from the better side (Wu, Accurate Normal Reconstruction from
-    /// Depth Buffer, 2019); turned to the camera.
+    /// The normal from the depths around, extrapolated from the better side (Wu, Accurate Normal
+    /// Reconstruction from Depth Buffer, 2019); it faces the camera.
     glm::dvec3 normal_from_depth(int x, int y) const;
 
   private:
@@ -63,30 +63,30 @@ class DepthLevels {
   public:
     using Reduce = std::function<double(const double (&four)[4], int x, int y)>;
     DepthLevels(const Picture& picture, const Reduce& reduce);
-    /// Of the level's texel that covers a full texel; the nearest one in the picture.
+    /// The depth of the level's texel that covers a full texel, or of the nearest one in the picture.
     double depth(int level, int x, int y) const;
 
   private:
     std::vector<ImageF> levels_;
 };
 
-/// One of the four in turn (McGuire, Mara and Luebke, Scalable Ambient Obscurance, 2012).
+/// Picks one of the four in turn (McGuire, Mara and Luebke, Scalable Ambient Obscurance, 2012).
 double rotated_pick(const double (&four)[4], int x, int y);
-/// Their mean, without those that lie farther than `reach` before the farthest, with less of those that lie
-/// near that (Intel, XeGTAO, 2021).
+/// The mean of those within `reach` of the farthest, of which the nearest count less (Intel, XeGTAO, 2021).
 double farthest_mean(const double (&four)[4], double reach);
 
-/// Of an image's pixel, or the nearest one in it; and bilinear between the pixels' centres.
+/// The value of an image's pixel, or of the nearest one in it; and bilinearly between pixel centres.
 double clamped(const ImageF& image, int x, int y);
 double bilinear(const ImageF& image, const glm::dvec2& at);
 
-/// Four numbers in [0,1) a pixel.
+/// Gives each pixel four numbers in [0,1).
 using Noise = std::function<glm::dvec4(int x, int y)>;
-/// Jarzynski and Olano, Hash Functions for GPU Rendering, 2020: pcg4d of pixel, seed and stream, 24 bits.
+/// The hash pcg4d of pixel, seed and stream, 24 bits (Jarzynski and Olano, Hash Functions for GPU Rendering,
+/// 2020).
 Noise hash_noise(std::uint64_t seed, std::uint32_t stream = 0);
-/// The R2 sequence along a Hilbert curve of 64x64 pixels; two numbers, the rest 0.
+/// The R2 sequence along a Hilbert curve of 64x64 pixels: two numbers; the others are 0.
 Noise hilbert_noise();
-/// The program's tile of 4x4, which is an input.
+/// The program's tile of 4x4 pixels, which is an input.
 Noise tiled_noise(std::uint64_t seed);
 
 /// Points of a kernel and two numbers in [0,1) a sample, which the program generates: inputs too.

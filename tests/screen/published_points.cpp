@@ -1,4 +1,4 @@
-// Methods that test points of space against the depth surface, as the programs of their sources do.
+// Methods that test points of space against the depth buffer, as the programs of their sources do.
 #include "published_methods.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@ using glm::dvec3;
 
 constexpr double kBias = 0.025;
 
-// View z of the surface where a point is seen; outside of the picture that of its edge, or the background's.
+// The view z of the surface at a point's pixel; outside of the picture that of its edge, or the background's.
 double surface_z(const Picture& picture, const dvec3& point, bool at_edge) {
     const dvec2 place = picture.place(point);
     const int x = static_cast<int>(std::floor(place.x)), y = static_cast<int>(std::floor(place.y));
@@ -33,7 +33,7 @@ dvec3 across(const dvec3& vector, const dvec3& normal) {
     return vector - normal * glm::dot(vector, normal);
 }
 
-// 1 less the mean of what hides a point of the kernel at `position`.
+// 1 less the mean of `hidden` over the kernel's points at `position`.
 double open_part(const Kernel3& kernel, const std::function<double(const dvec3& point)>& hidden) {
     double sum = 0;
     for (const dvec3& k : kernel) sum += hidden(k);

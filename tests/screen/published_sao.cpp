@@ -52,7 +52,7 @@ ImageF quad_means(const Picture& picture, const ImageF& image) {
 }
 
 ImageF blurred(const Picture& picture, const ImageF& image, int dx, int dy) {
-    // As tabulated: a Gaussian whose first step is a factor 0.144893/0.153170.
+    // The tabulated Gaussian, whose first step is a factor of 0.144893/0.153170.
     constexpr double kGaussian[] = {0.153170, 0.144893, 0.122649, 0.092902, 0.062970};
     ImageF result = image;
     for (int y = 0; y < image.height; ++y) {

@@ -1,5 +1,5 @@
-// Methods as published, against their published mathematics in double precision on the G-buffer of a scene's
-// own view: 1,000 pixels chosen at random.
+// Compares methods as published with their published mathematics in double precision, on the G-buffer of a
+// scene's own view, at 1,000 random pixels.
 #include "hand_made.h"
 #include "published_methods.h"
 #include "scene/scene.h"
@@ -26,7 +26,7 @@ using namespace published;
 constexpr int kWidth = 240, kHeight = 136;
 constexpr std::uint64_t kSeed = 1;
 constexpr double kRadius = 0.5;
-const double kTanHalf = std::tan(60 * std::numbers::pi / 360);  // the view's
+const double kTanHalf = std::tan(60 * std::numbers::pi / 360);  // of half the view's angle
 
 const Kernel3& disc(int points) {
     static std::map<int, Kernel3> known;
@@ -43,7 +43,7 @@ std::vector<glm::dvec2> disc_pattern(int points) {
     return pattern;
 }
 
-// The G-buffer, drawn once for all cases.
+// Holds the G-buffer, drawn once for all cases.
 struct Stage {
     Stage() {
         const Scene scene = load_scene("atrium");
@@ -65,9 +65,10 @@ struct PublishedCase {
     const char* preset;
     ParameterValues settings;
     std::function<Estimator(const Picture&)> estimator;
-    /// After the preset's filter; empty where there is none of the implementation's own.
+    /// The implementation's own filter; empty where it has none.
     std::function<ImageF(const Picture&, const ImageF&)> filter;
-    /// Of the pixels, how many may be farther off than kNear: taps that roundings push over a texel's edge.
+    /// The share of pixels that may differ by more than kNear, whose taps rounding pushes over a texel's
+    /// edge.
     double share_off;
 };
 
@@ -280,7 +281,7 @@ class Published : public ::testing::TestWithParam<PublishedCase> {
     static void TearDownTestSuite() { stage_.reset(); }
     static Stage& stage() { return *stage_; }
 
-    // Random pixels that show a surface.
+    // Chooses random pixels that show a surface.
     static std::vector<glm::ivec2> pixels() {
         std::mt19937_64 random(7);
         std::uniform_int_distribution<int> column(0, kWidth - 1), row(0, kHeight - 1);
@@ -294,7 +295,7 @@ class Published : public ::testing::TestWithParam<PublishedCase> {
     struct Distance {
         double share_off = 0, rmsd = 0;
     };
-    // Printed as it is measured, of the random pixels.
+    // Measures the distance at the random pixels, and prints it.
     static Distance distance(const char* what, const ImageF& shader,
                              const std::function<double(int, int)>& expected) {
         std::size_t off = 0;
@@ -318,7 +319,7 @@ class Published : public ::testing::TestWithParam<PublishedCase> {
         EXPECT_LE(measured.share_off, share_off) << what;
         EXPECT_LT(measured.rmsd, 0.01) << what;
     }
-    // What the method's default is off without having to be near.
+    // Prints the distance of the method's default, which need not be near.
     static void print_default(const PublishedCase& c, const std::function<double(int, int)>& expected) {
         MethodRequest request =
             request_for(find_method(stage().methods, c.method), stage().filters, "default", c.settings);

@@ -13,8 +13,8 @@ using glm::dvec3;
 
 constexpr double kPi = std::numbers::pi;
 
-// The Siamese method: from the middle of the last column up and to the right; where that is taken, two to the
-// left of where it led and one down.
+// Makes a magic square by the Siamese method: from the middle of the last column it goes up and to the right;
+// where that cell is taken, two to the left of it and one down.
 std::vector<int> magic_square(int side) {
     std::vector<int> numbers(static_cast<std::size_t>(side * side));
     const auto wrapped = [side](int i) { return (i % side + side) % side; };
@@ -55,8 +55,8 @@ struct ThreeGtao {
         for (int i = 0; i < 3; ++i) {
             const double azimuth = turn + kPi * i / 3;
             const dvec3 along(std::cos(azimuth), std::sin(azimuth), 0);
-            // In the slice's own plane: a unit vector u to the side of `along`, the view vector, and the
-            // normal's angle gamma from the view vector toward u.
+            // The slice's plane has a unit vector u to the side of `along`, the view vector, and the normal's
+            // angle gamma from the view vector toward u.
             const dvec3 u = glm::normalize(along - view * glm::dot(along, view));
             const double gamma = std::atan2(glm::dot(n, u), glm::dot(n, view));
             const double c0 = raised(std::cos(gamma + kPi / 2), p, view, radius * along);

@@ -1,4 +1,4 @@
-// Unity's SSAO and its bilateral blur.
+// Unity's SSAO and its bilateral filter.
 #include "published_methods.h"
 
 #include <algorithm>
@@ -19,13 +19,13 @@ double fraction(double x) {
     return x - std::floor(x);
 }
 
-// On the unit sphere, from a height and a turn in [0,1).
+// The point of the unit sphere for a height and a turn in [0,1).
 dvec3 on_sphere(double height, double turns) {
     const double z = 2 * height - 1, r = std::sqrt(1 - z * z), angle = 2 * std::numbers::pi * turns;
     return {r * std::cos(angle), r * std::sin(angle), z};
 }
 
-// What a point of space finds where it is seen.
+// The obscurance by the surface at the pixel of a point of space.
 double obscurance(const Picture& picture, const dvec3& p, const dvec3& n, const dvec3& s, double reach) {
     const dvec2 place = picture.place(s);
     const dvec2 inside(std::clamp(place.x, 0.0, 1.0 * picture.width()),
@@ -37,7 +37,7 @@ double obscurance(const Picture& picture, const dvec3& p, const dvec3& n, const 
     return std::max(glm::dot(v, n) + kBeta * p.z, 0.0) / (glm::dot(v, v) + kEpsilon);
 }
 
-// `sample` of a pixel and an index, in the unit ball.
+// Makes an estimator; `sample` gives a point in the unit ball for a pixel and an index.
 Estimator estimator(const Picture& picture, int samples, double reach,
                     const std::function<dvec3(int x, int y, int i)>& sample) {
     return [&picture, samples, reach, sample](int x, int y) {
@@ -112,7 +112,7 @@ Estimator unity_ssao(const Picture& picture, const Numbers& numbers, std::uint64
 Estimator unity_gradient_ssao(const Picture& picture, const Numbers& numbers, double radius) {
     const int samples = static_cast<int>(numbers.size()), height = picture.height();
     const auto sample = [numbers, samples, height](int x, int y, int i) {
-        // Jimenez 2014; Unity counts rows from below.
+        // The noise is Jimenez's of 2014; Unity counts rows from below.
         const dvec2 at(x + 0.5 + 2.083 * i, height - y - 0.5 + 4.867 * i);
         const double noise = fraction(52.9829189 * fraction(0.06711056 * at.x + 0.00583715 * at.y));
         const dvec2 own = numbers[static_cast<std::size_t>(i)];

@@ -15,7 +15,7 @@ using glm::dvec3;
 
 constexpr double kPi = std::numbers::pi;
 
-// The root's exponent is halved in the bits of a single float: that is what is published, not a rounding.
+// Halves the exponent in the bits of a single float, as published; this is no rounding error.
 double rough_root(double x) {
     const auto single = static_cast<float>(x);
     std::int32_t bits = 0;
@@ -35,10 +35,10 @@ struct Xegtao {
     const Picture& picture;
     DepthLevels levels;
     Noise noise;
-    double radius;  // with its multiplier
+    double radius;  // includes its multiplier
     int slices, steps;
 
-    // Highest cosine on one side of a slice, `toward` pixels long.
+    // The highest cosine on one side of a slice, `toward` pixels long.
     double horizon(int px, int py, const dvec3& p, const dvec3& view, const dvec2& toward, double low,
                    int slice, double xi) const {
         double highest = low;
@@ -90,8 +90,8 @@ struct Xegtao {
     }
 };
 
-// Of the sides left, right, above, below: 1 no edge, 0 an edge; in thirds. Those of the nearest pixel
-// outside.
+// The edges to the left, right, above and below, in thirds: 1 is no edge, 0 an edge. Outside of the picture
+// the nearest pixel's.
 std::array<double, 4> sides(const Picture& picture, int at_x, int at_y) {
     const int x = std::clamp(at_x, 0, picture.width() - 1), y = std::clamp(at_y, 0, picture.height() - 1);
     const double here = picture.depth(x, y);

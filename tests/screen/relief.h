@@ -11,7 +11,7 @@
 
 namespace aoscore::testing {
 
-/// A surface seen straight from above, and how high its horizon stands over the plane of the shaded point.
+/// A surface seen straight from above, with the elevation of its horizon over the plane of the shaded point.
 struct Relief {
     std::string name;
     Scene scene;

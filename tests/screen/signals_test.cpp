@@ -1,5 +1,5 @@
-// Signals beside visibility: what asking for them must not change, and bent normals and cones where they are
-// known.
+// Tests signals beside visibility: asking for them changes nothing else, and bent normals and cones are right
+// where they are known.
 #include "core/error.h"
 #include "core/signal.h"
 #include "hand_made.h"
@@ -127,7 +127,7 @@ TEST_F(Signals, ThatAMethodDoesNotGiveAreRefusedInWords) {
 struct Case {
     std::string name, method;
     ParameterValues settings;
-    /// Of horizons that stand so high over the plane by azimuth, seen from above.
+    /// The cone for a horizon of this elevation over the plane by azimuth, seen from above.
     std::function<Cone(const std::function<double(double)>& elevation)> expected;
     double tolerance_rad;
 };
@@ -187,7 +187,7 @@ std::vector<Case> cases(bool endless) {
     return {
         {"gtao, uniform", "gtao", with(slices, "bent_weights", "uniform"), uniform, 0.015},
         {"gtao, cosine", "gtao", slices, cosine_mean, 0.015},
-        // 32 sectors round a horizon to 5.6 degrees.
+        // 32 sectors make a horizon precise to 5.6 degrees.
         {"visibility-bitmask", "visibility-bitmask", with(slices, "thickness", 1000.0), uniform, 0.05},
         {"hbao", "hbao", with(march, "threshold", 3.1416), turned_mean, 0.015},
         {"hbao-plus", "hbao-plus", march, turned_mean, 0.015},
@@ -212,7 +212,7 @@ TEST_F(Signals, BentNormalsAndConesOfWallsAndPitsAreTheirClosedForms) {
                 mean.bent_normal += one.bent_normal / static_cast<double>(relief.pixels.size());
                 mean.half_angle += one.half_angle / static_cast<double>(relief.pixels.size());
             }
-            // The occluder lies where the azimuth is 0, to the left.
+            // The occluder lies at azimuth 0, to the left.
             const Cone expected =
                 tested.expected([&](double azimuth) { return relief.elevation(kPi - azimuth); });
             const double off = angle_between(mean.bent_normal, expected.bent_normal);
@@ -234,7 +234,7 @@ TEST_F(Signals, TheUniformMeanOfAPitIsVermeersClosedForm) {
     EXPECT_NEAR(glm::length(before_wall.bent_normal), kPi / 2 * std::sin(lune / 2) / lune, 1e-4);
 }
 
-// With randomness, many samples and the pixels' mean, on planes that look toward the viewer and away.
+// Takes the pixels' mean over many random samples, on planes that face the viewer and planes that turn away.
 TEST_F(Signals, OfAnOpenPlaneAreItsNormalAndTheHemisphere) {
     for (const double tilt : {0.0, 0.5, 1.0}) {
         const glm::dvec3 normal(std::sin(tilt), 0, std::cos(tilt));
@@ -243,7 +243,7 @@ TEST_F(Signals, OfAnOpenPlaneAreItsNormalAndTheHemisphere) {
         for (const MethodDescriptor* method : giving()) {
             ParameterValues settings;
             if (method->find_parameter("slices") != nullptr) settings["slices"] = 64;
-            // A texel's one depth stands for a slope: without a bias, points of SSAO hide behind it.
+            // A texel has one depth on a slope, so that without a bias it hides points of SSAO.
             if (method->find_parameter("samples") != nullptr) settings = {{"samples", 256}, {"bias", 0.05}};
             const Cone cone = cone_at(renderer_.run(request(method->id, settings)), 32, 18);
             EXPECT_LT(angle_between(cone.bent_normal, normal), 0.03) << method->id << " at " << tilt;

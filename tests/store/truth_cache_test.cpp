@@ -1,4 +1,4 @@
-// Truths that are kept: what they are keyed by, when they serve, and that no bit differs from tracing anew.
+// Tests stored truths: their keys, when they serve, and that no bit differs from tracing anew.
 #include "store/truth/truth_cache.h"
 
 #include "reference/test_scenes.h"
@@ -91,7 +91,7 @@ TEST(KeptTruths, NeedNoSceneBuiltForTracing) {
     EXPECT_EQ(kept.origin, TruthOrigin::cached);
     EXPECT_EQ(kept.truth.visibility[0].pixels, traced.visibility[0].pixels);
     EXPECT_EQ(unbuilt.peak_bytes(), 0u);
-    // It is there as soon as it is wanted.
+    // The scene is built as soon as it is needed.
     EXPECT_EQ(unbuilt.primary_hits(CameraFrame(room.request().camera, 96, 64)).depth.pixels,
               traced.hits.depth.pixels);
     EXPECT_GT(unbuilt.peak_bytes(), 0u);
@@ -290,7 +290,7 @@ TEST(Cache, SurvivesBeingKilledAnywhereWithoutADifferentBit) {
     const fs::path folder = room.folder / request.picture_key();
     setenv("AOSCORE_TEST_CACHE", room.folder.c_str(), 1);
     for (const std::uintmax_t enough : {1U, 200'000U}) {
-        // A child that has nothing of the parent's threads: the test program itself, run anew.
+        // The child runs the test program anew, and so has none of the parent's threads.
         const pid_t child = fork();
         ASSERT_GE(child, 0);
         if (child == 0) {
@@ -316,7 +316,7 @@ TEST(Cache, SurvivesBeingKilledAnywhereWithoutADifferentBit) {
     expect_same_bits(undisturbed, room.get(request).truth);
 }
 
-// Not a test: the process that the one above kills.
+// This is no test, but the process that the test above kills.
 TEST(CacheChild, DISABLED_Traces) {
     const char* folder = std::getenv("AOSCORE_TEST_CACHE");
     ASSERT_NE(folder, nullptr);

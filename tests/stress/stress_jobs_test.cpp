@@ -1,4 +1,4 @@
-// Schedules of stressed views: a mock makes artifacts by writing down that it did.
+// Tests schedules of stressed views: a mock makes artifacts by recording their names.
 #include "stress/stress_jobs.h"
 
 #include "core/error.h"
@@ -100,7 +100,7 @@ TEST_F(StressedView, LosesNoMoreThanTheCellOfAnImageThatFails) {
         EXPECT_EQ(done.has_failed(jobs.cells[i]), stressed.requests[i].subject->id == "sao");
 }
 
-// What a cell depends on, and nothing more: the other subjects and the number of settings are not among it.
+// A cell does not depend on the other subjects, nor on the number of settings.
 TEST_F(StressedView, GivesASubjectTheSameKeysWhoeverIsTriedBesideIt) {
     const std::vector<StressSubject> others = stress_subjects(registry, {"sao", "hbao"});
     const Unstressed with_others(plan, others, tools);

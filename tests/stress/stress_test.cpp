@@ -46,7 +46,7 @@ TEST_P(EveryAxis, NamesItsSettingsApartAndFitForFiles) {
 }
 
 TEST_P(EveryAxis, ChangesTheCaseAtEveryOtherSetting) {
-    if (GetParam().id == "triangles") return;  // its own tests count them; the finest takes long to make
+    if (GetParam().id == "triangles") return;  // other tests count them, and the finest takes long to make
     const StressCase base = base_stress_case(64);
     for (const StressSetting& setting : GetParam().settings) {
         if (setting.unstressed()) continue;
@@ -96,7 +96,8 @@ TEST(Stress, FindsNothingAtUnstressedSettings) {
     }
 }
 
-// A method that takes the root of its radius in pixels less one: NaN where that is below a pixel.
+// Plants a method that takes the root of its radius in pixels less one, which is NaN where the radius is
+// below a pixel.
 void plant_broken_method(const fs::path& folder) {
     write_atomically(folder / "planted" / "method.json", R"({"label": "p", "paper": "none", "summary": "p",
         "parameters": {"radius": {"type": "real", "default": 0.5, "range": [1e-9, 1e7], "unit": "m",
@@ -117,7 +118,7 @@ TEST(Stress, FindsAPlantedDefectWhereItBegins) {
     StressPlan plan = small_plan({"planted"}, {"radius"});
     plan.methods_dir = folder / "methods";
     const StressResults results = run_stress(plan, folder / "out");
-    // 0.5 m are 2.6 to 10 pixels of 64 unstressed; the farthest surface has fewer than one at a quarter.
+    // Unstressed, 0.5 m are 2.6 to 10 of 64 pixels; at a quarter, the farthest surface has fewer than one.
     const auto breaks = first_breaks(results.axes[0], "planted");
     ASSERT_GE(breaks.size(), 1U);
     EXPECT_EQ(breaks[0].setting->id, "0.25");
@@ -142,7 +143,7 @@ TEST(Stress, RunsTheLargestPictureInPerformancePresetsAlone) {
     EXPECT_GT(run, 0U);
 }
 
-/// The artifacts that the store holds of stressed views, as files that lie there.
+/// The files of stressed views' artifacts in the store.
 std::set<std::string> kept_files(const fs::path& cache) {
     std::set<std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(cache))
@@ -150,7 +151,7 @@ std::set<std::string> kept_files(const fs::path& cache) {
     return files;
 }
 
-// A time is never measured twice to the bit: that it is the same says that nothing ran.
+// No time is measured twice to the bit, so that an equal time proves that nothing ran.
 TEST(Stress, GoesOnWhereItStopped) {
     const fs::path folder = output_dir(), out = folder / "out";
     plant_broken_method(folder / "methods");
@@ -164,7 +165,7 @@ TEST(Stress, GoesOnWhereItStopped) {
     const StressResults first = run_stress(plan, out);
     const std::set<std::string> kept = kept_files(plan.cache);
 
-    // As if it had been stopped: the results are not there yet, and one cell is not in the store.
+    // As after an interruption, the results are missing, and one cell is not in the store.
     fs::remove_all(out);
     fs::path lost;
     for (const std::string& file : kept) {
@@ -186,7 +187,7 @@ TEST(Stress, GoesOnWhereItStopped) {
     }
     EXPECT_EQ(new_times.size(), 1U);
 
-    // An edited shader makes what it draws run again, and nothing else.
+    // An edited shader makes only its own cells run again.
     std::string shader = read_file(folder / "methods/planted/p.frag");
     shader.replace(shader.find("0.01"), 4, "0.02");
     write_atomically(folder / "methods/planted/p.frag", shader);
@@ -195,7 +196,7 @@ TEST(Stress, GoesOnWhereItStopped) {
     EXPECT_EQ(time_at(third, 0, "reference"), time_at(second, 0, "reference"));
     EXPECT_EQ(time_at(third, 0, "box-4x4"), time_at(second, 0, "box-4x4"));
 
-    // So does an entry that is none any more.
+    // Damaged entries are made again.
     for (const std::string& file : kept_files(plan.cache)) {
         if (file.ends_with(".json")) write_atomically(file, "{");
     }
@@ -218,7 +219,8 @@ TEST(Stress, RefusesUnknownNamesBeforeItWritesAnything) {
     EXPECT_FALSE(fs::exists(out));
 }
 
-// The coarse sub-grid that must be clean: every method, filter and the reference at the ends of every axis.
+// A coarse part of the settings must be clean: every method, filter and the reference at the ends of every
+// axis.
 TEST(Stress, LeavesEveryMethodFiniteAndInRangeAtTheEndsOfEveryAxis) {
     StressPlan plan = small_plan({}, {});
     plan.size = 32;
@@ -258,11 +260,11 @@ TEST(Stress, RunsEveryMethodOnPicturesOfOnePixelAndOfOddSizes) {
     }
 }
 
-// Where descriptors say that what occludes is not in one depth layer, the reference's own bound shows it.
+// Where descriptors say that the occluders are not in one depth layer, the reference's own bound shows it.
 TEST(Stress, FindsTheBoundOfOneLayerBrokenWhereMethodsBreakByTheirNature) {
     StressPlan plan = small_plan({"gtao", "monte-carlo-points", "hbao"}, {"tilt", "inside"});
     plan.samples = 16;
-    // A power after a filter enlarges what the bound keeps below its limit.
+    // A power after a filter enlarges deviations that the bound keeps below its limit.
     std::set<std::string> enlarging;
     for (const MethodDescriptor& filter : load_filters()) {
         if (filter.find_parameter("exponent") != nullptr &&

@@ -12,13 +12,13 @@
 
 namespace aoscore::testing {
 
-/// Every metric against a truth of two halves, and what noise leaves of it.
+/// Every metric against a truth of two halves, without the truth's noise.
 struct HalvedScores {
     std::map<std::string, MetricValue> values;
     std::map<std::string, double> noise;
 };
 
-/// `truth` is the mean of the halves; all images have one size.
+/// Scores an image; `truth` is the mean of the halves, and all images have one size.
 inline HalvedScores halved_scores(const ImageF& truth, const ImageF& first, const ImageF& second,
                                   const ImageF& test, const Mask& valid) {
     std::array<MapSums, 3> maps;

@@ -28,7 +28,7 @@ std::string spoilt(std::string bytes, std::mt19937& random) {
                 bytes.insert(at, bytes.substr(below(bytes.size()), 1 + below(16)));
                 break;
             default: {
-                // Numbers are where the meaning is: replace a digit by another, or by a few.
+                // Numbers carry the meaning, so a digit is replaced by another, or by a few.
                 const std::size_t digit = bytes.find_first_of("0123456789", at);
                 if (digit != std::string::npos)
                     bytes.replace(

@@ -5,8 +5,8 @@
 
 namespace aoscore::testing {
 
-/// A file's bytes, spoilt in a few of the ways in which files get spoilt: bits turned, parts lost, doubled or
-/// cut off, numbers of a text replaced.
+/// Damages a file's bytes in usual ways: flips bits, loses, doubles or cuts off parts, replaces numbers of a
+/// text.
 std::string spoilt(std::string bytes, std::mt19937& random);
 
 }  // namespace aoscore::testing

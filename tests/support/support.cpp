@@ -37,7 +37,7 @@ fs::path shared_dir() {
 
 ProgramRun run_aoscore(const std::string& arguments, const fs::path& folder, const std::string& prefix) {
     const fs::path out = folder / "stdout.txt", err = folder / "stderr.txt";
-    // No test may be served by what another one, or the user, has traced.
+    // No test may use truths that another test, or the user, has traced.
     const std::string command = "cd '" + folder.string() + "' && export AOSCORE_CACHE='" +
                                 (folder / "truth-cache").string() + "' && " + prefix + " '" + program() +
                                 "' " + arguments + " >'" + out.string() + "' 2>'" + err.string() + "'";

@@ -8,7 +8,7 @@
 
 namespace aoscore::testing {
 
-/// A fresh, empty folder of the running test alone; left behind for inspection.
+/// A new, empty folder for the running test alone, which stays for inspection.
 std::filesystem::path output_dir();
 
 /// The folder of shared inputs (../shared from the project's root, or AOSCORE_SHARED); empty when it is not

@@ -22,7 +22,7 @@ using ::testing::HasSubstr;
 /// A list with one claim of one check on cells "a" (alchemy), "c" (crytek-ssao) and a sweep of samples "s".
 class Claims : public ::testing::Test {
   protected:
-    /// Written where it is loaded from: what the program makes of a file.
+    /// Writes the file and loads it as the program does.
     static ClaimList loaded(const json& file) {
         const auto folder = testing::output_dir() / "claims";
         std::filesystem::create_directories(folder);
@@ -248,14 +248,14 @@ TEST_F(Claims, EveryClaimOfTheListsIsAnswered) {
     for (auto it = std::sregex_iterator(text.begin(), text.end(), line); it != std::sregex_iterator(); ++it)
         asked.insert((*it)[2]);
     for (const ClaimList& list : load_claims()) {
-        if (list.id == "field") continue;  // of those who are no dissertations
+        if (list.id == "field") continue;  // its sources are no dissertations
         for (const Claim& claim : list.claims) answered.insert(claim.id);
     }
     EXPECT_EQ(asked.size(), 119u);
     EXPECT_EQ(asked, answered);
 }
 
-// Twenty that are measured, of more than ten sources: one of a few would not be the field.
+// The field needs twenty measured claims from more than ten sources.
 TEST_F(Claims, TheFieldIsHeardInManyVoices) {
     std::set<std::string> sources;
     std::size_t measured = 0;

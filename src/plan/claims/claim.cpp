@@ -149,7 +149,7 @@ class Reader {
         return check;
     }
 
-    // A name, or an object that begins "like" a name and changes it.
+    // Reads a cell: a name, or an object that takes a named cell by "like" and changes it.
     json merged(const json& cell, const std::string& where) {
         if (cell.is_string() || cell.contains("like")) {
             const json& name = cell.is_string() ? cell : cell.at("like");

@@ -10,12 +10,12 @@
 
 namespace aoscore {
 
-/// A cell that a claim asks about, and where: what is planned, and what the results are searched for.
+/// A cell that a claim asks about, on its view: the plan gets it, and the results are searched for it.
 struct ClaimCell {
-    std::string view;  ///< name in ClaimList::views
+    std::string view;  ///< its name in ClaimList::views
     CellPlan plan;
     std::optional<double> x;  ///< the varied value where it is a number, else the view's pixels
-    std::string label;        ///< what was varied: "samples 8"; else the method and preset
+    std::string label;        ///< the varied value: "samples 8"; else method and preset
 };
 
 /// One measurable part of a claim: an expression of quantities of cells that must lie in a range.
@@ -26,17 +26,17 @@ struct ClaimCheck {
         ratio,             ///< first over second
         difference,        ///< first minus second
         ratio_difference,  ///< first over second minus third over fourth
-        slope,             ///< of log quantity over log x, least squares
-        value,             ///< of every cell
+        slope,             ///< slope of log quantity over log x, by least squares
+        value,             ///< the quantity of every cell
         spread,            ///< (largest - smallest) / mean
-        gain,              ///< (third - fourth) / (first - second): what a later step gains of an earlier one
+        gain,  ///< (third - fourth) / (first - second): the gain of a later step over an earlier one's
     };
     Kind kind = Kind::value;
     std::string quantity;
     std::vector<ClaimCell> cells;
     std::optional<double> low, high;  ///< the range; order and monotone have none
     double tolerance = 0;
-    std::string about;  ///< what it shows, in words
+    std::string about;  ///< the meaning, in words
 };
 
 /// What decides a claim where constants that its source does not print have these values.
@@ -48,8 +48,8 @@ struct ClaimSetting {
 /// One statement of a source and what decides it here.
 struct Claim {
     std::string id;      ///< "H01"
-    std::string source;  ///< what says it, as source_reference() has it
-    std::string place;   ///< where in the source
+    std::string source;  ///< as source_reference() writes it
+    std::string place;   ///< place in the source
     std::string text;    ///< in our own words
     /// More than one where the source leaves constants open, over their plausible range. A claim is decided
     /// only where it is at all of them alike.
@@ -60,26 +60,27 @@ struct Claim {
     std::string note;    ///< how our measurement differs from what the source looked at
 };
 
-/// The claims of one source, or of several about one subject: reports/claims/<id>.json.
+/// The claims of one source, or of several sources about one subject: reports/claims/<id>.json.
 struct ClaimList {
     std::string id;
-    std::map<std::string, ViewPlan> views;  ///< without cells
+    std::map<std::string, ViewPlan> views;  ///< they have no cells
     std::vector<Claim> claims;
 };
 
-/// All lists, by id. Throws file_error for one that is not understood, or an id of a claim that stands twice.
+/// Loads all lists, by id. Throws file_error for a list that is not understood, and for a repeated id of a
+/// claim.
 std::vector<ClaimList> load_claims();
-/// The lists of a folder.
+/// Loads the lists of a folder.
 std::vector<ClaimList> load_claims(const std::filesystem::path& folder);
 
-/// Those of the claims whose ids are named, or whose list's id is: "H01", "field"; all when `ids` is empty.
-/// Throws usage_error for an unknown id.
+/// The claims whose id, or whose list's id, is named: "H01", "field"; all when `ids` is empty. Throws
+/// usage_error for an unknown id.
 std::vector<ClaimList> chosen_claims(std::vector<ClaimList> lists, const std::vector<std::string>& ids);
 
 /// Makes every view `factor` times as wide and high, for a quicker or a finer answer.
 void scale_views(std::vector<ClaimList>& lists, double factor);
 
-/// Adds every cell that the claims ask about, each once.
+/// Adds to the plan every cell that the claims ask about, each once.
 void plan_claims(ExperimentPlan& plan, const std::vector<ClaimList>& lists);
 
 }  // namespace aoscore

@@ -8,11 +8,12 @@
 
 namespace aoscore {
 
-/// Where the claims of a list come from: its "source" for all of them, or "sources" by name, of which each
-/// claim cites one.
+/// The sources of a list of claims: one "source" for all of them, or "sources" by name, of which each claim
+/// cites one.
 class ClaimSources {
   public:
-    /// Reads either from the list. Throws file_error for both, neither, and what source_reference() refuses.
+    /// Reads either from the list. Throws file_error for both, for neither, and where source_reference()
+    /// does.
     explicit ClaimSources(StrictObject& list);
 
     /// The claim's source as a line. Throws file_error for a name that is not there.
@@ -22,8 +23,8 @@ class ClaimSources {
     void finish() const;
 
   private:
-    std::string only_;                            // where there is one for all
-    std::map<std::string, std::string> by_name_;  // else
+    std::string only_;                            // the one for all claims
+    std::map<std::string, std::string> by_name_;  // the several
     std::set<std::string> cited_;
     std::string where_;
 };

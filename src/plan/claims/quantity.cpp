@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kDraws = 2000;
 
-// Medians of resampled runs (Efron and Tibshirani, An Introduction to the Bootstrap, 1993).
+// Draws medians of resampled runs (Efron and Tibshirani, An Introduction to the Bootstrap, 1993).
 Measured timed(const Timing& timing, const std::string& name, std::uint64_t seed) {
     Measured measured{timing.median_ms, {}};
     const std::vector<double>& runs = timing.runs_ms;
@@ -74,7 +74,7 @@ Measured relative(const CellRecord& cell, const ViewRecord& view, std::uint64_t 
 Measured lighting_ms(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
     return timed(cell.lighting, cell.id + " lighting", seed);
 }
-// A frame without AO.
+// The time of a frame without AO.
 Measured geometry_lighting_ms(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed) {
     return combined({timed(view.gbuffer, view.key + " G-buffer", seed), lighting_ms(cell, view, seed)},
                     [](const auto& v) { return v[0] + v[1]; });
@@ -108,7 +108,7 @@ Measured variation(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
 Measured fetches(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
     return exact(cell.fetches_per_pixel);
 }
-// Draws are paired between the settings of one view: blocks of the picture are drawn alike.
+// Draws are paired between the settings of one view, which draw the same blocks of the picture.
 Measured analysed(const CellRecord& cell, const char* metric, std::uint64_t seed) {
     const auto found = cell.ranked.find(metric);
     if (found == cell.ranked.end() || !found->second.value || !cell.analysis) return {};
@@ -155,7 +155,7 @@ Measured steep_rmse(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
     const SplitBin* bin = first_bin(cell, "tilt");
     return exact(bin != nullptr ? bin->rmse : std::nullopt);
 }
-// How much brighter the method's own truth is than the ranking's: the tested image cancels.
+// The difference in brightness between the method's own truth and the ranking's; the tested image cancels.
 Measured own_truth_brighter(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
     return combined({exact(value_of(cell.ranked, kBiasMetric)), exact(value_of(cell.own, kBiasMetric))},
                     [](const auto& v) { return v[0] - v[1]; });

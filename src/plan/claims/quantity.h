@@ -11,11 +11,11 @@
 
 namespace aoscore {
 
-/// A number, and what repeating its measurement could have given instead: expressions of several are
+/// A number with draws of other values that repeating its measurement could have given. Expressions are
 /// evaluated draw by draw, so that they have an interval too.
 struct Measured {
     std::optional<double> value;
-    std::vector<double> draws;  ///< empty: taken as exact
+    std::vector<double> draws;  ///< empty: the value is exact
 
     struct Range {
         double low = 0, high = 0;
@@ -25,18 +25,18 @@ struct Measured {
     std::optional<Range> range() const;
 };
 
-/// f of the values, and of every draw of them together. Empty where one of them is, or f is not finite.
+/// Applies f to the values, and to each of their draws. Empty where one of them is, or f is not finite.
 Measured combined(const std::vector<Measured>& of,
                   const std::function<double(const std::vector<double>&)>& f);
 
-/// What has to be timed of a cell beside its passes.
+/// The times that a cell needs beside those of its passes.
 enum class Timed {
     passes,        ///< nothing more
     lighting,      ///< the lighting pass of its view
     whole_frames,  ///< and whole frames of the cell
 };
 
-/// Something that is measured of a cell.
+/// A quantity that is measured of a cell.
 struct Quantity {
     std::string_view id;     ///< "ao_ms"
     std::string_view label;  ///< "AO pass"
@@ -47,7 +47,7 @@ struct Quantity {
 };
 /// The one table of quantities.
 const std::vector<Quantity>& quantities();
-/// The row of the table. Throws file_error at `where` that lists the known ones.
+/// The quantity of this id. Throws file_error at `where` that lists the known ids.
 const Quantity& find_quantity(std::string_view id, const std::string& where);
 
 }  // namespace aoscore

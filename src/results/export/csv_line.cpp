@@ -14,8 +14,8 @@ bool is_number(const std::string& text) {
     return ec != std::errc::invalid_argument && end == text.data() + text.size();
 }
 
-/// Spreadsheets compute a cell that begins like a formula, whatever file it came from: what is none gets an
-/// apostrophe in front (OWASP, CSV Injection).
+/// Puts an apostrophe before a text that begins like a formula: spreadsheets would compute it, whatever file
+/// it came from (OWASP, CSV Injection).
 std::string no_formula(const std::string& text) {
     constexpr std::string_view kBegins = "=+-@\t\r";
     const bool formula = !text.empty() && kBegins.find(text[0]) != kBegins.npos && !is_number(text);

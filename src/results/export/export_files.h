@@ -8,15 +8,15 @@
 
 namespace aoscore {
 
-/// Files to be written when the work is done, opened before it begins: an unknown format or a path that
-/// cannot be written fails at once. What is there already stays until write().
+/// Export files, opened before the work begins and written after it: an unknown format or a path that cannot
+/// be written fails at once. Existing files stay as they are until write().
 class ExportFiles {
   public:
     /// Throws usage_error for an extension without a format, file_error for a path that cannot be written.
     explicit ExportFiles(const std::vector<std::filesystem::path>& paths);
 
     bool empty() const { return files_.empty(); }
-    /// Once. Throws file_error.
+    /// Writes all files; call it once. Throws file_error.
     void write(const ExportTable& table);
 
   private:

@@ -80,7 +80,7 @@ std::optional<double> value_of(const CellRecord& cell, const SignalMetric& metri
     return found == of_signal->second.end() ? std::nullopt : found->second.value;
 }
 
-/// Of each view: its radius, and the lengths that every method was drawn with for it.
+/// A note for each view: its radius, and the lengths that every method has there.
 std::vector<std::string> radius_notes(const Results& results) {
     std::vector<std::string> notes;
     for (const ViewRecord& view : results.views) {
@@ -96,7 +96,7 @@ std::vector<std::string> radius_notes(const Results& results) {
     return notes;
 }
 
-/// Its place in the ranking of its view; null where it failed.
+/// The cell's place in the ranking of its view; null where it failed.
 const PlaceRecord* place_of(const Results& results, const CellRecord& cell) {
     for (const RankingRecord& ranking : results.rankings) {
         if (ranking.view_keys.size() != 1) continue;

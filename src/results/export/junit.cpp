@@ -10,7 +10,7 @@
 namespace aoscore {
 namespace {
 
-// Every text is made printable: XML has no place for some code points, not even escaped.
+// Every text is made printable: XML cannot hold some code points, not even escaped.
 void add_case(pugi::xml_node suite, const ExportTable& table, const ExportRow& row) {
     pugi::xml_node test = suite.append_child("testcase");
     test.append_attribute("classname") = printable_lines(row.names.front()).c_str();

@@ -19,7 +19,7 @@ Profile mirrored(const Profile& right_half) {
     return arch;
 }
 
-/// Where the ray from (0,0) through p leaves the rectangle |x| <= half_width, y <= height.
+/// The point where the ray from (0,0) through p leaves the rectangle |x| <= half_width, y <= height.
 dvec2 on_rectangle(const dvec2& p, double half_width, double height) {
     if (p.x == 0) return {0, height};
     if (std::abs(p.x) * height >= p.y * half_width) {

@@ -5,7 +5,7 @@
 namespace aoscore::builtin {
 
 /// The line of an arch's opening: from the right springing (half_width, 0) over the apex to the left one,
-/// exactly symmetric, y up. `segments` a half.
+/// exactly symmetric, y up. Each half has `segments` segments.
 Profile semicircular_arch(double half_width_m, double rise_m, int segments);
 
 /// A Gothic arch: two circle arcs that meet in a point at (0, rise); rise > half_width.
@@ -25,7 +25,7 @@ Profile stilted(const Profile& arch, double jamb_m);
 Profile widened(const Profile& arch, double half_width_m);
 
 /// A wall with a window: |x| <= half_width, low <= y <= high, |z| <= half_thickness; the opening (an arch on
-/// jambs) stands on its sill at y = sill. Without top, underside and ends, like add_arched_wall().
+/// jambs) stands on its sill at y = sill. It has no top, underside or ends, like add_arched_wall().
 struct WindowWall {
     double half_width_m, low_m, sill_m, high_m, half_thickness_m;
 };

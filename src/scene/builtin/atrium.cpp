@@ -121,7 +121,7 @@ void add_arcades(SceneBuilder& scene, int stone, int plaster) {
     }
 }
 
-/// What hangs and stands in every bay: lamps, beams, rosettes, doors behind.
+/// Adds the fittings of every bay: lamps, beams, rosettes, doors behind.
 void add_fittings(SceneBuilder& scene, int stone, int wood, int bronze) {
     const int lamps = scene.mesh(lamp(), bronze), ceilings = scene.mesh(beams(), wood);
     const int rosettes = scene.mesh(rosette(), stone), doors = scene.mesh(door(), wood);
@@ -143,7 +143,7 @@ void add_fittings(SceneBuilder& scene, int stone, int wood, int bronze) {
     scene.place(scene.mesh(paving(), stone));
 }
 
-/// The lion and its fountain close the middle arch of the court's far end (+x).
+/// Adds the lion and its fountain, which close the middle arch of the court's far end (+x).
 void add_relief(SceneBuilder& scene, int stone, int plaster) {
     const glm::dmat4 here = bay(1, kBaysAcross / 2);
     scene.place(scene.mesh(blind_panel(), plaster), here);

@@ -26,7 +26,7 @@ void add_capital_leaf(MeshBuilder& mesh, double bell_radius_m, double foot_m, do
 }
 
 struct Order {
-    double foot_m, springing_m;  ///< from the floor it stands on to the underside of the arch
+    double foot_m, springing_m;  ///< heights of the column's foot and of the arch's underside
     double radius_m, plinth_half_m, abacus_half_m;
     int segments, leaf_rows;
 };
@@ -127,7 +127,7 @@ MeshBuilder upper_arch() {
     return arch(1.105, kCornice_m + 0.1 - kUpperSpringing_m, 12, Archivolts::court);
 }
 
-/// Across a gallery, x from the arcade (negative) to the outer wall.
+/// A rib across a gallery, x from the arcade (negative) to the outer wall.
 MeshBuilder gallery_rib() {
     MeshBuilder mesh;
     const double half = kGallery_m / 2;
@@ -158,7 +158,7 @@ MeshBuilder corner_vault() {
     return mesh;
 }
 
-/// Against the outer wall, which is the plane z = 0 with the gallery on +z; on the lower floor.
+/// A pilaster of the lower floor against the outer wall, the plane z = 0 with the gallery on +z.
 MeshBuilder pilaster() {
     MeshBuilder mesh;
     add_bevelled_box(mesh, {-0.22, kStep_m - 0.05, -0.06}, {0.22, kLowerSpringing_m - 0.3, 0.1}, 0.012);
@@ -166,7 +166,7 @@ MeshBuilder pilaster() {
     return mesh;
 }
 
-/// Between two upper columns, about the middle of a bay: plinth, balusters, handrail.
+/// A balustrade between two upper columns, about the middle of a bay: plinth, balusters, handrail.
 MeshBuilder balustrade() {
     MeshBuilder mesh;
     const double half = kBay_m / 2, foot = kUpperFloor_m, rail = kUpperFloor_m + kParapet_m;
@@ -188,7 +188,7 @@ MeshBuilder balustrade() {
     return mesh;
 }
 
-/// Under an upper column, between two balustrades.
+/// A pedestal under an upper column, between two balustrades.
 MeshBuilder pedestal() {
     MeshBuilder mesh;
     add_bevelled_box(mesh, {-0.26, kUpperFloor_m - 0.05, -0.26},

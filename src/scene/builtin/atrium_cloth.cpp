@@ -42,7 +42,7 @@ MeshBuilder drawn_curtain() {
     return mesh;
 }
 
-/// Gathered by a cord to the left side, a good third above the hem.
+/// A curtain gathered by a cord to the left side, a good third above the hem.
 MeshBuilder tied_curtain() {
     MeshBuilder mesh;
     constexpr double kTie = 0.42;

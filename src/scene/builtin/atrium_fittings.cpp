@@ -32,14 +32,14 @@ MeshBuilder paving() {
     return mesh;
 }
 
-/// Fills the arch of a lower bay behind the relief.
+/// A panel that fills the arch of a lower bay behind the relief.
 MeshBuilder blind_panel() {
     MeshBuilder mesh;
     add_box(mesh, {-kBay_m / 2, 0, -0.12}, {kBay_m / 2, kLowerSpringing_m + 1.1, 0.12});
     return mesh;
 }
 
-/// A wall fountain's bowl on its foot, half round: it grows out of the plane z = 0 towards +z.
+/// A wall fountain's bowl on its foot, half round: it stands out of the plane z = 0 towards +z.
 MeshBuilder basin() {
     const double half_pi = std::numbers::pi / 2;
     Profile line{{0.3, -0.05}, {0.3, 0.06}};

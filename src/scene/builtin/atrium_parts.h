@@ -6,23 +6,23 @@
 /// along which parts meet are dyadic, so that placed neighbours share their seams to the last bit.
 namespace aoscore::builtin::atrium {
 
-inline constexpr double kBay_m = 2.75;                       ///< between column axes
-inline constexpr int kBaysAlong = 8;                         ///< of the court's long sides (x)
-inline constexpr int kBaysAcross = 3;                        ///< of its short sides (z)
-inline constexpr double kHalfX_m = kBay_m * kBaysAlong / 2;  ///< the court, to the column axes
+inline constexpr double kBay_m = 2.75;                       ///< distance between column axes
+inline constexpr int kBaysAlong = 8;                         ///< bays of the court's long sides (x)
+inline constexpr int kBaysAcross = 3;                        ///< bays of its short sides (z)
+inline constexpr double kHalfX_m = kBay_m * kBaysAlong / 2;  ///< half the court, to the column axes
 inline constexpr double kHalfZ_m = kBay_m * kBaysAcross / 2;
 inline constexpr double kWallHalf_m = 0.3125;  ///< half the arcade wall's thickness
 inline constexpr double kGallery_m = 3.5;      ///< clear depth of the galleries
 inline constexpr double kOuterWall_m = 0.5;
 
-inline constexpr double kStep_m = 0.15;  ///< the galleries' floor above the court's
+inline constexpr double kStep_m = 0.15;  ///< height of the galleries' floor above the court's
 inline constexpr double kLowerSpringing_m = 3.75;
 inline constexpr double kUpperFloor_m = 5.5;
-inline constexpr double kParapet_m = 0.95;  ///< above the upper floor
+inline constexpr double kParapet_m = 0.95;  ///< height above the upper floor
 inline constexpr double kUpperSpringing_m = 8.25;
 inline constexpr double kCornice_m = 10.25;  ///< underside of the roof's cornice
 inline constexpr double kTop_m = 12;
-inline constexpr double kVaultRise_m = 1.1;  ///< of the lower galleries' vaults above the springing
+inline constexpr double kVaultRise_m = 1.1;  ///< rise of the lower galleries' vaults above the springing
 
 MeshBuilder lower_column();
 MeshBuilder upper_column();

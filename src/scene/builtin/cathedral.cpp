@@ -71,7 +71,7 @@ namespace {
 
 using namespace cathedral;
 
-/// Both sides of the church: the part's -z looks to the nave; `along` is its x in the church's +z side.
+/// Placement of a part on one side of the church: its -z looks to the nave; `along` is its x on the +z side.
 glm::dmat4 side_place(int side, double along, double from_middle_m) {
     return quarter_turns_y(2 * side) * translation(along, 0, from_middle_m);
 }
@@ -115,7 +115,7 @@ void add_bays(SceneBuilder& scene, int stone, int plaster) {
     }
 }
 
-/// Five sides of a decagon about the nave's east end.
+/// Adds the apse: five sides of a decagon about the nave's east end.
 void add_apse(SceneBuilder& scene, int stone, int plaster) {
     const int walls = scene.mesh(apse_bay(), plaster), webs = scene.mesh(apse_web(), plaster);
     const int ribs = scene.mesh(apse_rib(), stone), shafts = scene.mesh(apse_shaft(), stone);
@@ -140,7 +140,7 @@ void add_apse(SceneBuilder& scene, int stone, int plaster) {
     }
 }
 
-/// Ground, end walls and roofs.
+/// Adds ground, end walls and roofs.
 void add_shell(SceneBuilder& scene, int stone, int plaster, int tiles) {
     const double outer = kOuterWall_m + kOuterHalf_m, nave = kArcade_m + kArcadeHalf_m, end = kHalfLength_m;
     MeshBuilder ground;

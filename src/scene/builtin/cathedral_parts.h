@@ -15,11 +15,11 @@ inline constexpr double kArcadeHalf_m = 0.4375;  ///< half the arcade wall's thi
 inline constexpr double kAisle_m = 4;            ///< clear width of an aisle
 inline constexpr double kOuterHalf_m = 0.4;      ///< half the outer wall's thickness
 inline constexpr double kOuterWall_m =
-    kArcade_m + kArcadeHalf_m + kAisle_m + kOuterHalf_m;  ///< to its middle
+    kArcade_m + kArcadeHalf_m + kAisle_m + kOuterHalf_m;  ///< to the wall's middle
 
-inline constexpr double kArcadeSpringing_m = 5;  ///< of arcades and aisle vaults
+inline constexpr double kArcadeSpringing_m = 5;  ///< height of the springing of arcades and aisle vaults
 inline constexpr double kAisleRise_m = 2.8;
-inline constexpr double kString_m = 8.6;  ///< the string course above the arcade
+inline constexpr double kString_m = 8.6;  ///< height of the string course above the arcade
 inline constexpr double kNaveSpringing_m = 9;
 inline constexpr double kNaveRise_m = 4.6;
 inline constexpr double kWallTop_m = 14;

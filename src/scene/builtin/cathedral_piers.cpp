@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kHalfPi = std::numbers::pi / 2;
 
-/// The line of a shaft with attic base and bell capital, from `foot` to `top`.
+/// The outline of a shaft with attic base and bell capital, from `foot` to `top`.
 Profile shaft_line(double radius_m, double foot_m, double top_m) {
     const double r = radius_m;
     Profile line{{1.35 * r, foot_m}, {1.35 * r, foot_m + 0.05}};

@@ -13,7 +13,7 @@ std::optional<double> at_wall(const glm::dvec3& p, double height_m, double radiu
     const double distance = p.x;
     if (distance < 0.01) return std::nullopt;
     if (std::isinf(radius_m)) return wall_visibility(distance, height_m);
-    // The rays' reach is a circle on the wall's plane: it must not reach over the top or past the ends.
+    // The rays' reach is a circle on the wall's plane: it must not extend over the top or past the ends.
     if (std::sqrt(std::max(radius_m * radius_m - distance * distance, 0.0)) > height_m) return std::nullopt;
     return wall_visibility_cutoff(distance, radius_m);
 }

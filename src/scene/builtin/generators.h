@@ -2,8 +2,7 @@
 
 #include "scene/scene.h"
 
-/// One function a built-in scene; all are deterministic. Views, bounds, counts and digest are load_scene()'s
-/// work.
+/// One function a built-in scene; all are deterministic. load_scene() adds views, bounds, counts and digest.
 namespace aoscore::builtin {
 
 Scene generate_atrium();

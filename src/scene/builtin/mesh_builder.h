@@ -22,9 +22,9 @@ class MeshBuilder {
     void triangle(const Point& a, const Point& b, const Point& c);
     void triangle(const Point& a, const Point& b, const Point& c, const glm::vec2& uv_a,
                   const glm::vec2& uv_b, const glm::vec2& uv_c);
-    /// Split along a-c.
+    /// Adds a quadrilateral, split along a-c.
     void quad(const Point& a, const Point& b, const Point& c, const Point& d);
-    /// All triangles of another builder, moved. A mirroring matrix is not allowed.
+    /// Adds all triangles of another builder, moved. A mirroring matrix is not allowed.
     void append(const MeshBuilder& other, const glm::dmat4& this_from_other);
 
     /// `with_texcoords` keeps the texture coordinates (0,0 where none were given).
@@ -35,7 +35,7 @@ class MeshBuilder {
         Point position;
         glm::vec2 uv{0};
     };
-    std::vector<Corner> corners_;  // three a triangle
+    std::vector<Corner> corners_;  // three corners a triangle
 };
 
 }  // namespace aoscore::builtin

@@ -5,16 +5,16 @@
 namespace aoscore::builtin {
 namespace {
 
-/// Half a bar's thickness, the distance between bars, and theirs from the wall, metres.
+/// Half a bar's thickness, the distance between bars, and the bars' distance from the wall, metres.
 constexpr double kHalfBar_m = 0.01;
 constexpr double kBarSpacing_m = 0.14;
 constexpr double kFromWall_m = 0.25;
 
 }  // namespace
 
-/// What methods on a depth buffer take for solid: bars 2 cm thick before a wall. Light passes between and
-/// behind them; a height field knows no behind (Jimenez et al., Practical Real-Time Strategies for Accurate
-/// Indirect Occlusion, 2016, name it as the assumption that fails).
+/// Bars 2 cm thick before a wall, which methods on a depth buffer take for solid. Light passes between and
+/// behind them, but a depth buffer as a height field has nothing behind (Jimenez et al., Practical Real-Time
+/// Strategies for Accurate Indirect Occlusion, 2016, name it as the assumption that fails).
 Scene generate_railing() {
     SceneBuilder scene;
     const int plaster = scene.material("plaster", glm::vec3(0.75f, 0.72f, 0.66f));

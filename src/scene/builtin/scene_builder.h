@@ -15,12 +15,12 @@ namespace aoscore::builtin {
 /// meet, so that neighbours share their seams to the last bit.
 class SceneBuilder {
   public:
-    /// Index of a new opaque material.
+    /// Adds an opaque material and returns its index.
     int material(std::string name, const glm::vec3& albedo);
-    /// Index of a new cut-out material.
+    /// Adds a cut-out material and returns its index.
     int cutout_material(std::string name, Texture texture, float alpha_cutoff);
 
-    /// Index of a new mesh.
+    /// Adds a mesh and returns its index.
     int mesh(const MeshBuilder& shape, int material, double crease_rad = kCrease_rad);
     int place(int mesh, const glm::dmat4& scene_from_mesh = glm::dmat4(1.0));
 

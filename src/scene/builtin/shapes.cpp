@@ -33,7 +33,7 @@ void add_box(MeshBuilder& mesh, const dvec3& low, const dvec3& high) {
 
 void add_bevelled_box(MeshBuilder& mesh, const dvec3& low, const dvec3& high, double bevel_m) {
     const dvec3 centre = (low + high) / 2.0, half = (high - low) / 2.0;
-    // The corner in octant s, on the face of the given axis.
+    // The corner in octant s on the face of the given axis.
     const auto on_face = [&](const dvec3& s, int axis) {
         dvec3 p = half - dvec3(bevel_m);
         p[axis] = half[axis];

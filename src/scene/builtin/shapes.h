@@ -25,8 +25,8 @@ void add_bevelled_box(MeshBuilder& mesh, const glm::dvec3& low, const glm::dvec3
 /// A bevelled block that stands out of a surface: without its low z face, which belongs inside another solid.
 void add_raised_block(MeshBuilder& mesh, const glm::dvec3& low, const glm::dvec3& high, double bevel_m);
 
-/// The patch f(u,v), u and v in [0,1], in columns x rows quads; its visible side is d/du x d/dv. `wrap_u`
-/// closes it.
+/// Adds the patch f(u,v), u and v in [0,1], in columns x rows quads; its visible side is d/du x d/dv.
+/// `wrap_u` closes it.
 void add_surface(MeshBuilder& mesh, int columns, int rows, const std::function<glm::dvec3(double, double)>& f,
                  bool wrap_u = false);
 
@@ -34,7 +34,7 @@ void add_surface(MeshBuilder& mesh, int columns, int rows, const std::function<g
 /// outwards.
 void add_lathe(MeshBuilder& mesh, const Profile& radius_and_y, int segments);
 
-/// add_lathe() between two angles about +y, 0 being +z; its two sides stay open.
+/// Does add_lathe() between two angles about +y, 0 being +z; its two sides stay open.
 void add_part_lathe(MeshBuilder& mesh, const Profile& radius_and_y, int segments, double from_rad,
                     double to_rad);
 
@@ -47,7 +47,7 @@ void add_frame(MeshBuilder& mesh, const Profile& offset_and_y, double half_x, do
 /// counter-clockwise about the solid, seen from +z.
 void add_run(MeshBuilder& mesh, const Profile& outline, double z0, double z1);
 
-/// add_run() of a closed outline that is star-shaped about its mean, with both ends closed.
+/// Does add_run() for a closed outline that is star-shaped about its mean, and closes both ends.
 void add_prism(MeshBuilder& mesh, const Profile& outline, double z0, double z1);
 
 /// A ring of tube: centre line of radius `major_m` about the z axis, tube radius `minor_m`.

@@ -28,7 +28,7 @@ class Accessor {
     /// "accessors[3]", for messages.
     const std::string& name() const { return name_; }
 
-    /// Element `i` as floats; integers are scaled to [0,1] or [-1,1] when the accessor is normalised. `N`
+    /// Element `i` as floats: integers are scaled to [0,1] or [-1,1] when the accessor is normalised. `N`
     /// must not exceed components().
     template <int N>
     glm::vec<N, float> vector(std::size_t i) const {
@@ -38,7 +38,7 @@ class Accessor {
         for (int c = 0; c < N; ++c) value[c] = component(element, c);
         return value;
     }
-    /// All components of element `i`, likewise; `N` must be components().
+    /// All components of element `i`, converted likewise; `N` must be components().
     template <std::size_t N>
     std::array<float, N> elements(std::size_t i) const {
         std::array<float, N> values{};
@@ -65,7 +65,7 @@ class Accessor {
     std::string_view bytes_;
     std::size_t stride_ = 0;
     std::size_t element_bytes_ = 0;
-    std::vector<std::pair<std::uint32_t, const char*>> sparse_;  // sorted by element
+    std::vector<std::pair<std::uint32_t, const char*>> sparse_;  // replaced elements, sorted by index
 };
 
 }  // namespace aoscore::gltf

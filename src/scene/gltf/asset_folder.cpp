@@ -39,7 +39,7 @@ std::string undo_percent_encoding(std::string_view uri) {
     return text;
 }
 
-/// A scheme such as "https:" or a drive such as "C:", as in the generic syntax of URIs.
+/// Whether a URI begins with a scheme such as "https:" or a drive such as "C:" (the generic syntax of URIs).
 bool has_scheme(std::string_view uri) {
     const std::size_t colon = uri.find(':');
     if (colon == std::string_view::npos || colon == 0) return false;

@@ -9,8 +9,7 @@ namespace aoscore::gltf {
 bool is_data_uri(std::string_view uri);
 
 /// The bytes of a base64 data URI ("data:[type];base64,…"); any media type. Throws file_error at `where` for
-/// another scheme of coding and for broken base64 (The Base16, Base32, and Base64 Data Encodings, Josefsson
-/// 2006).
+/// another coding and for broken base64 (The Base16, Base32, and Base64 Data Encodings, Josefsson 2006).
 std::string decode_data_uri(std::string_view uri, const std::string& where);
 
 /// Turns a relative URI into a path below the asset's folder, percent-encoding undone. Throws file_error at

@@ -7,15 +7,15 @@
 
 namespace aoscore::gltf {
 
-/// What elements glTF lets an attribute have.
+/// The types of elements that glTF allows an attribute to have.
 struct AttributeType {
-    std::vector<int> components;  ///< an element's, any of these
+    std::vector<int> components;  ///< allowed numbers of components of an element
     bool floats = true;
-    /// Unsigned bytes and shorts, normalised; for joints as they are.
+    /// Unsigned bytes and shorts are allowed, normalised; for joints they are indices.
     bool unsigned_integers = false;
-    bool signed_normalized = false;  ///< signed bytes and shorts, normalised
+    bool signed_normalized = false;  ///< signed bytes and shorts are allowed, normalised
     bool joints = false;
-    bool quantized = false;  ///< any 8 or 16 bits where KHR_mesh_quantization is used
+    bool quantized = false;  ///< any 8 or 16 bits are allowed with KHR_mesh_quantization
 };
 
 /// Throws file_error at `place` for an accessor of another type. Integers where the extension is missing from

@@ -72,10 +72,10 @@ void load_buffers(json& root, Document& document) {
             }
             continue;
         }
-        // Without a chunk the buffer is one that an extension fills: legal as long as nothing reads it.
+        // Without a chunk an extension fills the buffer, which is legal as long as nothing reads it.
         if (i != 0 || !document.container->binary_chunk || document.container->binary_chunk->empty())
             continue;
-        // A chunk is filled up to whole units of 4 bytes.
+        // A chunk is padded to a multiple of 4 bytes.
         constexpr std::size_t kPadding = 3;
         keep(document, i, *document.container->binary_chunk, stated, kPadding,
              fmt::format("{}: buffers[{}]", document.where, i));

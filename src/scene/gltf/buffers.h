@@ -6,12 +6,11 @@
 
 namespace aoscore::gltf {
 
-/// Takes the buffers out of the JSON and reads them, but for those that only hold without compression what
-/// other buffers hold with it. Throws file_error for one that is not there or shorter than it states.
+/// Takes the buffers out of the JSON and reads them, except for fallback buffers, which repeat compressed
+/// data without compression. Throws file_error for a buffer that is not there or shorter than it states.
 void load_buffers(nlohmann::json& root, Document& document);
 
-/// The bytes of such a fallback buffer, read when first asked for; empty when it has none, or the file beside
-/// it is not there.
+/// The bytes of a fallback buffer, read at the first call; empty when it has none, or its file is not there.
 std::string_view fallback_bytes(Document& document, int buffer);
 
 }  // namespace aoscore::gltf

@@ -27,7 +27,8 @@ std::string view_id(const std::string& name, std::set<std::string>& taken) {
     return unique;
 }
 
-/// The target is a unit of length away, or nearer by where the whole scene is smaller than that.
+/// The camera of a node. Its target is a unit of length away, or nearer where the whole scene is smaller than
+/// that.
 std::optional<Camera> camera_at(const glm::dmat4& world_from_node, const Bounds& bounds) {
     const glm::dvec3 x(world_from_node[0]), up(world_from_node[1]), back(world_from_node[2]);
     const double lengths = glm::length(x) * glm::length(up) * glm::length(back);
@@ -56,8 +57,8 @@ void set_lens(Camera& camera, const tinygltf::Camera& source, const Bounds& boun
         stated_near = source.orthographic.znear;
         stated_far = source.orthographic.zfar;
     }
-    // A node's scale does not count for cameras: whoever makes a scene smaller leaves it all before their
-    // near planes.
+    // A node's scale does not apply to cameras: in a scene that was scaled down, all of it may lie before
+    // their near planes.
     if (glm::distance(camera.position, bounds.centre()) + bounds.diagonal() / 2 < stated_near) {
         document.warn(fmt::format("{}: znear {:.3g} m lies beyond all of the scene and is not used", place,
                                   stated_near));

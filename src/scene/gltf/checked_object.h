@@ -29,22 +29,22 @@ class CheckedObject {
 
     std::optional<std::int64_t> integer(std::string_view key, std::int64_t lowest, std::int64_t highest);
     std::int64_t required_integer(std::string_view key, std::int64_t lowest, std::int64_t highest);
-    /// An index into an array of `count` elements.
+    /// Reads an index into an array of `count` elements.
     std::optional<std::size_t> index(std::string_view key, std::size_t count);
     std::size_t required_index(std::string_view key, std::size_t count);
     std::optional<double> number(std::string_view key);
     std::optional<bool> boolean(std::string_view key);
-    /// Empty when absent.
+    /// Reads a text; empty when absent.
     std::string text(std::string_view key);
     std::string required_text(std::string_view key);
-    /// Exactly `size` finite numbers; empty when absent.
+    /// Reads exactly `size` finite numbers; empty when absent.
     std::vector<double> numbers(std::string_view key, std::size_t size);
-    /// Any number of finite numbers; empty when absent.
+    /// Reads any number of finite numbers; empty when absent.
     std::vector<double> number_list(std::string_view key);
     /// Whether the member is an array of exactly `size` finite numbers.
     bool holds_numbers(std::string_view key, std::size_t size);
     std::vector<std::string> texts(std::string_view key);
-    /// Indices into an array of `count` elements; empty when absent.
+    /// Reads indices into an array of `count` elements; empty when absent.
     std::vector<std::size_t> indices(std::string_view key, std::size_t count);
 
     /// Calls `read` with the member when it is there.

@@ -43,7 +43,7 @@ std::map<int, CompressedView> compressed_views(const json& root) {
     return views;
 }
 
-// The streams begin with a byte whose lower half is the version of the coding.
+// A stream begins with a byte whose lower half is the version of the coding.
 bool is_unknown_version(const CompressedView& view, std::string_view stream) {
     const bool is_attributes = view.mode == "ATTRIBUTES";
     const int family = is_attributes ? 0xA0 : view.mode == "TRIANGLES" ? 0xE0 : 0xD0;
@@ -53,7 +53,8 @@ bool is_unknown_version(const CompressedView& view, std::string_view stream) {
 }
 
 bool can_hold(const CompressedView& view) {
-    // An index takes a byte, three of a triangle do; of attributes 16 bytes take 2 bits at least.
+    // An index takes at least a byte, as do the three of a triangle; 16 bytes of attributes take at least 2
+    // bits.
     if (view.mode == "TRIANGLES") return view.count / 3 < view.bytes;
     if (view.mode == "INDICES") return view.count < view.bytes;
     return view.count / 64 * view.stride <= view.bytes;

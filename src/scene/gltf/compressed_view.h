@@ -14,11 +14,11 @@ namespace aoscore::gltf {
 inline constexpr std::array<const char*, 2> kCompressionExtensions = {"EXT_meshopt_compression",
                                                                       "KHR_meshopt_compression"};
 
-/// A buffer view whose bytes are coded with meshoptimizer's codecs, as the extensions above describe it.
+/// A buffer view whose bytes are coded by meshoptimizer, as the extensions above describe.
 struct CompressedView {
     int buffer = 0;
-    std::size_t offset = 0, bytes = 0;  ///< of the stream within its buffer
-    std::size_t stride = 0, count = 0;  ///< of what it decodes to
+    std::size_t offset = 0, bytes = 0;  ///< place of the stream within its buffer
+    std::size_t stride = 0, count = 0;  ///< size and number of decoded elements
     std::string mode;                   ///< "ATTRIBUTES", "TRIANGLES", "INDICES"
     std::string filter;                 ///< "NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "COLOR"
 };
@@ -26,7 +26,7 @@ struct CompressedView {
 /// The compressed buffer views of a document that check_structure() has passed, by their index.
 std::map<int, CompressedView> compressed_views(const nlohmann::json& root);
 
-/// Whether a stream of so few bytes can decode to what the view states; known without decoding.
+/// Whether the stream is long enough for the elements that the view states; decodes nothing.
 bool can_hold(const CompressedView& view);
 
 /// Whether the stream is of a version that the library does not know.

@@ -16,7 +16,7 @@ constexpr std::uint32_t kBinaryChunk = 0x004E4942;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kBeforeJson = "\xEF\xBB\xBF \t\r\n";
 
-/// Little endian, whatever the machine.
+/// Reads a little-endian number on any machine.
 std::uint32_t uint32_at(std::string_view bytes, std::size_t offset) {
     std::uint32_t value = 0;
     for (std::size_t i = 4; i-- > 0;) value = (value << 8) | static_cast<unsigned char>(bytes[offset + i]);
@@ -59,7 +59,7 @@ void split_glb(const std::string& where, Container& container, std::vector<std::
         if (chunk == 0) {
             container.json = content;
         } else if (type == kBinaryChunk) {
-            // Chunks of unknown type are legal behind it; a second BIN chunk or one further back is not.
+            // Chunks of unknown type are legal behind it; a second BIN chunk, or a later one, is not.
             if (chunk != 1) throw file_error("is a misplaced BIN chunk", place, "BIN as chunk 1");
             container.binary_chunk = content;
         }

@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Takes the images out of the JSON; textures go on counting them.
+/// Takes the images out of the JSON; textures keep their indices.
 void take_images(json& root, Document& document) {
     json images = std::exchange(root["images"], json::array());
     for (json& image : images) {
@@ -38,7 +38,7 @@ void take_skins(json& root, Document& document) {
     }
 }
 
-/// tinygltf on what is left of the JSON, which it consumes; it has nothing to open, and could not.
+/// Runs tinygltf on the rest of the JSON, and clears that. It has no file to open, and could not open one.
 std::unique_ptr<tinygltf::Model> map_to_model(json& root, const std::string& where) {
     for (const char* unread : {"buffers", "images", "skins", "animations", "extensions", "extras"})
         root.erase(unread);
@@ -64,7 +64,7 @@ std::unique_ptr<tinygltf::Model> map_to_model(json& root, const std::string& whe
     } catch (const std::exception&) {
         loaded = false;
     }
-    // Its own messages quote the document and may span lines.
+    // tinygltf's own messages quote the document and may span lines.
     if (!loaded) throw file_error("tinygltf does not understand the document", where, "glTF 2.0");
     return model;
 }

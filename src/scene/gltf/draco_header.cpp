@@ -14,7 +14,7 @@
 namespace aoscore::gltf {
 namespace {
 
-/// Entropy coding may take less than a bit for a face of a regular mesh, never so little.
+/// Entropy coding may take less than a bit for a face of a regular mesh, but never so little.
 constexpr std::size_t kMaxFacesPerByte = 1000;
 
 struct Header {
@@ -36,7 +36,7 @@ bool skip_metadata(draco::DecoderBuffer& buffer) {
     return decoder.DecodeGeometryMetadata(&buffer, &metadata);
 }
 
-/// Of the edgebreaker's coding; the sequential one checks its own.
+/// Reads the number of faces of the edgebreaker's coding; the sequential decoder checks its own.
 bool read_faces(draco::DecoderBuffer& buffer, const Header& header, std::uint32_t& faces) {
     constexpr std::uint16_t kHasMetadata = 0x8000;
     if ((header.flags & kHasMetadata) != 0 && !skip_metadata(buffer)) return false;

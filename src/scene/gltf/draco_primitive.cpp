@@ -12,7 +12,7 @@
 namespace aoscore::gltf {
 namespace {
 
-/// The decoder's tables, faces, points and values together, a face.
+/// The bytes of the decoder's tables, faces, points and values together, for each face.
 constexpr std::size_t kBytesPerFace = 128;
 
 std::unique_ptr<draco::Mesh> decode(std::string_view stream) {
@@ -72,7 +72,7 @@ DracoPrimitive::DracoPrimitive(Document& document, std::string_view stream, cons
     try {
         mesh_ = decode(stream);
     } catch (const std::exception&) {
-        mesh_ = nullptr;  // out of memory: it stated more than it holds
+        mesh_ = nullptr;  // out of memory: the stream states more than it holds
     }
     if (!mesh_) throw file_error("is a broken Draco stream", where);
 }

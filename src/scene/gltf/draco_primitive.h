@@ -27,7 +27,7 @@ class DracoPrimitive {
     ~DracoPrimitive();
 
     std::size_t vertices() const;
-    /// The vertices of each triangle in turn.
+    /// The vertices of all triangles, three each.
     std::vector<std::uint32_t> corners() const;
     /// The attribute of this id, converted to the components of accessor `accessor`, tightly packed.
     std::string packed(Document& document, int id, int accessor) const;

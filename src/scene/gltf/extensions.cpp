@@ -24,7 +24,7 @@ void collect(const json& value, std::set<std::string>& names) {
     }
     if (!value.is_object()) return;
     for (const auto& [key, member] : value.items()) {
-        if (key == "extras") continue;  // the application's own
+        if (key == "extras") continue;  // belongs to the application
         if (key == "extensions" && member.is_object()) {
             for (const auto& [name, unused] : member.items()) names.insert(name);
         }
@@ -46,7 +46,7 @@ const std::vector<Extension>& extensions() {
         {"KHR_meshopt_compression", read},
         {"KHR_node_visibility", read},
         {"KHR_texture_transform", read},
-        // Images in a coding that is not decoded: said where a cut-out or an albedo asks for one.
+        // These images cannot be decoded; the warning comes where a cut-out or an albedo asks for one.
         {"EXT_texture_astc", read},
         {"EXT_texture_avif", read},
         {"KHR_texture_basisu", read},

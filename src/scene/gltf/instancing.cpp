@@ -27,7 +27,7 @@ class InstanceAttributes {
         scale_ = find(attributes, "SCALE", {.components = {3}});
     }
 
-    /// Nothing when no attribute says how many.
+    /// The number of instances; nothing without attributes.
     std::optional<std::size_t> count() const { return count_; }
 
     glm::dmat4 matrix(std::size_t i) const {
@@ -72,7 +72,7 @@ std::vector<glm::dmat4> node_from_instances(Document& document, const tinygltf::
     const std::string attributes_place = fmt::format("{}.extensions.{}.attributes", place, kInstancing);
     const InstanceAttributes attributes(document, found->second.Get("attributes"), attributes_place);
     if (!attributes.count()) return once;
-    // A matrix here and an instance of the scene.
+    // Each takes a matrix here and an instance of the scene.
     document.budget.take(*attributes.count() * (sizeof(glm::dmat4) + sizeof(Instance)), attributes_place);
     std::vector<glm::dmat4> matrices;
     matrices.reserve(*attributes.count());

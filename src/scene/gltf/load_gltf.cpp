@@ -23,8 +23,7 @@
 namespace aoscore::gltf {
 namespace {
 
-/// Whether a transform flattens the mesh (a scale of zero): it has no inverse then, and no normals follow
-/// from it.
+/// Whether a transform flattens the mesh (a scale of zero): it then has no inverse, and gives no normals.
 bool flattens(const glm::dmat4& m) {
     constexpr double kFlat = 1e-10;
     const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
@@ -82,7 +81,7 @@ class InstanceBuilder {
         }
     }
 
-    /// A flattened mesh becomes one of its own, with what is left of its triangles and no normals.
+    /// Adds a flattened mesh as a mesh of its own, with the triangles that keep an area and no normals.
     void add_flattened(int mesh_index, const glm::dmat4& world_from_mesh) {
         document_.warn(
             "nodes with a scale of 0 flatten their meshes: drawn with flat normals where any area is left");

@@ -31,8 +31,8 @@ Texture::Wrap wrap_of(int gltf_wrap) {
     }
 }
 
-/// glTF's own image where there is one, but for WebP, which is decoded; else that of an extension, to be
-/// named.
+/// The image of a texture: that of WebP, which is decoded; else glTF's own; else another extension's, to be
+/// named in a warning.
 int image_of(const tinygltf::Texture& texture) {
     const auto source = [&](std::string_view extension) {
         const auto found = texture.extensions.find(std::string(extension));
@@ -46,12 +46,12 @@ int image_of(const tinygltf::Texture& texture) {
     return -1;
 }
 
-/// Textures of the document that were asked for, decoded once each.
+/// Decodes the textures of a document as they are asked for, each once.
 class TextureLoader {
   public:
     explicit TextureLoader(Document& document) : document_(document) {}
 
-    /// The index into textures(), or nothing (with a warning) when its image cannot be had.
+    /// The index into textures(), or nothing (with a warning) when its image cannot be read.
     std::optional<int> load(int texture_index, const std::string& consequence) {
         const tinygltf::Texture& texture = document_.model->textures[static_cast<std::size_t>(texture_index)];
         const int image = image_of(texture);
@@ -110,8 +110,8 @@ double number_in(const tinygltf::Value& object, const char* key, int i, double f
     return object.Get(key).Get(i).GetNumberAsDouble();
 }
 
-/// KHR_texture_transform: scale, then a turn counter-clockwise as one sees the image (v runs down), then
-/// offset.
+/// Applies KHR_texture_transform: scale, then a rotation counter-clockwise in the image as shown (v runs
+/// down), then offset.
 TexcoordSource texcoord_source(const tinygltf::TextureInfo& info) {
     TexcoordSource source{true, fmt::format("TEXCOORD_{}", info.texCoord), glm::dmat3(1.0)};
     const auto found = info.extensions.find("KHR_texture_transform");
@@ -139,8 +139,8 @@ struct BaseColor {
     tinygltf::TextureInfo texture;
 };
 
-/// The diffuse colour of the specular-glossiness model counts before the base colour of the other (Khronos
-/// Group, KHR_materials_pbrSpecularGlossiness, best practices).
+/// The diffuse colour of the specular-glossiness model, which replaces the base colour (Khronos Group,
+/// KHR_materials_pbrSpecularGlossiness, best practices).
 BaseColor diffuse_of(const tinygltf::Value& model) {
     BaseColor result;
     for (int c = 0; c < 4; ++c)
@@ -177,7 +177,7 @@ bool is_cut(const Document& document, int material) {
            cutoff_of(all[static_cast<std::size_t>(material)]) > 0;
 }
 
-/// Primitives keep their own materials; whoever shows a variant may see other holes.
+/// Warns of variants with cut-outs: primitives keep their own materials, and a variant may have other holes.
 void warn_of_cut_variants(Document& document) {
     for (const tinygltf::Mesh& mesh : document.model->meshes) {
         for (const tinygltf::Primitive& primitive : mesh.primitives) {

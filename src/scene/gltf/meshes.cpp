@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
 
-/// Moves the mesh to its own centre on the axes where it lies far off for its size. Nothing is lost by that:
-/// there, the coordinates are so close to each other that float32 holds their differences.
+/// Moves the mesh to its own centre on the axes where it lies far off for its size. That loses nothing: such
+/// coordinates are so close to each other that float32 holds their differences.
 glm::dvec3 recentre(Mesh& mesh) {
     constexpr double kFarOff = 64;
     glm::vec3 low = mesh.positions[0], high = mesh.positions[0];

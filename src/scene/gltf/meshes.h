@@ -16,8 +16,8 @@ namespace aoscore::gltf {
 
 class VertexReader;
 
-/// One primitive decoded. Its positions are relative to `centre`, which is zero unless the mesh lies so far
-/// from its own zero that float32 transforms would lose details its coordinates still have, or is skinned.
+/// A decoded primitive. Its positions are relative to `centre`, which is zero unless the mesh is skinned, or
+/// lies so far from its own origin that float32 transforms would lose details.
 struct DecodedMesh {
     Mesh mesh;
     glm::dvec3 centre{0};
@@ -29,13 +29,13 @@ class MeshReader {
     MeshReader(Document& document, const MaterialTable& materials, Skins& skins)
         : document_(document), materials_(materials), skins_(skins) {}
 
-    /// All primitives of a mesh that have triangles: morphed and skinned as the pose says (a skinned mesh is
-    /// in the world's coordinates), strips and fans taken apart, only the vertices that are used, triangles
-    /// without area left out and counted. Throws file_error for indices out of range, positions that are not
-    /// finite, and attributes of types that glTF does not allow.
+    /// Decodes all primitives of a mesh that have triangles. They are morphed and skinned as the pose says (a
+    /// skinned mesh is in world coordinates), strips and fans become triangles, only vertices in use are
+    /// kept, and triangles without area are left out and counted. Throws file_error for indices out of range,
+    /// positions that are not finite, and attributes of types that glTF does not allow.
     std::vector<DecodedMesh> read(int mesh, const Pose& pose);
 
-    /// How many triangles without area were left out so far.
+    /// The number of triangles without area that were left out so far.
     std::size_t degenerate_triangles() const { return degenerate_triangles_; }
 
   private:
@@ -47,7 +47,7 @@ class MeshReader {
     const MaterialTable& materials_;
     Skins& skins_;
     std::size_t degenerate_triangles_ = 0;
-    std::vector<std::uint32_t> new_index_;  // of each old vertex while a primitive is read; kUnused else
+    std::vector<std::uint32_t> new_index_;  // of each vertex read; kUnused where no triangle uses it
 };
 
 }  // namespace aoscore::gltf

@@ -26,7 +26,7 @@ class MorphedAttribute {
 
     std::size_t count() const { return base_.count(); }
 
-    /// Element `i`, as of Accessor.
+    /// Element `i`, as Accessor::vector() returns it.
     template <int N>
     glm::vec<N, float> vector(std::size_t i) const {
         if (targets_.empty()) return base_.vector<N>(i);

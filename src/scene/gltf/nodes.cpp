@@ -138,7 +138,7 @@ glm::dmat4 matrix_of_parts(const glm::dvec3& translation, const glm::dvec4& rota
     const double length = glm::length(quaternion);
     glm::dmat4 result = glm::translate(glm::dmat4(1.0), translation);
     if (length > 1e-9 && std::isfinite(length)) {
-        // Exporters round to a few digits; more than that is worth a word.
+        // Exporters round to a few digits; a larger difference gets a warning.
         if (std::abs(length - 1) > 1e-2)
             document.warn("rotations that are not unit quaternions are normalised");
         result *= glm::mat4_cast(quaternion / length);

@@ -12,20 +12,20 @@ namespace aoscore::gltf {
 struct PlacedNode {
     int node = 0;  ///< index into the document's nodes
     glm::dmat4 world_from_node{1.0};
-    bool is_visible = true;  ///< false: its mesh is not drawn (KHR_node_visibility, of it or of a parent)
+    bool is_visible = true;  ///< false where KHR_node_visibility of it or a parent hides its mesh
 };
 
 /// All nodes below the default scene (scene 0 when none is named, the root nodes when there are no scenes),
-/// parents before children. Needs no stack per level: a chain of any length is fine. Throws file_error for a
-/// node that is reached twice (cycle or second parent), for transforms that are not affine or not finite, and
-/// for a scene without nodes.
+/// parents before children. It is not recursive, so that nodes may be nested to any depth. Throws file_error
+/// for a node that is reached twice (cycle or second parent), for transforms that are not affine or not
+/// finite, and for a scene without nodes.
 std::vector<PlacedNode> place_nodes(Document& document);
 
 /// The transform of a node outside of that scene, by its parents. Throws file_error for a cycle.
 glm::dmat4 world_from_detached(Document& document, int node);
 
 /// Translation, rotation (a quaternion x, y, z, w) and scale as one matrix. A rotation of another length is
-/// normalised, one of length 0 is none: a warning says so where it is more than rounding.
+/// normalised, and one of length 0 ignored, with a warning where that is more than rounding.
 glm::dmat4 matrix_of_parts(const glm::dvec3& translation, const glm::dvec4& rotation, const glm::dvec3& scale,
                            Document& document);
 

@@ -13,7 +13,7 @@ std::string Place::text() const {
 
 std::string printable(std::string_view name) {
     constexpr std::size_t kMaxBytes = 64;
-    // A path is cut in front, where it says least.
+    // A path is cut at its front, which says least.
     const bool is_long = name.size() > kMaxBytes && name.find('/') == std::string_view::npos;
     const std::string text = aoscore::printable(is_long ? name.substr(0, kMaxBytes) : name);
     return is_long ? text + "..." : text;

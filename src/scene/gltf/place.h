@@ -6,18 +6,18 @@
 
 namespace aoscore::gltf {
 
-/// Where in a glTF file a value stands. Places are chained on the stack while the document is walked and
-/// turned into a text only when something is wrong there, so that naming every value costs nothing.
+/// The place of a value in a glTF file. Places are chained on the stack while the document is walked, and
+/// become a text only for an error, so that naming every value costs nothing.
 class Place {
   public:
-    /// The file itself.
+    /// The place of the whole file.
     explicit Place(std::string_view file) : key_(file) {}
-    /// A member of an object.
+    /// The place of an object's member.
     Place(const Place& parent, std::string_view key) : parent_(&parent), key_(key) {}
-    /// An element of an array.
+    /// The place of an array's element.
     Place(const Place& parent, std::size_t index) : parent_(&parent), index_(index) {}
 
-    /// "room.gltf: accessors[3].count".
+    /// Such as "room.gltf: accessors[3].count".
     std::string text() const;
 
   private:
@@ -26,7 +26,7 @@ class Place {
     std::size_t index_ = 0;
 };
 
-/// A name out of a file made fit for a one-line message, see core/printable.h: at most 64 bytes of it.
+/// Makes at most 64 bytes of a name from a file fit for a one-line message (see core/printable.h).
 std::string printable(std::string_view name);
 
 }  // namespace aoscore::gltf

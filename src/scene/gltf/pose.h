@@ -14,9 +14,9 @@ class Node;
 
 namespace aoscore::gltf {
 
-/// How a node of the rest pose shapes its mesh: two nodes of equal pose show the same triangles.
+/// The shape that a node of the rest pose gives its mesh: nodes of equal pose show the same triangles.
 struct Pose {
-    std::vector<double> weights;  ///< of the morph targets; empty when all are 0
+    std::vector<double> weights;  ///< weights of the morph targets; empty when all are 0
     int skin = -1;                ///< -1: the node itself places the mesh
 
     bool operator<(const Pose& other) const {
@@ -24,15 +24,16 @@ struct Pose {
     }
 };
 
-/// The node's weights, else its mesh's, else none; its skin. A node with a skin whose mesh has no joints is
-/// placed by itself, with a warning.
+/// The node's weights, else its mesh's, else none, and the node's skin. Where a node has a skin and its mesh
+/// no joints, the skin is ignored, with a warning.
 Pose pose_of(Document& document, const tinygltf::Node& node);
 
-/// Joints of a skin in the rest pose: what takes a vertex, as modelled, to the world, less `anchor`.
+/// The matrices of a skin's joints in the rest pose, which take a vertex, as modelled, to its world position
+/// less `anchor`.
 struct JointMatrices {
     std::vector<glm::dmat4> anchored_from_mesh;
     glm::dvec3 anchor{
-        0};  ///< the first joint's place, so that float32 keeps details far from the world's zero
+        0};  ///< the first joint's place, so that float32 keeps details far from the world's origin
 };
 
 /// The joint matrices of skins, made as they are asked for. A skinned mesh stands where its joints are: the

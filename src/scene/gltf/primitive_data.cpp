@@ -13,7 +13,7 @@ namespace aoscore::gltf {
 namespace {
 
 constexpr const char* kDraco = "KHR_draco_mesh_compression";
-/// A corner's index, and its share of a triangle and its vertices.
+/// The bytes of a corner's index, and of its share of a triangle and its vertices.
 constexpr std::size_t kBytesPerCorner = 4 + 12;
 
 }  // namespace

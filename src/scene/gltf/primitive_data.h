@@ -17,19 +17,19 @@ struct Primitive;
 
 namespace aoscore::gltf {
 
-/// What a primitive's triangles and attributes are read from: accessors, or what Draco decoded.
+/// The source of a primitive's triangles and attributes: accessors, or a decoded Draco stream.
 class PrimitiveData {
   public:
     /// Decodes the primitive's Draco stream, where it has one. All arguments must outlive this object.
     PrimitiveData(Document& document, const tinygltf::Primitive& primitive, std::string place);
 
-    /// "room.gltf: meshes[0].primitives[2]".
+    /// Such as "room.gltf: meshes[0].primitives[2]".
     const std::string& place() const { return place_; }
-    /// The attribute, which glTF must allow to be of that type; nothing when the primitive has none.
+    /// The attribute, checked to be of that type; nothing when the primitive has none.
     std::optional<Accessor> attribute(const std::string& name, const AttributeType& type);
     /// The vertex of each corner, in the order of the primitive's topology, all less than `vertices`.
     std::vector<std::uint32_t> corners(std::size_t vertices);
-    /// glTF's mode of what corners() returns: 4 to 6.
+    /// glTF's mode of the corners that corners() returns: 4 to 6.
     int mode() const;
 
   private:

@@ -10,7 +10,7 @@
 
 namespace aoscore::gltf {
 
-/// How each vertex of a primitive follows the joints of a skin: the mean of their matrices, by its weights.
+/// Moves each vertex of a primitive with the joints of a skin, by the weighted mean of their matrices.
 class SkinnedVertices {
   public:
     /// Reads JOINTS_n and WEIGHTS_n of every set. Throws file_error for sets of another count than
@@ -18,9 +18,9 @@ class SkinnedVertices {
     SkinnedVertices(Document& document, PrimitiveData& data, const JointMatrices& joints,
                     std::size_t vertices);
 
-    /// What takes vertex `i` as modelled to its place, less the joints' anchor. Weights are divided by their
-    /// sum; a vertex whose weights are all 0 follows its first joint. Throws file_error for a joint that the
-    /// skin does not have (unless its weight is 0).
+    /// The matrix that takes vertex `i`, as modelled, to its place less the joints' anchor. Weights are
+    /// divided by their sum; a vertex whose weights are all 0 follows its first joint. Throws file_error for
+    /// a joint that the skin does not have (unless its weight is 0).
     glm::dmat4 matrix(std::size_t i) const;
 
   private:

@@ -9,7 +9,7 @@
 namespace aoscore::gltf {
 namespace {
 
-/// "2.0" to 20; -1 when it is no version.
+/// Reads "2.0" as 20; -1 when the text is no version.
 int version_number(const std::string& text) {
     const std::size_t dot = text.find('.');
     if (dot == std::string::npos || dot == 0 || dot + 1 == text.size() || text.size() > 6) return -1;

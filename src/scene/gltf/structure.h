@@ -12,22 +12,21 @@
 
 namespace aoscore::gltf {
 
-/// How many elements the document's arrays have; what an index may point to.
+/// The numbers of elements of the document's arrays, which limit indices.
 struct Counts {
     std::size_t buffers, buffer_views, accessors, meshes, materials, textures, images, samplers, nodes,
         cameras, skins, scenes;
 };
 
-/// What all offsets, lengths and counts may be, so that no product of two below overflows 64 bits: a stride
-/// is at most 256.
+/// The limit of all offsets, lengths and counts, so that products of them with a stride, at most 256, do not
+/// overflow 64 bits.
 inline constexpr std::int64_t kMaxBytes = std::int64_t{1} << 40;
 inline constexpr std::int64_t kMaxCount = std::int64_t{1} << 32;
 
 /// Proves that the document is sound wherever this program or tinygltf reads it: types, ranges, indices, the
-/// extents of views and accessors. tinygltf itself checks little of that. Meaning that depends on the binary
-/// data (index values, positions) is checked where it is decoded. Throws file_error with the place; legal or
-/// harmless things that are not read go to `warnings`. Names follow the glTF 2.0 specification (Khronos
-/// 2021).
+/// extents of views and accessors. tinygltf itself checks little of that. Binary data (index values,
+/// positions) are checked where they are decoded. Throws file_error with the place; legal or harmless things
+/// that are not read become `warnings`. Names follow the glTF 2.0 specification (Khronos 2021).
 void check_structure(nlohmann::json& root, const std::string& where, std::vector<std::string>& warnings);
 
 /// Parts of check_structure(), each in a file of its own.
@@ -35,8 +34,7 @@ void check_asset_and_extensions(CheckedObject& root, const std::set<std::string>
                                 std::vector<std::string>& warnings);
 void check_buffers_and_accessors(CheckedObject& root, const Counts& counts,
                                  std::vector<std::string>& warnings);
-/// The members of EXT_meshopt_compression or KHR_meshopt_compression in a buffer view of `bytes`, where there
-/// are any.
+/// Checks EXT_meshopt_compression or KHR_meshopt_compression in a buffer view of `bytes`, where it has one.
 void check_compressed_view(CheckedObject& view, std::int64_t bytes,
                            const std::vector<std::int64_t>& buffer_bytes);
 void check_meshes(CheckedObject& root, const Counts& counts, std::vector<std::string>& warnings);
@@ -45,9 +43,9 @@ void check_cameras(CheckedObject& root, std::vector<std::string>& warnings);
 void check_materials_and_textures(CheckedObject& root, const Counts& counts,
                                   std::vector<std::string>& warnings);
 
-/// Bytes of one component of that type (5120 …), 0 for a type that glTF does not have.
+/// The bytes of one component of that type (5120 …); 0 for a type that glTF does not have.
 std::size_t component_bytes(std::int64_t component_type);
-/// Components of an element of type "SCALAR", "VEC2", …; 0 for an unknown type.
+/// The number of components of an element of type "SCALAR", "VEC2", …; 0 for an unknown type.
 std::size_t component_count(std::string_view type);
 
 }  // namespace aoscore::gltf

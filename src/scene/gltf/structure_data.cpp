@@ -18,7 +18,7 @@ struct ElementLayout {
     std::int64_t count = 0;
 };
 
-/// Whether `count` elements from `offset` on stay within the view.
+/// Checks that `count` elements from `offset` on lie within the view.
 void check_span(CheckedObject& owner, const ViewExtent& view, std::int64_t offset,
                 const ElementLayout& layout) {
     const std::int64_t stride = view.stride == 0 ? layout.element_bytes : view.stride;
@@ -55,7 +55,7 @@ void check_sparse(CheckedObject& sparse, const std::vector<ViewExtent>& views, c
     sparse.required_object("values", check_part(base.element_bytes));
 }
 
-/// What is worth a word and harms nothing.
+/// Harmless oddities, each of which gets a warning.
 struct DataOddities {
     bool misaligned = false;
     bool bad_bounds = false;

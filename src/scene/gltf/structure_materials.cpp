@@ -23,7 +23,7 @@ void check_base_color_texture(CheckedObject& info, const Counts& counts) {
     });
 }
 
-/// A texture that occlusion never needs: checked, then taken out of what tinygltf sees.
+/// Checks a texture that occlusion never needs, and takes it out of the JSON that tinygltf sees.
 void check_unread_texture(CheckedObject& owner, const char* key, const Counts& counts) {
     owner.object(key, [&](CheckedObject& info) {
         info.required_index("index", counts.textures);
@@ -34,7 +34,7 @@ void check_unread_texture(CheckedObject& owner, const char* key, const Counts& c
     owner.erase(key);
 }
 
-/// Exporters round: 1.00000012 is a 1. Clamped where it is used.
+/// Checks a factor, which exporters may have rounded: 1.00000012 is a 1. It is clamped where it is used.
 void check_factor(CheckedObject& owner, const char* key, std::vector<std::string>& warnings) {
     for (const double v : owner.numbers(key, 4)) {
         if (v >= 0 && v <= 1) continue;

@@ -6,7 +6,7 @@ namespace aoscore::gltf {
 
 namespace {
 
-/// TEXCOORD_1 without TEXCOORD_0 is not legal: sets are numbered without gaps.
+/// Whether TEXCOORD_1 lacks TEXCOORD_0, which is not legal: sets are numbered without gaps.
 bool has_texcoord_gap(CheckedObject& attributes) {
     int sets = 0;
     attributes.members([&](const std::string& name) { sets += name.starts_with("TEXCOORD_") ? 1 : 0; });
@@ -16,7 +16,7 @@ bool has_texcoord_gap(CheckedObject& attributes) {
     return false;
 }
 
-/// Accessors by attribute.
+/// Checks the accessors of attributes.
 void check_attributes(CheckedObject& attributes, const Counts& counts) {
     attributes.members([&](const std::string& name) { attributes.index(name, counts.accessors); });
 }
@@ -29,7 +29,7 @@ void check_draco(CheckedObject& draco, const Counts& counts) {
     });
 }
 
-/// What of a mesh's primitives is worth a word.
+/// Oddities of a mesh's primitives that get a warning.
 struct MeshOddities {
     bool texcoord_gap = false, no_primitives = false;
 };

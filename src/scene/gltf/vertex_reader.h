@@ -24,7 +24,7 @@ class VertexReader {
                  const TexcoordSource& texcoords, bool with_alpha, const std::vector<double>& weights,
                  const JointMatrices* joints);
 
-    /// Whether there are any: a primitive without POSITION has none.
+    /// False for a primitive without POSITION.
     bool has_positions() const { return positions_.has_value(); }
     std::size_t count() const { return positions_->count(); }
     /// Appends vertex `i`. Throws file_error for a position that is not finite.

@@ -10,10 +10,10 @@ namespace aoscore::imported {
 /// The scene files that are read by the importing program.
 enum class Format : std::uint8_t { obj, fbx, ply, stl };
 
-/// The format of a file by its extension, in any letter case; nothing for another one.
+/// The format of a file by its extension, in any letter case; nothing for another extension.
 std::optional<Format> format_of(const std::filesystem::path& file);
 
-/// "OBJ".
+/// The name of a format, such as "OBJ".
 std::string_view format_name(Format format);
 
 }  // namespace aoscore::imported

@@ -27,7 +27,7 @@ fs::path importing_program() {
     return program;
 }
 
-/// Why the program ended without a whole scene.
+/// The error that says why the program ended without a whole scene.
 Error failure(const ChildProcess::End& end, const std::string& where) {
     constexpr const char* kValid = "a file that another program can open, or its conversion to glTF";
     if (end.signal == SIGXCPU)
@@ -52,7 +52,7 @@ PlainScene read_in_child(const fs::path& file, bool albedo_textures) {
     return std::move(*plain);
 }
 
-/// Whether a transform flattens its mesh: no normals follow from it.
+/// Whether a transform flattens its mesh, so that it gives no normals.
 bool flattens(const glm::dmat4& m) {
     constexpr double kFlat = 1e-10;
     const double longest = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
@@ -77,7 +77,7 @@ void drop_unseen(Scene& scene) {
         scene.warnings.push_back(fmt::format("{} meshes that a scale of 0 flattens are left out", flat));
 }
 
-/// Leaves out triangles without area and makes normals unit; says how many there were.
+/// Leaves out triangles without area and makes normals unit; warns with their numbers.
 void repair(Scene& scene) {
     std::size_t degenerate = 0, bad_normals = 0;
     for (Mesh& mesh : scene.meshes) {

@@ -12,11 +12,11 @@ namespace {
 
 constexpr std::uint64_t kMagic = 0x0131454E45435341;  // "ASCENE1" and a version
 constexpr std::size_t kMaxTextBytes = 4096;
-constexpr std::size_t kMaxParts = 4'000'000;       // of anything but vertices, triangles and texels
+constexpr std::size_t kMaxParts = 4'000'000;       // limit for all but vertices, triangles and texels
 constexpr std::size_t kMaxVertices = 192'000'000;  // three for each triangle that a scene may have
 constexpr int kMaxTextureSide = 8192;
 
-/// Thrown and caught here alone: the bytes are no scene.
+/// Says that the bytes are no scene; thrown and caught in this file alone.
 struct NoScene : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -102,8 +102,8 @@ class Reader {
     const std::function<std::size_t(void*, std::size_t)>& read_;
 };
 
-// What follows describes the format once, for both directions: an Archive is a Writer, or a Reader that fills
-// what it is given. Enumerations travel as numbers and are checked with everything else.
+// These functions describe the format once, for both directions: an Archive is a Writer, or a Reader that
+// fills its arguments. Enumerations are stored as numbers and checked with everything else.
 
 template <class Archive, class T>
 void exchange_texture(Archive& archive, T& texture) {
@@ -170,7 +170,7 @@ void exchange(Archive& archive, T& plain) {
     archive.list(plain.scene.instances, [](auto& a, auto& i) { exchange_instance(a, i); });
     archive.list(plain.scene.views, [](auto& a, auto& v) { exchange_view(a, v); });
     magic = kMagic;
-    archive.value(magic);  // a scene that broke off in its middle does not end so
+    archive.value(magic);  // a truncated scene does not end with it
     require(magic == kMagic, "another format");
 }
 

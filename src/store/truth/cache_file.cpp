@@ -16,12 +16,12 @@
 namespace aoscore {
 namespace {
 
-/// What stands before the bytes of a block.
+/// The header of a block, before its bytes.
 struct BlockHead {
     std::uint32_t kind;
     std::uint32_t index;
     std::uint64_t size;
-    std::array<char, 32> digest;  ///< of the members above and the bytes
+    std::array<char, 32> digest;  ///< the digest of the members above and the bytes
 };
 
 std::array<char, 32> digest_of(const BlockHead& head, std::string_view bytes) {
@@ -31,7 +31,7 @@ std::array<char, 32> digest_of(const BlockHead& head, std::string_view bytes) {
     return digest;
 }
 
-/// As much as there is.
+/// Reads up to `size` bytes, as many as there are.
 std::size_t read_at(int descriptor, void* to, std::size_t size, std::uint64_t offset) {
     std::size_t done = 0;
     while (done < size) {

@@ -11,15 +11,15 @@
 
 namespace aoscore {
 
-/// A file of blocks, each with a digest of its own: first one that says what the file is, then groups of
-/// tiles in any order, last one that says that all are there. It is only ever appended to, so that a process
-/// that is killed loses no more than the block that it was writing. Opening checks every digest.
+/// A file of blocks, each with a digest of its own: the first says what the file is, then come groups of
+/// tiles in any order, and the last says that all are there. The file only grows, so that a process that is
+/// killed loses no more than the block that it was writing. Opening checks every digest.
 class CacheFile {
   public:
     enum class Mode { read, append };
     /// Opens an existing file. Throws file_error when there is no such file, or no header in it.
     CacheFile(const std::filesystem::path& path, Mode mode);
-    /// Begins a new one, over any older.
+    /// Begins a new file, over any older one.
     CacheFile(const std::filesystem::path& path, const nlohmann::json& header);
     ~CacheFile();
     CacheFile(const CacheFile&) = delete;
@@ -27,7 +27,7 @@ class CacheFile {
 
     const nlohmann::json& header() const { return header_; }
     bool has(std::size_t group) const;
-    /// The bytes of a group that is there. From any thread.
+    /// Reads the bytes of a group that is there. Any thread may call it.
     std::string read(std::size_t group) const;
     std::size_t groups() const;
     /// Whether the block that ends a complete file is there.
@@ -35,9 +35,9 @@ class CacheFile {
     /// Bytes that could not be understood when the file was opened.
     std::uint64_t damaged_bytes() const { return damaged_bytes_; }
 
-    /// From any thread. Throws file_error when it cannot be written.
+    /// Appends a group. Any thread may call it. Throws file_error when the file cannot be written.
     void append(std::size_t group, std::string_view bytes);
-    /// Says that all is there, and brings it to the disk.
+    /// Marks the file as complete, and flushes it to the disk.
     void finish();
 
   private:
@@ -53,7 +53,7 @@ class CacheFile {
     nlohmann::json header_;
     mutable std::mutex mutex_;
     std::map<std::size_t, Place> groups_;
-    std::uint64_t end_ = 0;  ///< of what is valid
+    std::uint64_t end_ = 0;  ///< end of the valid bytes
     std::uint64_t damaged_bytes_ = 0;
     bool finished_ = false;
 };

@@ -50,7 +50,7 @@ bool is_truth(const fs::path& path) {
     return path.extension() == ".truth" || path.extension() == ".partial";
 }
 
-/// Two levels: a folder for each picture, with the truths of it.
+/// The files of a cache, which has a folder for each picture, with its truths.
 std::vector<fs::path> files_of(const fs::path& folder) {
     std::vector<fs::path> files;
     std::error_code ec;
@@ -64,7 +64,7 @@ std::vector<fs::path> files_of(const fs::path& folder) {
     return files;
 }
 
-/// 0 for what is no file.
+/// The size of a file; 0 where there is no file.
 std::uint64_t bytes_of(const fs::path& path) {
     std::error_code ec;
     const std::uintmax_t bytes = fs::file_size(path, ec);
@@ -158,7 +158,7 @@ ClearedCache TruthCache::clear() const {
         cleared.bytes += bytes;
     }
     for (const auto& picture : fs::directory_iterator(folder_, ec)) {
-        if (picture.is_directory(ec)) fs::remove(picture.path(), ec);  // only where it is empty
+        if (picture.is_directory(ec)) fs::remove(picture.path(), ec);  // succeeds only where it is empty
     }
     return cleared;
 }

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kPoll{50};
 
-/// Whether the open file is still the one of that name: its last owner may have removed it meanwhile.
+/// Whether the path still names the open file, which its last owner may have removed meanwhile.
 bool is_file(int descriptor, const std::filesystem::path& path) {
     struct stat mine {};
     struct stat named {};

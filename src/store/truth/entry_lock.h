@@ -6,8 +6,8 @@
 
 namespace aoscore {
 
-/// Holds a lock file, so that only one process works on what it stands for. The system lets go of it when the
-/// process ends, however it ends. The file is removed with the lock.
+/// Holds a lock file, so that only one process works on a cache file. The system releases it when the process
+/// ends, however it ends. The file is removed with the lock.
 class EntryLock {
   public:
     /// Waits for the lock; calls `waiting` once when it is not free at once. Throws file_error when the file

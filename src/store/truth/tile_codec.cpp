@@ -17,9 +17,9 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "bytes are stored as they lie in memory");
 
-constexpr int kCompression = 1;  // sums are mostly noise: more effort gains next to nothing
+constexpr int kCompression = 1;  // sums are mostly noise: higher levels gain almost nothing
 
-/// Multiples of `step` as integers.
+/// The value as an integer, in multiples of `step`.
 std::uint64_t steps_of(double value, double step) {
     const double steps = value / step;
     const auto whole = static_cast<std::int64_t>(steps);
@@ -31,8 +31,8 @@ double value_of(std::uint64_t steps, double step) {
     return static_cast<double>(static_cast<std::int64_t>(steps)) * step;
 }
 
-/// Values byte by byte: first the lowest byte of all, then the next, because these resemble each other. Of
-/// bytes that are all zero only that is noted.
+/// Values byte by byte: first the lowest byte of all, then the next, because these resemble each other. Bytes
+/// that are all zero take a single mark.
 class PlaneWriter {
   public:
     template <class T>
@@ -120,7 +120,7 @@ std::vector<std::uint64_t> integers(const std::vector<OpenSums>& all) {
 }
 
 std::vector<OpenSums> open_sums_of(const std::vector<std::uint64_t>& values) {
-    constexpr std::size_t kRows = 4;  // of a block
+    constexpr std::size_t kRows = 4;  // rows of a block
     std::vector<OpenSums> all(values.size() / (kRows * kBlocks));
     auto next = values.begin();
     for (std::size_t b = 0; b < kBlocks; ++b) {

@@ -7,8 +7,8 @@
 
 namespace aoscore {
 
-/// A group's tiles as bytes, without loss, and back. decode() throws file_error naming `where` for bytes that
-/// encode() cannot have made.
+/// Turn a group's tiles into bytes, without loss, and back. decode() throws file_error naming `where` for
+/// bytes that encode() cannot have made.
 std::string encode(const GroupState& state);
 GroupState decode(std::string_view bytes, const std::string& where);
 

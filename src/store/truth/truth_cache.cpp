@@ -35,7 +35,7 @@ fs::path with(const fs::path& stem, const char* extension) {
     return fs::path(stem) += extension;
 }
 
-/// A cache file as a store of tiles; puts nothing into a file that is only read.
+/// A cache file as a store of tiles. It writes nothing to a file that is open for reading only.
 class FileStore final : public TileStore {
   public:
     FileStore(CacheFile& file, const CacheFile* base, std::string where)
@@ -81,7 +81,7 @@ json header_of(const TruthRequest& request, const TruthLabel& label, std::size_t
             {"groups", groups}};
 }
 
-/// Takes what is good of a damaged truth as the beginning of a new one.
+/// Keeps the undamaged groups of a damaged truth as the beginning of a new one.
 void set_aside(const fs::path& path, const std::string& why) {
     log_warning(fmt::format("{}: {}; what is damaged is thrown away and traced anew", path.string(), why));
     std::error_code ec;
@@ -108,7 +108,7 @@ std::vector<OpenTruth> complete_truths(const fs::path& folder, const TruthReques
             TruthRequest made_for = request_from_json(file->header().at("wanted"), request);
             truths.push_back({path, std::move(made_for), std::move(file)});
         } catch (const std::exception& e) {
-            // Another process may have replaced it by a better one meanwhile.
+            // Another process may have replaced the file by a better one meanwhile.
             if (fs::exists(path, ec)) set_aside(path, e.what());
         }
     }
@@ -120,7 +120,7 @@ std::optional<CachedTruth> served(const std::vector<OpenTruth>& truths, const Ca
     const OpenTruth* best = nullptr;
     for (const OpenTruth& truth : truths) {
         if (!serves(truth.request, want)) continue;
-        // The very one, if it is there: the same command gives the same picture.
+        // The exact truth is preferred, so that the same command gives the same picture.
         if (best == nullptr || truth.request.wanted() == want.wanted()) best = &truth;
     }
     if (best == nullptr) return std::nullopt;
@@ -138,7 +138,7 @@ std::optional<CachedTruth> served(const std::vector<OpenTruth>& truths, const Ca
     return cached;
 }
 
-/// The truth with most rays that the wanted one can go on from.
+/// The truth with most rays from which tracing can go on to the wanted one.
 const OpenTruth* base_of(const std::vector<OpenTruth>& truths, const TruthRequest& want) {
     const OpenTruth* best = nullptr;
     for (const OpenTruth& truth : truths) {
@@ -151,7 +151,7 @@ const OpenTruth* base_of(const std::vector<OpenTruth>& truths, const TruthReques
     return best;
 }
 
-/// The good groups of a damaged file, in a file of its name.
+/// A file of the same path that holds the undamaged groups of a damaged file.
 std::unique_ptr<CacheFile> salvaged(const CacheFile& damaged, const fs::path& path) {
     const fs::path temporary = fs::path(path).replace_extension(kSalvage);
     auto file = std::make_unique<CacheFile>(temporary, damaged.header());
@@ -163,7 +163,7 @@ std::unique_ptr<CacheFile> salvaged(const CacheFile& damaged, const fs::path& pa
     return file;
 }
 
-/// What an interrupted run left, or a new file.
+/// Opens the file that an interrupted run left, or a new one.
 std::unique_ptr<CacheFile> open_partial(const fs::path& path, const json& header) {
     std::error_code ec;
     if (fs::exists(path, ec)) {
@@ -213,7 +213,7 @@ fs::path default_cache_dir() {
 
 namespace {
 
-/// One truth that is to be had from a cache, or to be traced into it.
+/// One truth that is taken from a cache, or traced into it.
 class CachedTracing {
   public:
     CachedTracing(const fs::path& cache, const ReferenceScene& reference, const TruthRequest& request,
@@ -243,8 +243,8 @@ class CachedTracing {
     }
 
   private:
-    /// Takes the lock, and opens the file that tiles are put into; or gives the truth, where another process
-    /// has traced it while this one waited.
+    /// Takes the lock, and opens the file for tiles; or returns the truth, where another process has traced
+    /// it while this one waited.
     std::optional<CachedTruth> open() {
         fs::create_directories(folder_);
         lock_.emplace(EntryLock::acquire(with(stem_, kLock), [&] {
@@ -286,7 +286,7 @@ class CachedTracing {
         return result;
     }
 
-    /// Makes what was traced a complete truth of the cache, in place of those that it serves for.
+    /// Makes the traced file a complete truth of the cache, and removes those that it replaces.
     void keep(const FileStore& store) {
         std::error_code ec;
         if (store.failed()) {
@@ -340,7 +340,7 @@ CachedTruth trace_half(const fs::path& folder, const ReferenceScene& reference, 
     return trace_truth(folder, reference, one, label, fmt::format("{}, half {} of 2", what, half + 1));
 }
 
-/// How both came about: where one was traced, so was their mean.
+/// The origin of the mean of two halves, which was traced where one of them was.
 TruthOrigin origin_of(TruthOrigin first, TruthOrigin second) {
     return std::min(first, second);
 }
@@ -350,7 +350,7 @@ CachedTruth trace_halves(const fs::path& folder, const ReferenceScene& reference
     check_truth_request(request.queries, request.settings);
     std::array<CachedTruth, 2> halves;
     int samples = request.settings.samples / 2;
-    // A cache may have more rays of one half, where an earlier run was stopped: the other gets as many.
+    // Where an earlier run was stopped, the cache may have more rays of one half: the other gets as many.
     for (bool alike = false; !alike;) {
         for (std::size_t half = 0; half < 2; ++half) {
             if (halves[half].made_for.settings.samples == samples && !halves[half].truth.visibility.empty())

@@ -30,7 +30,7 @@ json camera_json(const Camera& camera) {
         {"far", camera.far}};
 }
 
-/// JSON has no infinity.
+/// The query as JSON, which has no infinity.
 json query_json(const TruthQuery& query) {
     return {{"falloff", kFalloffIds[static_cast<std::size_t>(query.falloff)]},
             {"radius_m", std::isfinite(query.radius_m) ? json(query.radius_m) : json()},

@@ -1,4 +1,4 @@
-// axe-core finds nothing to mend, in both schemes, on a desk and on a phone; nothing is wider than the phone.
+// axe-core finds no fault, in both colour schemes, on a desktop and on a phone; nothing is wider than the phone.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import { test } from 'node:test';

@@ -1,4 +1,4 @@
-// The address keeps what the stage shows, and one that names nothing does no harm.
+// The address keeps the stage's pictures, and one that names nothing does no harm.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { choose, layers, open, settled } from './browser.mjs';
@@ -46,6 +46,6 @@ test('a worst region jumps to its place on the stage', async () => {
 
 test('the closest method is shown first', async () => {
   const { page } = await open({ which: 'synthetic' });
-  // Its RMSE is four fifths of that of the preset before it.
+  // Its RMSE is four fifths of the previous preset's.
   assert.deepEqual((await layers(page))[1], 'output atrium/wide/alchemy/quality gray');
 });

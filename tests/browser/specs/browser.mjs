@@ -1,4 +1,4 @@
-// What every spec needs: pages of a small run in Chromium, with what the browser complained of or asked for.
+// Opens pages of a small run in Chromium for all specs, with the browser's complaints and requests.
 import { createRequire } from 'node:module';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -18,11 +18,11 @@ const browser = await chromium.launch({
 });
 after(() => browser.close());
 
-// A page once its stage shows pictures. `complaints` gathers console errors and script errors, `requests` every address
-// asked for beside the page's own.
+// Opens a page and waits until its stage shows pictures. `complaints` gathers console and script errors, `requests`
+// every address asked for beside the page's own.
 export async function open({ which = 'measured', hash = '', ...context } = {}) {
   const view = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...context });
-  view.setDefaultTimeout(120000);  // shaders are compiled and charts drawn on whatever machine this is
+  view.setDefaultTimeout(120000);  // slow machines compile shaders and draw charts too
   const page = await view.newPage();
   const complaints = [];
   const requests = [];
@@ -38,7 +38,7 @@ export async function open({ which = 'measured', hash = '', ...context } = {}) {
   return { page, complaints, requests, address };
 }
 
-// Until every pane has painted what it was told to show.
+// Waits until every pane has painted its picture.
 export async function settled(page) {
   await page.waitForFunction(() => {
     const panes = [...document.querySelectorAll('.pane')];
@@ -57,12 +57,12 @@ export async function screenshot(target, name) {
   await target.screenshot({ path: path.join(folder, `${name}.png`) });
 }
 
-// What the panes show: the key of each one's layer.
+// The keys of the layers that the panes show.
 export function layers(page) {
   return page.locator('.pane').evaluateAll((panes) => panes.map((pane) => pane.dataset.layer));
 }
 
-// Of a canvas: its width, row 20 and every 97th pixel, as 0xAABBGGRR.
+// Pixels of a canvas: its width, row 20 and every 97th pixel, as 0xAABBGGRR.
 export function pixels(page, pane = 0) {
   return page.locator('.pane canvas').nth(pane).evaluate((canvas) => {
     const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);

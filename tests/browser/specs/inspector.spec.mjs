@@ -1,5 +1,5 @@
-// The page's values are the EXR files' within the stated quantisation: all of them as unpacked, and as the inspector
-// writes them.
+// The page's values are the EXR files' within the stated quantisation: all of them as unpacked, and some as the
+// inspector writes them.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';

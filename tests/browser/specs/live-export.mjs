@@ -1,4 +1,4 @@
-// Changes a method on the page in every way that its export knows, and leaves for the program what the page gives out:
+// Changes a method on the page in every way that its export knows, and leaves the page's exports for the program:
 // live.json, the preset; live-command.txt; live.f32, the picture.
 import fs from 'node:fs';
 import path from 'node:path';

@@ -1,6 +1,6 @@
 // Drives the section of live parameters.
 
-// What it shows once it has drawn: {method, parameters, filter, border, output, errors}.
+// The state once it has drawn: {method, parameters, filter, border, output, errors}.
 export async function shown(page) {
   await page.waitForFunction(() => !document.querySelector('.live-failure').hidden
     || document.querySelector('.live-results').getAttribute('aria-busy') === 'false');
@@ -17,7 +17,7 @@ export async function openLive(page) {
   return shown(page);
 }
 
-// The method with the settings of a measured cell.
+// Chooses the method with the settings of a measured cell.
 export async function startFrom(page, cell) {
   await page.locator('#live-method').selectOption(cell.method);
   await page.locator('#live-preset').selectOption(cell.preset);

@@ -1,4 +1,4 @@
-// The section of live parameters: every kind of control, what goes out, and what it says where it cannot run.
+// The section of live parameters: every kind of control, its exports, and its message where it cannot run.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -103,7 +103,7 @@ test('the picture under the pointer is read', async () => {
   const canvas = page.locator('.live-output');
   const truth = exr(`${second} truth`)[40 + 30 * 160];
   const said = `Pixel 40, 30: live ${output[40 + 30 * 160].toFixed(4)}, truth ${truth.toFixed(4)}`;
-  // Charts above are drawn when they come near and may move the picture away from under the pointer: then it points again.
+  // Charts above are drawn when they come near, and may move the picture: the pointer then moves again.
   for (let attempt = 0; ; attempt += 1) {
     const { width, height } = await canvas.boundingBox();
     await canvas.hover({ position: { x: width * 40.5 / 160, y: height * 30.5 / 96 } });  // waits until it stands still
@@ -123,7 +123,7 @@ test('the preset can be downloaded and copied', async () => {
   assert.equal(text, `${await page.locator('#live-preset-text').inputValue()}\n`);
   assert.ok(JSON.parse(text).presets.live);
   const copy = page.locator('[data-of=live-command-text]');
-  // The button says so for two seconds alone: whatever it ever says is heard.
+  // The button shows it for only two seconds, so every change of its text is recorded.
   const heard = copy.evaluate((button) => new Promise((resolve) => {
     new MutationObserver(() => resolve(button.textContent)).observe(button, { childList: true });
   }));

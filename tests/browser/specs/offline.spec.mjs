@@ -1,4 +1,4 @@
-// One file that needs nothing else, complains of nothing, and is valid.
+// The page is one file that needs nothing else, has no errors, and is valid.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import { test } from 'node:test';

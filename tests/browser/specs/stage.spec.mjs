@@ -1,4 +1,4 @@
-// Every mode shows what it says, every key and slider does what the help says, and zooming leaves the page its scroll.
+// Every mode shows its picture, keys and sliders do what the help says, and zooming leaves scrolling alone.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { choose, layers, open, pixels, screenshot, settled } from './browser.mjs';
@@ -230,7 +230,7 @@ test('panes move in step, show pixels without smoothing and carry their numbers'
   const after = await Promise.all([pixels(page, 0), pixels(page, 1)]);
   assert.notDeepEqual(after[0], before[0]);
   assert.notDeepEqual(after[1], before[1]);
-  // White letters with dark rims on an even colour: the truth is gray, so that other colours are none of its own.
+  // White letters with dark rims on an even colour: the truth is gray, so that other colours come from the text.
   const texts = await page.evaluate(() => {
     const { fillText } = CanvasRenderingContext2D.prototype;
     return new Promise((resolve) => {

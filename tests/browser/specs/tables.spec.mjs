@@ -1,4 +1,4 @@
-// What the tables say is what results.json says, and their heads sort.
+// The tables agree with results.json, and their headers sort them.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { open, results, screenshot } from './browser.mjs';

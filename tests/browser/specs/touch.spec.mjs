@@ -1,4 +1,4 @@
-// Fingers on the stage: two zoom, one leaves the page its scroll.
+// On the stage two fingers zoom, and one scrolls the page.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { open, pixels, screenshot, settled } from './browser.mjs';
@@ -7,7 +7,7 @@ const { page, complaints } = await open({ viewport: { width: 390, height: 844 },
 const touch = await page.context().newCDPSession(page);
 const zoom = () => page.locator('.zoom-text').textContent();
 
-// Fingers go along straight lines, {from: [x, y], to: [x, y]} each, in viewport coordinates.
+// Moves fingers along straight lines, {from: [x, y], to: [x, y]} each, in viewport coordinates.
 async function fingers(...lines) {
   const points = (part) => lines.map(({ from, to }, id) => ({ id, x: from[0] + part * (to[0] - from[0]), y: from[1] + part * (to[1] - from[1]) }));
   await touch.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: points(0) });
