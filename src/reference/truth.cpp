@@ -9,7 +9,7 @@
 #include "reference/integrator/tile_integrator.h"
 #include "reference/integrator/tile_state.h"
 #include "reference/integrator/tile_store.h"
-#include "reference/integrator/truth_development.h"
+#include "reference/integrator/truth_resolve.h"
 #include "reference/sampling/pilot.h"
 #include "reference/tracer/scene_builds.h"
 
@@ -63,26 +63,27 @@ struct TraceWork {
           judge(scene.tracer, frame, hits),
           points(s.points, SamplePlan(s).most()) {
         if (settings.mean_error > 0) {
-            price = price_for_mean_error(settings.mean_error, frame.width(), frame.height(),
-                                         [&](const Tile& tile, double at) { return climb(tile, at); });
+            least_gain = gain_for_mean_error(settings.mean_error, frame.width(), frame.height(),
+                                             [&](const Tile& tile, double at) { return trace_to(tile, at); });
         }
     }
 
-    Ladder climb(const Tile& tile, double at) const {
+    TileConvergence trace_to(const Tile& tile, double at) const {
         const FlushDenormals flush;
         TruthSettings rays_alone = settings;
         rays_alone.extras = {};
-        TileIntegrator integrator(scene, frame, queries, rays_alone, points, judge, at, true);
+        TileIntegrator integrator(scene, frame, queries, rays_alone, points, judge,
+                                  {.least_gain = at, .step_by_step = true});
         const TileState state = integrator.trace(tile);
         const auto open = static_cast<std::size_t>(std::ranges::count(state.samples, 0u));
-        return {integrator.rungs(), state.surfaces(), state.surfaces() - open};
+        return {integrator.steps(), state.surfaces(), state.surfaces() - open};
     }
 
     /// A group of tiles, from what is there of them.
     GroupState trace(std::span<const Tile> tiles, const GroupState& begun, std::uint64_t& rays) const {
         const FlushDenormals flush;
         const auto start = std::chrono::steady_clock::now();
-        TileIntegrator integrator(scene, frame, queries, settings, points, judge, price);
+        TileIntegrator integrator(scene, frame, queries, settings, points, judge, {.least_gain = least_gain});
         GroupState state;
         for (std::size_t i = 0; i < tiles.size(); ++i) {
             throw_if_interrupted();
@@ -101,7 +102,7 @@ struct TraceWork {
     const PrimaryHits hits;  // what is hidden shows only once the whole picture is there
     const CauseJudge judge;
     const PointSets points;
-    double price = 0;  // of rays, see SamplePlan
+    double least_gain = 0;  // of rays, see SamplePlan
 };
 
 }  // namespace
@@ -172,13 +173,13 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
     if (settings.halves) throw internal_error("halves are traced one after the other");
     const TileGroups groups(frame.width(), frame.height());
     const std::vector<std::size_t> all_queries = numbers_up_to(queries.size());
-    const TileDevelopment development{queries.size(), all_queries, settings};
+    const ResolveRequest request{queries.size(), all_queries, settings};
     Truth truth = empty_truth(frame, queries, settings.extras);
     std::vector<std::size_t> kept, wanted;
     for (std::size_t g = 0; g < groups.count(); ++g) {
         (store != nullptr && store->has(g) ? kept : wanted).push_back(g);
     }
-    if (!kept.empty()) develop_kept(groups, kept, *store, frame, development, truth);
+    if (!kept.empty()) resolve_kept(groups, kept, *store, frame, request, truth);
 
     if (wanted.empty()) {
         count_samples(settings, truth);
@@ -196,7 +197,7 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
         const GroupState begun = store != nullptr ? store->begun(g) : GroupState{};
         const GroupState state = work.trace(groups.group(g), begun, group_rays);
         if (store != nullptr) store->keep(g, state);
-        develop_group(groups, g, state.tiles, frame, development, truth);
+        resolve_group(groups, g, state.tiles, frame, request, truth);
         rays += group_rays;
         progress.step();
     });

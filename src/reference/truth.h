@@ -98,7 +98,7 @@ struct TruthSettings {
     /// Pixels with nothing above their tangent plane within reach are proven open instead of traced.
     bool skip_open = true;
     /// Rays that reach far ask the scene's largest triangles before all others: the same bits, sooner.
-    bool ask_walls = true;
+    bool large_triangles_first = true;
 };
 
 /// The rays of a pixel are summed in no more than this many consecutive blocks, see block_size().

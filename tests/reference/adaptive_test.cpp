@@ -172,9 +172,9 @@ TEST(TracingToAMeanError, LeapsWhereDoublingWouldComeAnyway) {
     settings.samples = 64;
     settings.mean_error = 0.004;
     const SamplePlan plan(settings, 1e-5);
-    EXPECT_EQ(plan.next_of_tile(64, 64e-5), 64) << "pays no more than the price";
+    EXPECT_EQ(plan.next_of_tile(64, 64e-5), 64) << "gains no more than the least";
     EXPECT_EQ(plan.next_of_tile(64, 65e-5), 128);
-    EXPECT_EQ(plan.next_of_tile(64, 64 * 12e-5), 256) << "128 would pay more than 3 times the price";
+    EXPECT_EQ(plan.next_of_tile(64, 64 * 12e-5), 256) << "128 would gain more than 3 times the least";
     EXPECT_EQ(plan.double_for_tile(64, 64 * 12e-5), 128);
     EXPECT_EQ(plan.next_of_tile(plan.most(), 1), plan.most());
 }

@@ -3,7 +3,7 @@
 #include "core/sampling.h"
 #include "reference/integrator/tile.h"
 #include "reference/integrator/tile_store.h"
-#include "reference/integrator/truth_development.h"
+#include "reference/integrator/truth_resolve.h"
 
 #include <algorithm>
 
@@ -25,7 +25,7 @@ Truth RandomTiles::trace(const std::vector<TruthQuery>& queries, const TruthSett
     const std::vector<std::size_t> all = numbers_up_to(queries.size());
     Truth truth = empty_truth(frame_, queries, settings.extras);
     for (std::size_t i = 0; i < states.size(); ++i) {
-        develop_group(groups, groups_[i], states[i].tiles, frame_, {queries.size(), all, settings}, truth);
+        resolve_group(groups, groups_[i], states[i].tiles, frame_, {queries.size(), all, settings}, truth);
     }
     count_samples(settings, truth);
     return truth;

@@ -10,9 +10,9 @@ namespace aoscore {
 /// The part of the radius over which XeGTAO's falloff fades.
 inline constexpr double kXegtaoFade = 0.615;
 
-/// Darkenings are whole multiples of this: sums of as many as a pixel may have are exact in double precision,
+/// Occlusions are whole multiples of this: sums of as many as a pixel may have are exact in double precision,
 /// whatever the order and however many rounds they come in. No grey level in float32 shows it.
-inline constexpr double kDarkeningStep = 0x1p-16;
+inline constexpr double kOcclusionStep = 0x1p-16;
 
 /// The multiple of `step`, a power of two, next to `x`; |x| < 2^50 step.
 inline double in_steps(double x, double step) {
@@ -21,7 +21,7 @@ inline double in_steps(double x, double step) {
 }
 
 /// g(t) before rounding.
-inline double exact_darkening(const TruthQuery& query, double t) {
+inline double exact_occlusion(const TruthQuery& query, double t) {
     if (!(t <= query.radius_m) || std::isinf(t)) return 0;
     switch (query.falloff) {
         case Falloff::binary:
@@ -41,9 +41,9 @@ inline double exact_darkening(const TruthQuery& query, double t) {
 }
 
 /// g(t): how much a hit at distance `t` (>= 0, infinity for a miss) darkens, in [0,1], rounded to
-/// kDarkeningStep.
-inline double darkening(const TruthQuery& query, double t) {
-    return in_steps(exact_darkening(query, t), kDarkeningStep);
+/// kOcclusionStep.
+inline double occlusion_at(const TruthQuery& query, double t) {
+    return in_steps(exact_occlusion(query, t), kOcclusionStep);
 }
 
 }  // namespace aoscore

@@ -15,7 +15,7 @@ namespace aoscore {
 /// exact, whatever their order.
 struct OpenSums {
     static constexpr double kDirectionStep = 0x1p-20;
-    std::array<double, kBlocks> open{};           ///< 1 - g; multiples of kDarkeningStep
+    std::array<double, kBlocks> open{};           ///< 1 - g; multiples of kOcclusionStep
     std::array<glm::dvec3, kBlocks> direction{};  ///< of (1 - g) times the direction; of kDirectionStep
     bool operator==(const OpenSums&) const = default;
 };

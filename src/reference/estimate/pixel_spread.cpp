@@ -19,16 +19,16 @@ double squared(double x) {
 
 }  // namespace
 
-PixelSpread pixel_spread(std::span<const double> darkening_sums, int samples) {
+PixelSpread pixel_spread(std::span<const double> occlusion_sums, int samples) {
     double total = 0;
-    for (const double sum : darkening_sums) total += sum;
+    for (const double sum : occlusion_sums) total += sum;
     PixelSpread pixel;
     pixel.samples = samples;
     pixel.visibility = std::clamp(1 - total / samples, 0.0, 1.0);
     const int size = block_size(samples);
     std::array<double, kBlocks> means{};
     int count = samples / size;  // whole blocks
-    for (std::size_t b = 0; b < static_cast<std::size_t>(count); ++b) means[b] = darkening_sums[b] / size;
+    for (std::size_t b = 0; b < static_cast<std::size_t>(count); ++b) means[b] = occlusion_sums[b] / size;
     for (std::size_t l = 0; l < kLevels; ++l) {
         count /= 2;
         pixel.pairs[l] = count;

@@ -23,9 +23,9 @@ struct PixelSpread {
     bool agrees() const { return visibility == 0 || visibility == 1; }
 };
 
-/// The mean of `samples` rays whose darkenings add up, block by block of block_size(samples), to
-/// `darkening_sums`.
-PixelSpread pixel_spread(std::span<const double> darkening_sums, int samples);
+/// The mean of `samples` rays whose occlusions add up, block by block of block_size(samples), to
+/// `occlusion_sums`.
+PixelSpread pixel_spread(std::span<const double> occlusion_sums, int samples);
 
 /// The variance of the mean of one block as the pixel's own differences have it, where the mean of twice as
 /// many points, aligned, has `ratio` of the variance; 0 without pairs.

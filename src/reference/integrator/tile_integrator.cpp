@@ -43,27 +43,26 @@ RaySource ray_source(const SurfaceHit& hit, const TruthSettings& settings, std::
 
 TileIntegrator::TileIntegrator(const ReachableScene& scene, const CameraFrame& frame,
                                const std::vector<TruthQuery>& queries, const TruthSettings& settings,
-                               const PointSets& points, const CauseJudge& judge, double price,
-                               bool rung_by_rung)
+                               const PointSets& points, const CauseJudge& judge, const TileStop& stop)
     : scene_(scene.tracer),
       frame_(frame),
       queries_(queries),
       settings_(settings),
-      plan_(settings, price),
+      plan_(settings, stop.least_gain),
       observer_(scene.tracer, judge, queries[0], settings.extras),
-      tracer_(scene.tracer, queries, points, settings.ask_walls,
+      tracer_(scene.tracer, queries, points, settings.large_triangles_first,
               settings.extras.of_hits() ? &observer_ : nullptr),
       first_query_{queries[0]},
       open_directions_(first_query_[0]),
       open_tracer_(scene.tracer, first_query_, points, false, &open_directions_, RayDensity::uniform),
       open_space_(scene.tracer, scene.within_reach),
-      rung_by_rung_(rung_by_rung) {
+      step_by_step_(stop.step_by_step) {
     for (const TruthQuery& query : queries) reach_m_ = std::max(reach_m_, query.radius_m);
 }
 
 TileState TileIntegrator::trace(const Tile& tile, const TileState* begun) {
     TileState state;
-    rungs_.clear();
+    steps_.clear();
     find_surfaces(tile, state);
     list_traced();
     state.samples.assign(state.surfaces(), 0);
@@ -181,9 +180,9 @@ void TileIntegrator::trace_by_tile() {
                 sum += e.standard_error;
             error_sum = std::max(error_sum, sum);
         }
-        rungs_.push_back({samples, error_sum});
+        steps_.push_back({samples, error_sum});
         const double mean_error = error_sum / pixels;
-        next = rung_by_rung_ ? plan_.double_for_tile(samples, mean_error)
+        next = step_by_step_ ? plan_.double_for_tile(samples, mean_error)
                              : plan_.next_of_tile(samples, mean_error);
     }
 }

@@ -18,7 +18,7 @@ TileLawRules law_rules(const TruthQuery& query, const TruthSettings& settings) {
     return {settings.max_error > 0 && plan.first() < plan.most(), query.falloff == Falloff::binary};
 }
 
-void develop_open(std::size_t pixel, Truth& truth) {
+void resolve_open(std::size_t pixel, Truth& truth) {
     for (ImageF& error : truth.standard_error) error.pixels[pixel] = kProvenError;
     if (truth.bent_normal.empty()) return;
     truth.bent_normal.pixels[pixel] = 0.5f * truth.hits.normal.pixels[pixel];
@@ -26,7 +26,7 @@ void develop_open(std::size_t pixel, Truth& truth) {
     truth.bent_error_rad.pixels[pixel] = truth.cone_error_rad.pixels[pixel] = kProvenError;
 }
 
-void develop_extras(const HitObserver::Sums& sums, double samples, std::size_t pixel, Truth& truth) {
+void resolve_extras(const HitObserver::Sums& sums, double samples, std::size_t pixel, Truth& truth) {
     for (std::size_t c = 0; c < kCauses; ++c) {
         if (truth.occlusion_by_cause[c].empty()) continue;
         truth.occlusion_by_cause[c].pixels[pixel] = static_cast<float>(sums.by_cause[c] / samples);
@@ -36,7 +36,7 @@ void develop_extras(const HitObserver::Sums& sums, double samples, std::size_t p
     }
 }
 
-void develop_cones(const std::vector<OpenCone>& cones, const std::vector<std::size_t>& pixels,
+void resolve_cones(const std::vector<OpenCone>& cones, const std::vector<std::size_t>& pixels,
                    const CameraFrame& frame, Truth& truth) {
     const glm::dmat3 view_from_world(frame.view_from_world());
     for (std::size_t i = 0; i < cones.size(); ++i) {
@@ -70,8 +70,8 @@ std::vector<Estimate> stated_estimates(std::span<const int> samples, const Truth
     return all;
 }
 
-void develop(const Tile& tile, const TileState& state, const CameraFrame& frame,
-             const TileDevelopment& development, Truth& truth) {
+void resolve_tile(const Tile& tile, const TileState& state, const CameraFrame& frame,
+                  const ResolveRequest& request, Truth& truth) {
     const int columns = tile.x1 - tile.x0;
     std::vector<std::size_t> traced, pixels;
     std::vector<int> samples;
@@ -83,26 +83,25 @@ void develop(const Tile& tile, const TileState& state, const CameraFrame& frame,
         truth.hits.normal.pixels[pixel] = state.normals[s];
         truth.sample_counts.pixels[pixel] = state.samples[s];
         if (state.samples[s] == 0) {
-            develop_open(pixel, truth);
+            resolve_open(pixel, truth);
             continue;
         }
         traced.push_back(s);
         pixels.push_back(pixel);
         samples.push_back(static_cast<int>(state.samples[s]));
         if (!state.extras.empty())
-            develop_extras(state.extras[s], static_cast<double>(state.samples[s]), pixel, truth);
+            resolve_extras(state.extras[s], static_cast<double>(state.samples[s]), pixel, truth);
     }
     if (!truth.bent_normal.empty()) {
         std::vector<OpenSums> open_sums;
         for (const std::size_t t : traced) open_sums.push_back(state.open_sums[t]);
-        develop_cones(open_cones(open_sums, samples, law_rules(truth.queries.front(), development.settings)),
+        resolve_cones(open_cones(open_sums, samples, law_rules(truth.queries.front(), request.settings)),
                       pixels, frame, truth);
     }
-    for (std::size_t q = 0; q < development.which.size(); ++q) {
-        const std::vector<Estimate> all =
-            stated_estimates(samples, truth.queries[q], development.settings, [&](std::size_t i) {
-                return state.sums_of(development.which[q], development.queries, traced[i]);
-            });
+    for (std::size_t q = 0; q < request.which.size(); ++q) {
+        const std::vector<Estimate> all = stated_estimates(
+            samples, truth.queries[q], request.settings,
+            [&](std::size_t i) { return state.sums_of(request.which[q], request.queries, traced[i]); });
         for (std::size_t i = 0; i < traced.size(); ++i) {
             truth.visibility[q].pixels[pixels[i]] = static_cast<float>(all[i].visibility);
             truth.standard_error[q].pixels[pixels[i]] = static_cast<float>(all[i].standard_error);

@@ -14,14 +14,14 @@
 namespace aoscore {
 
 /// Everything that was traced of one tile: its pixels of a truth follow from it without a ray, and more rays
-/// can be added to it. All sums are exact (see kDarkeningStep), so that it does not matter in how many rounds
+/// can be added to it. All sums are exact (see kOcclusionStep), so that it does not matter in how many rounds
 /// they came together.
 struct TileState {
     std::vector<std::uint16_t> places;   ///< of the tile's pixels with a surface, counted row by row
     std::vector<float> depths_m;         ///< of those surfaces, as in PrimaryHits
     std::vector<glm::vec3> normals;      ///< of those surfaces, as in PrimaryHits
     std::vector<std::uint32_t> samples;  ///< rays of those surfaces; 0: proven open
-    /// Darkening by query, then surface, then as TileTracer::sums() has it; multiples of kDarkeningStep.
+    /// Occlusion by query, then surface, then as TileTracer::sums() has it; multiples of kOcclusionStep.
     std::vector<double> sums;
     std::vector<HitObserver::Sums> extras;  ///< of those surfaces; empty unless TruthExtras asks for some
     std::vector<OpenSums> open_sums;        ///< of those surfaces; empty unless bent normals are asked for
@@ -38,14 +38,14 @@ std::vector<Estimate> stated_estimates(std::span<const int> samples, const Truth
                                        const std::function<std::span<const double>(std::size_t)>& sums);
 
 /// What a tile was traced for, and which of its queries are wanted: truth.queries[i] is number which[i].
-struct TileDevelopment {
+struct ResolveRequest {
     std::size_t queries;
     std::span<const std::size_t> which;
     const TruthSettings& settings;
 };
 
 /// Fills the tile's pixels of all images that `truth` has.
-void develop(const Tile& tile, const TileState& state, const CameraFrame& frame,
-             const TileDevelopment& development, Truth& truth);
+void resolve_tile(const Tile& tile, const TileState& state, const CameraFrame& frame,
+                  const ResolveRequest& request, Truth& truth);
 
 }  // namespace aoscore

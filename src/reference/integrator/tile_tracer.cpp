@@ -13,8 +13,8 @@ namespace {
 /// Rays held at once: their directions and order stay in the second-level cache.
 constexpr std::size_t kBatchRays = 16384;
 
-/// Walls are not tried by rays that reach less far, in diagonals of the scene.
-constexpr double kLeastReachForWalls = 0.1;
+/// LargeTriangles are not tried by rays that reach less far, in diagonals of the scene.
+constexpr double kLeastReachForLargeTriangles = 0.1;
 
 /// Where rays start, by owner.
 struct Origins {
@@ -48,7 +48,8 @@ inline std::uint32_t lanes_below(std::size_t count) {
 }  // namespace
 
 TileTracer::TileTracer(const RayTracer& scene, const std::vector<TruthQuery>& queries,
-                       const PointSets& points, bool ask_walls, RayObserver* observer, RayDensity density)
+                       const PointSets& points, bool large_triangles_first, RayObserver* observer,
+                       RayDensity density)
     : scene_(scene),
       queries_(queries),
       observer_(observer),
@@ -59,8 +60,8 @@ TileTracer::TileTracer(const RayTracer& scene, const std::vector<TruthQuery>& qu
     reach_m_ = static_cast<float>(reach);
     // A hit between a radius and its float32 value is judged by the radius itself.
     if (!only_occlusion_) reach_m_ = std::nextafter(reach_m_, std::numeric_limits<float>::infinity());
-    if (ask_walls && only_occlusion_ && reach > kLeastReachForWalls * scene.diagonal_m())
-        walls_ = scene.walls();
+    if (large_triangles_first && only_occlusion_ && reach > kLeastReachForLargeTriangles * scene.diagonal_m())
+        large_triangles_ = scene.large_triangles();
 }
 
 void TileTracer::start(std::vector<RaySource> sources) {
@@ -125,8 +126,8 @@ void TileTracer::merge_blocks(std::size_t source, int before, int after) {
 
 void TileTracer::trace_occlusion() {
     std::fill(blocked_.begin(), blocked_.end(), 0u);
-    if (walls_ != nullptr && habit_.worth_it()) {
-        trace_after_walls();
+    if (large_triangles_ != nullptr && predictor_.worth_it()) {
+        trace_after_large_triangles();
     } else {
         ask(scene_, batch_.sorted(), batch_.size(), Lanes::blocked,
             [&](const DirectedRay& ray) { ++blocked_[ray.owner]; });
@@ -134,12 +135,12 @@ void TileTracer::trace_occlusion() {
     for (std::size_t i = 0; i < blocked_.size(); ++i) sums_[i] += blocked_[i];
 }
 
-void TileTracer::trace_after_walls() {
+void TileTracer::trace_after_large_triangles() {
     passed_.clear();
-    ask(*walls_, batch_.sorted(), batch_.size(), Lanes::open,
+    ask(*large_triangles_, batch_.sorted(), batch_.size(), Lanes::open,
         [&](const DirectedRay& ray) { passed_.push_back(ray); });
     const std::size_t passed = passed_.size();
-    habit_.learn(batch_.size(), batch_.size() - passed);
+    predictor_.learn(batch_.size(), batch_.size() - passed);
     for (std::size_t owner = 0; owner < blocked_.size(); ++owner) blocked_[owner] = batch_.rays_of(owner);
     passed_.resize(passed + kPacket, passed > 0 ? passed_.back() : DirectedRay{});
     ask(scene_, passed_.data(), passed, Lanes::open, [&](const DirectedRay& ray) { --blocked_[ray.owner]; });
@@ -176,7 +177,7 @@ void TileTracer::trace_distance() {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
             const double t = hits.distance_m[lane];
             for (std::size_t q = 0; q < queries_.size(); ++q) {
-                sums_[q * blocked_.size() + owner[lane]] += darkening(queries_[q], t);
+                sums_[q * blocked_.size() + owner[lane]] += occlusion_at(queries_[q], t);
             }
         }
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reference/integrator/wall_habit.h"
+#include "reference/integrator/early_out_predictor.h"
 #include "reference/tracer/ray_batch.h"
 #include "reference/tracer/ray_observer.h"
 #include "reference/tracer/ray_tracer.h"
@@ -17,12 +17,13 @@ struct SampleRange {
     int first, last;
 };
 
-/// Sums of darkening over the rays of the pixels of one tile.
+/// Sums of occlusion over the rays of the pixels of one tile.
 class TileTracer {
   public:
-    /// `observer` may be null; else it is told of every ray. `ask_walls` as TruthSettings has it.
+    /// `observer` may be null; else it is told of every ray. `large_triangles_first` as TruthSettings has it.
     TileTracer(const RayTracer& scene, const std::vector<TruthQuery>& queries, const PointSets& points,
-               bool ask_walls, RayObserver* observer = nullptr, RayDensity density = RayDensity::cosine);
+               bool large_triangles_first, RayObserver* observer = nullptr,
+               RayDensity density = RayDensity::cosine);
 
     /// Begins with these pixels and sums of zero.
     void start(std::vector<RaySource> sources);
@@ -33,7 +34,7 @@ class TileTracer {
     /// Traces these samples, one range a source, each where the last one ended, and adds to the sums.
     void trace(std::span<const SampleRange> ranges);
 
-    /// Darkening summed by blocks of block_size() of the samples traced so far: kBlocks values.
+    /// Occlusion summed by blocks of block_size() of the samples traced so far: kBlocks values.
     std::span<const double> sums(std::size_t source, std::size_t query) const {
         return {&sums_[(query * sources_.size() + source) * kBlocks], kBlocks};
     }
@@ -43,7 +44,7 @@ class TileTracer {
     /// Sums by blocks of `before` samples become sums by blocks of `after` samples, a multiple.
     void merge_blocks(std::size_t source, int before, int after);
     void trace_occlusion();
-    void trace_after_walls();
+    void trace_after_large_triangles();
     enum class Lanes { open, blocked };
     /// Traces packets of `count` rays, kPacket more of which may be read, and reports those that are open, or
     /// those that are blocked, in their order.
@@ -62,10 +63,10 @@ class TileTracer {
     std::vector<RaySource> sources_;
     std::vector<float> origin_x_, origin_y_, origin_z_;  // by owner, as packets name them
     RayBatch batch_;
-    std::vector<std::uint32_t> blocked_;  // by owner
-    const Occluders* walls_ = nullptr;    // asked first, where it may pay
-    WallHabit habit_;
-    std::vector<DirectedRay> passed_;  // the walls
+    std::vector<std::uint32_t> blocked_;          // by owner
+    const Occluders* large_triangles_ = nullptr;  // asked first, where it may pay
+    EarlyOutPredictor predictor_;
+    std::vector<DirectedRay> passed_;  // the largest triangles
     std::vector<double> sums_;         // by query, then owner
     std::uint64_t rays_ = 0;
 };

@@ -15,67 +15,67 @@ constexpr std::size_t kLeastTiles = 256;
 /// Error falls about as N^-3/4.
 constexpr double kSamplesPerError = 4.0 / 3;
 
-/// Prices at which a tile leaves its rungs, highest first.
-double price_of(const Rung& rung, const Ladder& ladder) {
-    return rung.error_sum / static_cast<double>(ladder.traced) / rung.samples;
+/// What another ray a pixel gains at a step; it falls from step to step.
+double gain_of(const ErrorStep& step, const TileConvergence& convergence) {
+    return step.error_sum / static_cast<double>(convergence.traced) / step.samples;
 }
 
-/// Of the rung that a tile stops at.
-double error_sum_at(const Ladder& ladder, double price) {
-    for (const Rung& rung : ladder.rungs) {
-        if (price_of(rung, ladder) <= price) return rung.error_sum;
+/// The sum at the step where a tile stops.
+double error_sum_at(const TileConvergence& convergence, double least_gain) {
+    for (const ErrorStep& step : convergence.steps) {
+        if (gain_of(step, convergence) <= least_gain) return step.error_sum;
     }
-    return ladder.rungs.empty() ? 0 : ladder.rungs.back().error_sum;
+    return convergence.steps.empty() ? 0 : convergence.steps.back().error_sum;
 }
 
-double mean_error_at(const std::vector<Ladder>& ladders, double price) {
+double mean_error_at(const std::vector<TileConvergence>& convergences, double least_gain) {
     double sum = 0, surfaces = 0;
-    for (const Ladder& ladder : ladders) {
-        sum += error_sum_at(ladder, price);
-        surfaces += static_cast<double>(ladder.surfaces);
+    for (const TileConvergence& convergence : convergences) {
+        sum += error_sum_at(convergence, least_gain);
+        surfaces += static_cast<double>(convergence.surfaces);
     }
     return surfaces > 0 ? sum / surfaces : 0;
 }
 
-/// The highest price, among those at which some tile stops earlier, that is low enough.
-double highest_price(const std::vector<Ladder>& ladders, double mean_error) {
-    std::vector<double> prices;
-    for (const Ladder& ladder : ladders) {
-        for (const Rung& rung : ladder.rungs) prices.push_back(price_of(rung, ladder));
+/// The highest gain, among those at which some tile stops earlier, that is low enough.
+double highest_gain(const std::vector<TileConvergence>& convergences, double mean_error) {
+    std::vector<double> gains;
+    for (const TileConvergence& convergence : convergences) {
+        for (const ErrorStep& step : convergence.steps) gains.push_back(gain_of(step, convergence));
     }
-    std::sort(prices.begin(), prices.end());
-    const auto too_high = std::partition_point(prices.begin(), prices.end(), [&](double price) {
-        return mean_error_at(ladders, price) <= mean_error;
+    std::sort(gains.begin(), gains.end());
+    const auto too_high = std::partition_point(gains.begin(), gains.end(), [&](double least_gain) {
+        return mean_error_at(convergences, least_gain) <= mean_error;
     });
-    return too_high == prices.begin() ? 0 : *(too_high - 1);
+    return too_high == gains.begin() ? 0 : *(too_high - 1);
 }
 
 }  // namespace
 
-double price_for_mean_error(double mean_error, int width, int height, const Climb& climb) {
+double gain_for_mean_error(double mean_error, int width, int height, const TraceTileTo& trace_to) {
     const auto part =
         static_cast<std::size_t>(kPilotPart * static_cast<double>(tiles_of(width, height).size()));
     const std::vector<Tile> tiles = random_tiles(width, height, std::max(part, kLeastTiles));
-    std::vector<Ladder> ladders(tiles.size());
-    const auto climb_all = [&](double price) {
-        parallel_for(tiles.size(), [&](std::size_t i) { ladders[i] = climb(tiles[i], price); });
-        return mean_error_at(ladders, price);
+    std::vector<TileConvergence> convergences(tiles.size());
+    const auto trace_all_to = [&](double least_gain) {
+        parallel_for(tiles.size(), [&](std::size_t i) { convergences[i] = trace_to(tiles[i], least_gain); });
+        return mean_error_at(convergences, least_gain);
     };
-    double price = std::numeric_limits<double>::infinity();
-    const double first_error = climb_all(price);
-    if (first_error <= mean_error) return price;
+    double least_gain = std::numeric_limits<double>::infinity();
+    const double first_error = trace_all_to(least_gain);
+    if (first_error <= mean_error) return least_gain;
     int first = 0;
-    for (const Ladder& ladder : ladders) {
-        if (!ladder.rungs.empty()) first = ladder.rungs.front().samples;
+    for (const TileConvergence& convergence : convergences) {
+        if (!convergence.steps.empty()) first = convergence.steps.front().samples;
     }
-    // By the law of the error, and a little lower, so that the price lies within what is climbed.
-    price = mean_error / (first * std::pow(first_error / mean_error, kSamplesPerError)) / 2;
-    for (int round = 0; climb_all(price) > mean_error; ++round) {
+    // By the law of the error, and a little lower, so that the gain lies within what is traced.
+    least_gain = mean_error / (first * std::pow(first_error / mean_error, kSamplesPerError)) / 2;
+    for (int round = 0; trace_all_to(least_gain) > mean_error; ++round) {
         constexpr int kMostRounds = 24;  // a tile that has all the rays there are errs as it does
-        if (round == kMostRounds) return price;
-        price /= 2;
+        if (round == kMostRounds) return least_gain;
+        least_gain /= 2;
     }
-    return highest_price(ladders, mean_error);
+    return highest_gain(convergences, mean_error);
 }
 
 }  // namespace aoscore

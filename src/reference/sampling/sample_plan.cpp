@@ -35,9 +35,9 @@ constexpr double kMostGrowth = 4;
 
 }  // namespace
 
-SamplePlan::SamplePlan(const TruthSettings& settings, double price)
+SamplePlan::SamplePlan(const TruthSettings& settings, double least_gain)
     : max_error_(settings.max_error),
-      price_(price),
+      least_gain_(least_gain),
       by_tile_(settings.mean_error > 0),
       first_(settings.samples),
       most_(settings.samples) {
@@ -52,14 +52,14 @@ SamplePlan::SamplePlan(const TruthSettings& settings, double price)
 }
 
 int SamplePlan::double_for_tile(int samples, double mean_error) const {
-    return samples < most_ && mean_error / samples > price_ ? 2 * samples : samples;
+    return samples < most_ && mean_error / samples > least_gain_ ? 2 * samples : samples;
 }
 
 int SamplePlan::next_of_tile(int samples, double mean_error) const {
     int next = double_for_tile(samples, mean_error);
-    // What is paid falls as N^-7/4. All of them leave at an infinite price, none at 0.
-    if (next == samples || price_ <= 0) return next;
-    const double wanted = samples * std::pow(mean_error / samples / price_, 4.0 / 7);
+    // The gain of a ray falls as N^-7/4. All tiles stop at an infinite least gain, none at 0.
+    if (next == samples || least_gain_ <= 0) return next;
+    const double wanted = samples * std::pow(mean_error / samples / least_gain_, 4.0 / 7);
     while (2.0 * next <= wanted && next < most_) next *= 2;
     return next;
 }

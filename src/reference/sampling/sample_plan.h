@@ -11,9 +11,9 @@ inline constexpr int kFewestToTellError = 16;
 /// How many rays pixels get, round by round.
 class SamplePlan {
   public:
-    /// `price`: where a mean error is asked for, tiles go on while one more ray for each of their pixels
+    /// `least_gain`: where a mean error is asked for, tiles go on while one more ray for each of their pixels
     /// would lower their mean standard error by more than about this. Lowest where every tile pays the same.
-    explicit SamplePlan(const TruthSettings& settings, double price = 0);
+    explicit SamplePlan(const TruthSettings& settings, double least_gain = 0);
 
     /// Rays of the first round.
     int first() const { return first_; }
@@ -33,7 +33,7 @@ class SamplePlan {
 
   private:
     double max_error_;
-    double price_;
+    double least_gain_;
     bool by_tile_;
     int first_;
     int most_;

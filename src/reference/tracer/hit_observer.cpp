@@ -37,7 +37,7 @@ Cause CauseJudge::judge(const glm::dvec3& position, const glm::dvec3& normal) co
 }
 
 double HitObserver::first_visible(const ObservedRay& ray, Cause nearest) const {
-    if (nearest == Cause::visible) return darkening(query_, ray.distance_m);
+    if (nearest == Cause::visible) return occlusion_at(query_, ray.distance_m);
     TraceRay rest{ray.origin, ray.direction, 0, static_cast<float>(query_.radius_m)};
     TraceHit next{static_cast<float>(ray.distance_m)};
     for (int layer = 0; layer < kMostLayers; ++layer) {
@@ -45,14 +45,14 @@ double HitObserver::first_visible(const ObservedRay& ray, Cause nearest) const {
         if (!scene_.nearest(rest, next)) return 0;
         const glm::dvec3 position =
             glm::dvec3(ray.origin) + static_cast<double>(next.distance_m) * glm::dvec3(ray.direction);
-        if (judge_.judge(position, next.normal) == Cause::visible) return darkening(query_, next.distance_m);
+        if (judge_.judge(position, next.normal) == Cause::visible) return occlusion_at(query_, next.distance_m);
     }
     return 0;
 }
 
 void HitObserver::observe(std::size_t source, const ObservedRay& ray) {
     Sums& sums = sums_[source];
-    const double dark = ray.hit ? darkening(query_, ray.distance_m) : 0;
+    const double dark = ray.hit ? occlusion_at(query_, ray.distance_m) : 0;
     if (dark <= 0) return;
     const Cause cause =
         judge_.judge(glm::dvec3(ray.origin) + ray.distance_m * glm::dvec3(ray.direction), ray.normal);

@@ -68,7 +68,7 @@ class RayTracer : public Occluders {
 
     /// The scene's largest triangles by themselves, which are quicker to ask and block most far rays; null
     /// where it would not pay. Built when first asked for.
-    virtual const Occluders* walls() const = 0;
+    virtual const Occluders* large_triangles() const = 0;
 
     /// All triangles within `radius_m` (infinity allowed) of a point of trace space, of the instances that
     /// are `counted` (one flag an instance of the scene); false when there are more than `limit` of them,

@@ -101,16 +101,16 @@ class PlaneReader {
 std::vector<std::uint64_t> integers(const std::vector<HitObserver::Sums>& extras) {
     std::vector<std::uint64_t> values;
     for (std::size_t c = 0; c < kCauses; ++c) {
-        for (const auto& sums : extras) values.push_back(steps_of(sums.by_cause[c], kDarkeningStep));
+        for (const auto& sums : extras) values.push_back(steps_of(sums.by_cause[c], kOcclusionStep));
     }
-    for (const auto& sums : extras) values.push_back(steps_of(sums.one_layer, kDarkeningStep));
+    for (const auto& sums : extras) values.push_back(steps_of(sums.one_layer, kOcclusionStep));
     return values;
 }
 
 std::vector<std::uint64_t> integers(const std::vector<OpenSums>& all) {
     std::vector<std::uint64_t> values;
     for (std::size_t b = 0; b < kBlocks; ++b) {
-        for (const OpenSums& sums : all) values.push_back(steps_of(sums.open[b], kDarkeningStep));
+        for (const OpenSums& sums : all) values.push_back(steps_of(sums.open[b], kOcclusionStep));
         for (int axis = 0; axis < 3; ++axis) {
             for (const OpenSums& sums : all)
                 values.push_back(steps_of(sums.direction[b][axis], OpenSums::kDirectionStep));
@@ -124,7 +124,7 @@ std::vector<OpenSums> open_sums_of(const std::vector<std::uint64_t>& values) {
     std::vector<OpenSums> all(values.size() / (kRows * kBlocks));
     auto next = values.begin();
     for (std::size_t b = 0; b < kBlocks; ++b) {
-        for (OpenSums& sums : all) sums.open[b] = value_of(*next++, kDarkeningStep);
+        for (OpenSums& sums : all) sums.open[b] = value_of(*next++, kOcclusionStep);
         for (int axis = 0; axis < 3; ++axis) {
             for (OpenSums& sums : all) sums.direction[b][axis] = value_of(*next++, OpenSums::kDirectionStep);
         }
@@ -137,8 +137,8 @@ std::vector<HitObserver::Sums> extras_of(const std::vector<std::uint64_t>& value
     const std::size_t count = extras.size();
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t c = 0; c < kCauses; ++c)
-            extras[i].by_cause[c] = value_of(values[c * count + i], kDarkeningStep);
-        extras[i].one_layer = value_of(values[kCauses * count + i], kDarkeningStep);
+            extras[i].by_cause[c] = value_of(values[c * count + i], kOcclusionStep);
+        extras[i].one_layer = value_of(values[kCauses * count + i], kOcclusionStep);
     }
     return extras;
 }
@@ -189,7 +189,7 @@ std::string encode(const GroupState& state) {
         out.planes(tile.samples);
         std::vector<std::uint64_t> sums;
         sums.reserve(tile.sums.size());
-        for (const double sum : tile.sums) sums.push_back(steps_of(sum, kDarkeningStep));
+        for (const double sum : tile.sums) sums.push_back(steps_of(sum, kOcclusionStep));
         out.planes(sums);
         out.planes(integers(tile.extras));
         out.planes(integers(tile.open_sums));
@@ -217,7 +217,7 @@ GroupState decode(std::string_view bytes, const std::string& where) {
         for (std::size_t s = 0; s < surfaces; ++s)
             tile.normals.emplace_back(normals[s], normals[surfaces + s], normals[2 * surfaces + s]);
         for (const std::uint64_t sum : in.planes<std::uint64_t>())
-            tile.sums.push_back(value_of(sum, kDarkeningStep));
+            tile.sums.push_back(value_of(sum, kOcclusionStep));
         tile.extras = extras_of(in.planes<std::uint64_t>());
         tile.open_sums = open_sums_of(in.planes<std::uint64_t>());
     }

@@ -231,13 +231,13 @@ std::vector<TraceTriangle> EmbreeScene::largest_triangles(std::size_t count) con
     return largest;
 }
 
-const Occluders* EmbreeScene::walls() const {
+const Occluders* EmbreeScene::large_triangles() const {
     std::call_once(walls_asked_for_, [&] {
-        if (triangle_count_ < Walls::kLeastSceneTriangles) return;
-        const std::vector<TraceTriangle> largest = largest_triangles(Walls::kTriangles);
-        if (!largest.empty()) walls_.emplace(device_.get(), largest, !has_instances_);
+        if (triangle_count_ < LargeTriangles::kLeastSceneTriangles) return;
+        const std::vector<TraceTriangle> largest = largest_triangles(LargeTriangles::kTriangles);
+        if (!largest.empty()) large_triangles_.emplace(device_.get(), largest, !has_instances_);
     });
-    return walls_ ? &*walls_ : nullptr;
+    return large_triangles_ ? &*large_triangles_ : nullptr;
 }
 
 bool EmbreeScene::triangles_near(const glm::dvec3& centre, double radius_m, std::size_t limit,

@@ -2,7 +2,7 @@
 
 #include "reference/tracer/embree/embree_handles.h"
 #include "reference/tracer/embree/embree_packets.h"
-#include "reference/tracer/embree/walls.h"
+#include "reference/tracer/embree/large_triangles.h"
 #include "reference/tracer/ray_tracer.h"
 #include "scene/scene.h"
 
@@ -47,7 +47,7 @@ class EmbreeScene final : public RayTracer {
     std::uint32_t occluded(const RayPacket& packet, std::size_t lanes) const override;
     std::uint32_t nearest(const RayPacket& packet, std::size_t lanes, HitPacket& hits) const override;
     glm::dvec3 normal(const HitPacket& hits, std::size_t lane) const override;
-    const Occluders* walls() const override;
+    const Occluders* large_triangles() const override;
     bool triangles_near(const glm::dvec3& centre, double radius_m, std::size_t limit,
                         const std::vector<char>& counted,
                         std::vector<TraceTriangle>& triangles) const override;
@@ -95,7 +95,7 @@ class EmbreeScene final : public RayTracer {
     std::size_t triangle_count_ = 0;
     bool has_instances_ = false;  // beside what is baked, wanted or not
     mutable std::once_flag walls_asked_for_;
-    mutable std::optional<Walls> walls_;
+    mutable std::optional<LargeTriangles> large_triangles_;
 };
 
 }  // namespace aoscore

@@ -12,7 +12,7 @@ namespace aoscore {
 /// The few largest triangles of a scene in a tree of their own. What blocks a ray there blocks it in the
 /// whole scene, whose tree then need not be walked: of far-reaching rays in rooms and courts most end at
 /// walls, floors and vaults, and a tree of a few hundred triangles stays in the nearest cache.
-class Walls final : public Occluders {
+class LargeTriangles final : public Occluders {
   public:
     /// So many of them.
     static constexpr std::size_t kTriangles = 256;
@@ -22,7 +22,7 @@ class Walls final : public Occluders {
     /// Of triangles whose corners are float32 values, the very ones that the whole scene has: the same ray
     /// then meets the same triangle in both. Throws internal_error.
     /// `coherent`: as packets are traced in the whole scene.
-    Walls(RTCDevice device, std::span<const TraceTriangle> triangles, bool coherent);
+    LargeTriangles(RTCDevice device, std::span<const TraceTriangle> triangles, bool coherent);
 
     std::uint32_t occluded(const RayPacket& packet, std::size_t lanes) const override {
         return occluded_in(scene_.get(), context_of_packets(coherent_), packet, lanes);

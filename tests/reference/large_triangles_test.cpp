@@ -1,4 +1,4 @@
-#include "reference/integrator/wall_habit.h"
+#include "reference/integrator/early_out_predictor.h"
 #include "reference/test_scenes.h"
 #include "reference/tracer/ray_tracer.h"
 #include "reference/truth.h"
@@ -22,8 +22,8 @@ TEST_P(FarRays, ThatAskWallsFirstGiveTheSameBits) {
             TruthSettings settings;
             settings.samples = 64;
             const std::vector<TruthQuery> query = {{Falloff::binary, radius_m, 0}};
-            const Truth asked = reference.trace(frame, query, settings, "walls first");
-            settings.ask_walls = false;
+            const Truth asked = reference.trace(frame, query, settings, "largest triangles first");
+            settings.large_triangles_first = false;
             const Truth not_asked = reference.trace(frame, query, settings, "whole scene");
             EXPECT_EQ(asked.visibility[0].pixels, not_asked.visibility[0].pixels) << view.id << radius_m;
             EXPECT_EQ(asked.standard_error[0].pixels, not_asked.standard_error[0].pixels)
@@ -36,17 +36,17 @@ INSTANTIATE_TEST_SUITE_P(Scenes, FarRays, ::testing::Values("atrium", "cathedral
                          [](const auto& tested) { return tested.param; });
 
 TEST(FarRays, FindWallsOnlyInScenesWithManyMoreTriangles) {
-    EXPECT_NE(new_ray_tracer(load_scene("atrium"), {})->walls(), nullptr);
-    EXPECT_EQ(new_ray_tracer(testing::still_life(), {})->walls(), nullptr);
+    EXPECT_NE(new_ray_tracer(load_scene("atrium"), {})->large_triangles(), nullptr);
+    EXPECT_EQ(new_ray_tracer(testing::still_life(), {})->large_triangles(), nullptr);
 }
 
 TEST(FarRays, StopAskingWallsThatTheyPass) {
-    WallHabit habit;
-    EXPECT_TRUE(habit.worth_it()) << "nothing is known yet";
-    habit.learn(1000, 950);
-    EXPECT_TRUE(habit.worth_it());
-    habit.learn(1000, 100);
-    EXPECT_FALSE(habit.worth_it());
+    EarlyOutPredictor predictor;
+    EXPECT_TRUE(predictor_.worth_it()) << "nothing is known yet";
+    predictor_.learn(1000, 950);
+    EXPECT_TRUE(predictor_.worth_it());
+    predictor_.learn(1000, 100);
+    EXPECT_FALSE(predictor_.worth_it());
 }
 
 }  // namespace

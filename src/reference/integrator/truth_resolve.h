@@ -23,12 +23,12 @@ void count_samples(const TruthSettings& settings, Truth& truth);
 /// 0, 1, ..., count - 1.
 std::vector<std::size_t> numbers_up_to(std::size_t count);
 
-/// Develops all tiles of group number `g`.
-void develop_group(const TileGroups& groups, std::size_t g, const std::vector<TileState>& tiles,
-                   const CameraFrame& frame, const TileDevelopment& development, Truth& truth);
+/// Resolves all tiles of group number `g`.
+void resolve_group(const TileGroups& groups, std::size_t g, const std::vector<TileState>& tiles,
+                   const CameraFrame& frame, const ResolveRequest& request, Truth& truth);
 
-/// Develops those groups that are kept; their seconds, divided among the threads, are added to the truth's.
-void develop_kept(const TileGroups& groups, const std::vector<std::size_t>& kept, const TileStore& store,
-                  const CameraFrame& frame, const TileDevelopment& development, Truth& truth);
+/// Resolves those groups that are kept; their seconds, divided among the threads, are added to the truth's.
+void resolve_kept(const TileGroups& groups, const std::vector<std::size_t>& kept, const TileStore& store,
+                  const CameraFrame& frame, const ResolveRequest& request, Truth& truth);
 
 }  // namespace aoscore

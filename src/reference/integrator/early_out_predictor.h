@@ -4,8 +4,8 @@
 
 namespace aoscore {
 
-/// Whether it pays to ask walls first, learnt from the rays that were asked. Answers never change a result.
-class WallHabit {
+/// Predicts from earlier rays whether it pays to try the largest triangles first. It never changes a result.
+class EarlyOutPredictor {
   public:
     bool worth_it() const {
         return kLeastPart * static_cast<double>(asked_) <= static_cast<double>(blocked_);
@@ -16,8 +16,8 @@ class WallHabit {
     }
 
   private:
-    /// Walls take half the time of the whole scene, and rays that pass them lie apart from each other, so
-    /// that they take three times as long as in full packets.
+    /// LargeTriangles take half the time of the whole scene, and rays that pass them lie apart from each
+    /// other, so that they take three times as long as in full packets.
     static constexpr double kLeastPart = 0.8;
     std::size_t asked_ = 0, blocked_ = 0;
 };

@@ -1,4 +1,4 @@
-#include "reference/integrator/truth_development.h"
+#include "reference/integrator/truth_resolve.h"
 
 #include "core/interrupt.h"
 #include "core/threads.h"
@@ -59,20 +59,20 @@ std::vector<std::size_t> numbers_up_to(std::size_t count) {
     return numbers;
 }
 
-void develop_group(const TileGroups& groups, std::size_t g, const std::vector<TileState>& tiles,
-                   const CameraFrame& frame, const TileDevelopment& development, Truth& truth) {
+void resolve_group(const TileGroups& groups, std::size_t g, const std::vector<TileState>& tiles,
+                   const CameraFrame& frame, const ResolveRequest& request, Truth& truth) {
     for (std::size_t i = 0; i < groups.group(g).size(); ++i) {
-        develop(groups.group(g)[i], tiles[i], frame, development, truth);
+        resolve_tile(groups.group(g)[i], tiles[i], frame, request, truth);
     }
 }
 
-void develop_kept(const TileGroups& groups, const std::vector<std::size_t>& kept, const TileStore& store,
-                  const CameraFrame& frame, const TileDevelopment& development, Truth& truth) {
+void resolve_kept(const TileGroups& groups, const std::vector<std::size_t>& kept, const TileStore& store,
+                  const CameraFrame& frame, const ResolveRequest& request, Truth& truth) {
     std::atomic<double> seconds{0};
     parallel_for(kept.size(), [&](std::size_t i) {
         throw_if_interrupted();
         const GroupState state = store.load(kept[i]);
-        develop_group(groups, kept[i], state.tiles, frame, development, truth);
+        resolve_group(groups, kept[i], state.tiles, frame, request, truth);
         seconds += state.seconds;
     });
     truth.seconds += seconds / thread_count();
@@ -85,7 +85,7 @@ Truth kept_truth(const CameraFrame& frame, const std::vector<TruthQuery>& querie
     for (const std::size_t q : which) wanted.push_back(queries[q]);
     Truth truth = empty_truth(frame, wanted, extras);
     const TileGroups groups(frame.width(), frame.height());
-    develop_kept(groups, numbers_up_to(groups.count()), store, frame, {queries.size(), which, settings},
+    resolve_kept(groups, numbers_up_to(groups.count()), store, frame, {queries.size(), which, settings},
                  truth);
     count_samples(settings, truth);
     return truth;

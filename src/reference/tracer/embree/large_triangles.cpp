@@ -1,8 +1,8 @@
-#include "reference/tracer/embree/walls.h"
+#include "reference/tracer/embree/large_triangles.h"
 
 namespace aoscore {
 
-Walls::Walls(RTCDevice device, std::span<const TraceTriangle> triangles, bool coherent)
+LargeTriangles::LargeTriangles(RTCDevice device, std::span<const TraceTriangle> triangles, bool coherent)
     : scene_(new_trace_scene(device)), coherent_(coherent) {
     GeometryHandle geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
     rtcSetGeometryBuildQuality(geometry.get(), RTC_BUILD_QUALITY_HIGH);
