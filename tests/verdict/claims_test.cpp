@@ -125,6 +125,29 @@ TEST_F(Claims, AnOrderHoldsFailsOrCannotBeTold) {
               ClaimRecord::kCannotTell);
 }
 
+TEST_F(Claims, AreDecidedOnlyWhereAllValuesOfAnOpenConstantAgree) {
+    json file = file_of(order());
+    file["open_constants"]["n"] = {{"why", "nobody prints the samples"},
+                                   {"settings",
+                                    {{{"about", "4 samples"}, {"cells", {{"c", {{"samples", 4}}}}}},
+                                     {{"about", "8 samples"}, {"cells", {{"c", {{"samples", 8}}}}}}}}};
+    file["claims"][0]["over"] = "n";
+    const ClaimList list = loaded(file);
+    const auto judged = [&](const std::vector<double>& four, const std::vector<double>& eight) {
+        return judge_claims({list}, results_of(list, {{"alchemy/default", kFive},
+                                                      {"crytek-ssao/default/samples=4", four},
+                                                      {"crytek-ssao/default/samples=8", eight}}))
+            .at(0);
+    };
+    EXPECT_EQ(judged(kSix, kSix).verdict, ClaimRecord::kHolds);
+    const std::vector<double> four(10, 4.0);
+    EXPECT_EQ(judged(four, four).verdict, ClaimRecord::kFails);
+    const ClaimRecord turns = judged(four, kSix);
+    EXPECT_EQ(turns.verdict, ClaimRecord::kCannotTell);
+    for (const char* part : {"nobody prints the samples", "holds at 8 samples", "does not hold at 4 samples"})
+        EXPECT_THAT(turns.reason, HasSubstr(part));
+}
+
 TEST_F(Claims, WhatWasNotMeasuredCannotBeToldAndIsNamed) {
     const ClaimList list = list_of(order());
     const ClaimRecord record = judge_claims({list}, results_of(list, {{"alchemy/default", kFive}})).at(0);
