@@ -1,83 +1,48 @@
 #include "bench/bench_compare.h"
 
+#include "bench/cost.h"
+#include "bench/made_up_pair.h"
+#include "core/error.h"
 #include "core/files.h"
-#include "core/machine.h"
 #include "core/output.h"
-#include "core/stopwatch.h"
-#include "core/threads.h"
+#include "core/temporary_folder.h"
 #include "metrics/analysis/analysis.h"
 #include "metrics/evaluate.h"
+#include "metrics/prepared_image.h"
 #include "metrics/roles.h"
 
 #include <fmt/format.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
 #include <functional>
-#include <limits>
 #include <optional>
-#include <random>
 #include <sstream>
-#include <string_view>
-#include <vector>
+#include <string>
 
 namespace aoscore {
 namespace {
 
 constexpr int kWidth = 1920, kHeight = 1080;
 constexpr int kRuns = 5;
+constexpr char kPlainPass[] = "RMSE, one plain pass";
 
-struct Pair {
-    ImageF truth{kWidth, kHeight}, test{kWidth, kHeight};
-};
-
-/// Slopes, edges and noise.
-Pair made_up_pair(std::uint64_t seed) {
-    std::mt19937_64 random(seed);
-    std::uniform_real_distribution<float> noise(-0.05F, 0.05F);
-    Pair pair;
-    for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x) {
-            const float slope =
-                0.6F + 0.25F * std::sin(0.011F * static_cast<float>(x) + 0.007F * static_cast<float>(y));
-            const float edge = (x / 171 + y / 97) % 3 == 0 ? 0.2F : 0.0F;
-            pair.truth.at(x, y) = slope - edge + noise(random);
-            pair.test.at(x, y) = 0.9F * slope - 0.5F * edge + 0.1F + noise(random);
-        }
-    }
-    return pair;
-}
-
-/// By the wall clock, and processor time, which other programs hardly touch.
-struct Cost {
-    double wall_s = std::numeric_limits<double>::infinity(), processor_s = wall_s;
-    void keep_least(const Cost& other) {
-        wall_s = std::min(wall_s, other.wall_s);
-        processor_s = std::min(processor_s, other.processor_s);
-    }
-};
-
-Cost cost_of(const std::function<void()>& work) {
-    const Stopwatch watch;
-    const std::clock_t start = std::clock();
-    work();
-    return {watch.seconds(), static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC};
-}
-
-void print_cost(std::string_view what, const Cost& cost, const std::string& note = {}) {
-    print_result("{:<30} {:>8.1f} ms {:>8.1f} ms processor  {}\n", what, 1000 * cost.wall_s,
-                 1000 * cost.processor_s, note);
-}
-
-void measure(std::string_view what, const std::function<void()>& work) {
+double fastest_ms(const std::function<void()>& work) {
     Cost least;
-    for (int i = 0; i < kRuns; ++i) least.keep_least(cost_of(work));
-    print_cost(what, least);
+    for (int run = 0; run < kRuns; ++run) least.keep_least(cost_of(work));
+    return 1000 * least.processor_s;
+}
+
+/// As one would write it down: both images read once, by one thread.
+double plain_rmse(const ImageF& truth, const ImageF& test) {
+    double sum = 0;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        const double error = double{test.pixels[i]} - double{truth.pixels[i]};
+        sum += error * error;
+    }
+    return std::sqrt(sum / static_cast<double>(truth.size()));
 }
 
 void write_raw(const std::filesystem::path& path, const ImageF& image) {
@@ -105,53 +70,71 @@ std::optional<ScikitImage> ask_scikit_image(const std::filesystem::path& folder)
     return answer;
 }
 
-std::string times(const Cost& theirs, const Cost& ours) {
-    return fmt::format("{:.1f} times ours, {:.1f} by processor time", theirs.wall_s / ours.wall_s,
-                       theirs.processor_s / ours.processor_s);
-}
-
-void compare_ssim(const Pair& pair, const std::function<double()>& ssim) {
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / fmt::format("aoscore-bench-{}", getpid());
-    std::filesystem::create_directories(folder);
-    write_raw(folder / "truth.raw", pair.truth);
-    write_raw(folder / "test.raw", pair.test);
-    double value = 0;
-    Cost ours;
+/// Beside ours, which is in the table as `name`.
+void compare_ssim(const MadeUpPair& pair, const MetricInput& input, const std::string& name,
+                  RatioTable& table) {
+    const TemporaryFolder folder;
+    write_raw(folder.path() / "truth.raw", pair.truth);
+    write_raw(folder.path() / "test.raw", pair.test);
     std::optional<ScikitImage> theirs;
     for (int i = 0; i < kRuns; ++i) {
-        ours.keep_least(cost_of([&] { value = ssim(); }));
-        const std::optional<ScikitImage> run = ask_scikit_image(folder);
+        const std::optional<ScikitImage> run = ask_scikit_image(folder.path());
         if (!run) break;
         if (!theirs) theirs = run;
         theirs->in_double.keep_least(run->in_double);
         theirs->in_single.keep_least(run->in_single);
     }
-    std::filesystem::remove_all(folder);
-    print_cost("SSIM", ours, fmt::format("{:.12f}", value));
     if (!theirs) {
         print_result("python3-skimage is not there to compare with\n");
         return;
     }
-    print_cost("SSIM by scikit-image, double", theirs->in_double,
-               fmt::format("{:.12f}; {}", theirs->value, times(theirs->in_double, ours)));
-    print_cost("SSIM by scikit-image, single", theirs->in_single, times(theirs->in_single, ours));
+    print_result("SSIM is {:.12f}, by scikit-image {:.12f}\n", *metric(kStructureMetric).measure(input).value,
+                 theirs->value);
+    table.add("SSIM by scikit-image, double", 1000 * theirs->in_double.processor_s, kProcessorMs, name);
+    table.add("SSIM by scikit-image, single", 1000 * theirs->in_single.processor_s, kProcessorMs, name);
+}
+
+/// What one more image of a view costs, against a truth of two halves.
+void score_halves(const MadeUpPair& pair, const Mask& valid, std::uint64_t seed, RatioTable& table) {
+    const PreparedImage whole(pair.truth, valid), first(pair.first_half, valid),
+        second(pair.second_half, valid);
+    const auto score = [&](bool prepared) {
+        MapSums maps, first_maps, second_maps;
+        TruthHalves halves{pair.first_half, pair.second_half, &first_maps, &second_maps};
+        MetricInput input{pair.truth, pair.test, valid};
+        input.maps = &maps;
+        input.halves = &halves;
+        if (prepared) {
+            input.prepared_truth = &whole;
+            halves.first_prepared = &first;
+            halves.second_prepared = &second;
+        }
+        evaluate(input);
+        analyse(input, {}, kMaskThreshold, seed);
+    };
+    const std::string plain = "score of an image, truth in halves";
+    table.add(plain, fastest_ms([&] { score(false); }), kProcessorMs);
+    table.add("the same, the truth prepared", fastest_ms([&] { score(true); }), kProcessorMs, plain);
 }
 
 }  // namespace
 
-void bench_compare(std::uint64_t seed) {
-    const Pair pair = made_up_pair(seed);
+void bench_compare(std::uint64_t seed, RatioTable& table) {
+    const MadeUpPair pair(kWidth, kHeight, seed);
     const Mask valid(kWidth, kHeight, 1);
     const ImageF standard_error(kWidth, kHeight, 0.02F);
     MapSums maps;
     const MetricInput input{pair.truth, pair.test, valid, &standard_error, &maps};
-    print_result("{}, {} threads; {}x{}, fastest of {} runs\n", cpu_name(), thread_count(), kWidth, kHeight,
-                 kRuns);
-    compare_ssim(pair, [&] { return *metric(kStructureMetric).measure(input).value; });
-    for (const Metric& row : metrics()) measure(row.label, [&] { row.measure(input); });
-    measure("all metrics together", [&] { evaluate(input); });
-    measure("analysis, with intervals", [&] { analyse(input, {}, kMaskThreshold, seed); });
+    double rmse = 0;
+    table.add(kPlainPass, fastest_ms([&] { rmse += plain_rmse(pair.truth, pair.test); }), kProcessorMs);
+    if (!std::isfinite(rmse)) throw internal_error("two made-up images differ by no number");
+    for (const Metric& row : metrics())
+        table.add(std::string(row.label), fastest_ms([&] { row.measure(input); }), kProcessorMs, kPlainPass);
+    table.add("all metrics together", fastest_ms([&] { evaluate(input); }), kProcessorMs, kPlainPass);
+    table.add("analysis, with intervals", fastest_ms([&] { analyse(input, {}, kMaskThreshold, seed); }),
+              kProcessorMs, kPlainPass);
+    score_halves(pair, valid, seed, table);
+    compare_ssim(pair, input, std::string(metric(kStructureMetric).label), table);
 }
 
 }  // namespace aoscore

@@ -1,26 +1,21 @@
 #include "bench/bench_main.h"
 
 #include "core/machine.h"
-#include "core/output.h"
 #include "core/stopwatch.h"
+#include "core/temporary_folder.h"
 #include "experiment/experiment.h"
 #include "results/results_folder.h"
 #include "scene/scene.h"
 #include "screen/screen.h"
 
-#include <fmt/format.h>
-
-#include <filesystem>
+#include <string>
+#include <vector>
 
 namespace aoscore {
 namespace {
 
 /// Truth rays a pixel.
 constexpr int kSamples = 64;
-
-void print_row(const char* what, double seconds, double total_seconds) {
-    print_result("{:<44} {:>8.2f} s {:>7.1f} %\n", what, seconds, 100 * seconds / total_seconds);
-}
 
 double reading_and_gbuffer_seconds() {
     const Stopwatch watch;
@@ -31,10 +26,7 @@ double reading_and_gbuffer_seconds() {
     return watch.seconds();
 }
 
-}  // namespace
-
-void bench_main(std::uint64_t seed) {
-    const double gbuffer_s = reading_and_gbuffer_seconds();
+ExperimentPlan published_tables(std::uint64_t seed, const std::filesystem::path& cache) {
     std::vector<std::string> ids;
     for (const ExperimentDefinition& experiment : list_experiments()) {
         if (experiment.kind == ExperimentDefinition::Kind::table) ids.push_back(experiment.id);
@@ -42,36 +34,64 @@ void bench_main(std::uint64_t seed) {
     ExperimentPlan plan = plan_experiments(ids);
     plan.seed = seed;
     plan.command = "aoscore bench main";
-    // Its own settings, so that figures of different days compare: every ray is traced, none comes from the
-    // cache, and as many for every pixel.
+    plan.truth_cache = cache;
+    // Its own settings, so that figures of different days compare: as many rays for every pixel.
     for (ViewPlan& view : plan.views) {
         view.samples = kSamples;
         view.max_error = 0;
     }
-    const std::filesystem::path folder = results_folder({}, "bench-main");
-    std::filesystem::remove_all(folder);
-    const Stopwatch watch;
-    const Results results = run_experiment(plan, folder);
-    const double total_s = watch.seconds();
+    return plan;
+}
 
-    double truth_s = 0, timed_s = 0;
-    for (const ViewRecord& view : results.views) truth_s += view.truth_seconds;
-    for (const CellRecord& cell : results.cells) {
-        for (const double ms : cell.ao.runs_ms) timed_s += ms / 1000;
-        for (const double ms : cell.filter_pass.runs_ms) timed_s += ms / 1000;
-    }
-    print_result("{}, {} threads, {}\n", results.cpu, results.threads, results.gl_renderer);
-    print_row(fmt::format("main job without its page, cold, {} rays a pixel", kSamples).c_str(), total_s,
-              total_s);
-    print_row("  tracing the truths", truth_s, total_s);
-    print_row("  timed runs of the methods", timed_s, total_s);
-    print_row("  everything else", total_s - truth_s - timed_s, total_s);
-    print_row("reading and first G-buffer of the atrium", gbuffer_s, total_s);
-    print_result("{:<44} {:>8.0f} MiB\n", "peak memory", peak_memory_mib());
+/// Seconds of one run, and of its stages; what is in none of them is drawing, scoring and files.
+struct Stages {
+    double whole = 0, truths = 0, timed = 0, page = 0;
+    double rest() const { return whole - truths - timed - page; }
+};
+
+Stages run_once(const ExperimentPlan& plan, const std::filesystem::path& folder,
+                const PageWriter& write_page) {
+    Stages stages;
+    const Stopwatch watch;
+    const Results results = run_experiment(plan, folder, [&](const std::filesystem::path& staged) {
+        const Stopwatch page;
+        write_page(staged, folder);
+        stages.page = page.seconds();
+    });
+    stages.whole = watch.seconds();
     for (const ViewRecord& view : results.views) {
-        print_result("{:<44} {:>8.1f} million rays a second\n", "truth " + view.key,
-                     static_cast<double>(view.truth_rays) / view.truth_seconds / 1e6);
+        if (view.truth_rays_now > 0) stages.truths += view.truth_seconds;
     }
+    if (results.work.passes == 0) return stages;  // Times were taken from the cache.
+    for (const CellRecord& cell : results.cells) {
+        for (const Timing* timing : {&cell.ao, &cell.filter_pass}) {
+            for (const double ms : timing->runs_ms) stages.timed += ms / 1000;
+        }
+    }
+    return stages;
+}
+
+void add_stages(const std::string& run, const Stages& stages, RatioTable& table) {
+    table.add(run + ": tracing the truths", stages.truths, "s", run);
+    table.add(run + ": timed runs of the methods", stages.timed, "s", run);
+    table.add(run + ": the page", stages.page, "s", run);
+    table.add(run + ": drawing, scoring, files", stages.rest(), "s", run);
+}
+
+}  // namespace
+
+void bench_main(std::uint64_t seed, const PageWriter& write_page, RatioTable& table) {
+    const TemporaryFolder cache, results;
+    const ExperimentPlan plan = published_tables(seed, cache.path());
+    const std::filesystem::path folder = results.path() / "main";
+    const Stages cold = run_once(plan, folder, write_page), warm = run_once(plan, folder, write_page);
+    const std::string cold_run = "main job, cold", warm_run = "main job, warm";
+    table.add(cold_run, cold.whole, "s");
+    add_stages(cold_run, cold, table);
+    table.add("reading and first G-buffer of the atrium", reading_and_gbuffer_seconds(), "s", cold_run);
+    table.add(warm_run, warm.whole, "s", cold_run);
+    add_stages(warm_run, warm, table);
+    table.add("peak memory", peak_memory_mib(), "MiB");
 }
 
 }  // namespace aoscore

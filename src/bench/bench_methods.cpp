@@ -1,5 +1,6 @@
 #include "bench/bench_methods.h"
 
+#include "bench/cost.h"
 #include "core/counted.h"
 #include "core/error.h"
 #include "core/log.h"
@@ -20,6 +21,8 @@
 
 namespace aoscore {
 namespace {
+
+constexpr char kDepthPass[] = "a pass of depth alone";
 
 struct Row {
     std::string name;
@@ -114,6 +117,21 @@ void print_row(const Row& row) {
     flush_output();
 }
 
+void add_to(RatioTable& table, const Row& row) {
+    table.add(row.name, *summarize(row.runs_ms[0]).median_ms, kProcessorMs, kDepthPass);
+    table.add(row.name + " with uniforms", *summarize(row.runs_ms[1]).median_ms, kProcessorMs, row.name);
+}
+
+/// Draws the scene's depth and nothing else; the fastest of some runs after a first.
+double depth_pass_ms(ScreenRenderer& renderer, const CameraFrame& frame) {
+    constexpr int kDraws = 10;
+    renderer.draw_gbuffer(frame, {"linear_depth"});
+    Cost least;
+    for (int run = 0; run < kDraws; ++run)
+        least.keep_least(cost_of([&] { renderer.draw_gbuffer(frame, {"linear_depth"}); }));
+    return 1000 * least.processor_s;
+}
+
 void print_summary(const std::vector<Row>& rows) {
     std::vector<double> kernel_ratios;
     for (const Row& row : rows) {
@@ -132,12 +150,15 @@ void print_summary(const std::vector<Row>& rows) {
 
 }  // namespace
 
-void bench_methods(const Scene& scene, const View& view, const MethodsBenchmark& benchmark) {
+void bench_methods(const Scene& scene, const View& view, const MethodsBenchmark& benchmark,
+                   RatioTable& table) {
     const std::vector<MethodDescriptor> methods = chosen_methods(benchmark);
     std::vector<Row> rows = rows_of(methods, ranking_radius({}, view, scene).metres, benchmark.seed);
     ScreenRenderer renderer;
     renderer.set_scene(scene);
-    renderer.draw_gbuffer(CameraFrame(view.camera, benchmark.width, benchmark.height), gbuffer_inputs());
+    const CameraFrame frame(view.camera, benchmark.width, benchmark.height);
+    table.add(kDepthPass, depth_pass_ms(renderer, frame), kProcessorMs);
+    renderer.draw_gbuffer(frame, gbuffer_inputs());
     print_result("{}/{}, {}x{}, {}; processor milliseconds\n", scene.id, view.id, benchmark.width,
                  benchmark.height, renderer.renderer());
     print_result("{:<34} {:<7} {:>9} {:>9} {:>7} {:<6} {:>9} {:>9}\n", "method/preset", "", "uniforms",
@@ -149,7 +170,10 @@ void bench_methods(const Scene& scene, const View& view, const MethodsBenchmark&
         rounds = std::max(rounds, row.rounds);
     }
     for (int round = 0; round < rounds; ++round) time_round(renderer, rows, round);
-    for (const Row& row : rows) print_row(row);
+    for (const Row& row : rows) {
+        print_row(row);
+        add_to(table, row);
+    }
     print_summary(rows);
     for (const Row& row : rows) {
         if (row.rms > kSamePicture) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/ratio_table.h"
 #include "scene/scene.h"
 #include "scene/view_file.h"
 
@@ -21,9 +22,11 @@ struct MethodsBenchmark {
 /// What specialising a shader is worth: every method and preset as it runs (parameters and kernels compiled
 /// in, loops written out) beside the plain form of the same shader (all of them uniforms), in turn on one
 /// G-buffer. Prints processor milliseconds of both, the median ratio with its quartiles, how far the two
-/// pictures differ, and the median over the methods that have kernel tables. Throws internal_error where the
-/// pictures differ by more than kSamePicture.
-void bench_methods(const Scene& scene, const View& view, const MethodsBenchmark& benchmark);
+/// pictures differ, and the median over the methods that have kernel tables. Leaves in `table` what a method
+/// takes beside a pass that draws the scene's depth alone, and what its form with uniforms takes beside it.
+/// Throws internal_error where the pictures differ by more than kSamePicture.
+void bench_methods(const Scene& scene, const View& view, const MethodsBenchmark& benchmark,
+                   RatioTable& table);
 
 /// Root mean square difference up to which two forms of a shader are taken to give the same picture.
 inline constexpr double kSamePicture = 1e-3;

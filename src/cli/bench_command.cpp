@@ -3,13 +3,20 @@
 #include "bench/bench_methods.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"
+#include "core/files.h"
+#include "core/machine.h"
 #include "core/output.h"
+#include "core/ratio_table.h"
 #include "core/stopwatch.h"
+#include "core/threads.h"
+#include "page/document/page_key.h"
 #include "page/page.h"
 #include "reference/benchmark/benchmark.h"
-#include "results/results_folder.h"
+#include "results/results.h"
+#include "store/code_digest.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <map>
@@ -27,48 +34,66 @@ struct BenchOptions {
     std::vector<std::string> methods;
     std::filesystem::path methods_dir;
     std::filesystem::path results;
+    std::filesystem::path json;
 };
 
-void bench_reference(const BenchOptions& options) {
+void bench_reference(const BenchOptions& options, const GlobalOptions&, RatioTable& table) {
     const Scene scene = load_with_warnings(options.scene, options.view.load);
-    reference_benchmark(scene, one_view(scene, options.view, {}), {});
+    reference_benchmark(scene, one_view(scene, options.view, {}), {}, table);
 }
 
-void bench_methods(const BenchOptions& options, const GlobalOptions& global) {
+void bench_methods(const BenchOptions& options, const GlobalOptions& global, RatioTable& table) {
     const Scene scene = load_with_warnings(options.scene, options.view.load);
     MethodsBenchmark benchmark;
     benchmark.seed = global.seed;
     benchmark.methods = options.methods;
     benchmark.methods_dir = options.methods_dir;
-    bench_methods(scene, one_view(scene, options.view, {}), benchmark);
+    bench_methods(scene, one_view(scene, options.view, {}), benchmark, table);
 }
 
-void bench_metrics_and_page(const BenchOptions& options, const GlobalOptions& global) {
-    bench_compare(global.seed);
-    const std::filesystem::path folder = results_folder(options.results, "main");
+void write_changed_page(const std::filesystem::path& staged, const std::filesystem::path& folder) {
+    const std::string key = page_key(read_results(staged), std::string(code_digest("page")));
+    if (!is_page_of(folder / "index.html", key)) write_page(staged, false, key);
+}
+
+void bench_main(const BenchOptions&, const GlobalOptions& global, RatioTable& table) {
+    bench_main(global.seed, write_changed_page, table);
+}
+
+void bench_compare(const BenchOptions& options, const GlobalOptions& global, RatioTable& table) {
+    bench_compare_files(global.seed, table);  // First, while little memory is in use.
+    bench_compare(global.seed, table);
+    const std::filesystem::path folder =
+        options.results.empty() ? home_dir() / "reports" / "out" / "main" : options.results;
     if (!std::filesystem::exists(folder / "results.json")) {
-        print_result("{:<30} {:>8}  no results in {}; aoscore run makes them\n", "page from results", "-",
-                     folder.string());
+        print_result("no page: there are no results in {}; aoscore run makes them\n", folder.string());
         return;
     }
     const Stopwatch watch;
     const std::filesystem::path page = write_page(folder);
-    print_result("{:<30} {:>8.1f} ms  {:.1f} MiB, {}\n", "page from results", 1000 * watch.seconds(),
-                 static_cast<double>(std::filesystem::file_size(page)) / (1 << 20), page.string());
+    table.add("page from results", watch.seconds(), "s");
+    table.add("size of the page", static_cast<double>(std::filesystem::file_size(page)) / (1 << 20), "MiB");
 }
 
-using Bench = void (*)(const BenchOptions&, const GlobalOptions&);
+using Bench = void (*)(const BenchOptions&, const GlobalOptions&, RatioTable&);
 
 const std::map<std::string, Bench>& benches() {
-    static const std::map<std::string, Bench> table{
-        {"compare", [](const BenchOptions& options,
-                       const GlobalOptions& global) { bench_metrics_and_page(options, global); }},
-        {"main", [](const BenchOptions&, const GlobalOptions& global) { bench_main(global.seed); }},
-        {"methods",
-         [](const BenchOptions& options, const GlobalOptions& global) { bench_methods(options, global); }},
-        {"reference", [](const BenchOptions& options, const GlobalOptions&) { bench_reference(options); }},
-    };
+    static const std::map<std::string, Bench> table{{"compare", bench_compare},
+                                                    {"main", bench_main},
+                                                    {"methods", bench_methods},
+                                                    {"reference", bench_reference}};
     return table;
+}
+
+void run_bench(const BenchOptions& options, const GlobalOptions& global) {
+    RatioTable table;
+    benches().at(options.name)(options, global, table);
+    table.print();
+    if (options.json.empty()) return;
+    const nlohmann::json file = {{"benchmark", options.name}, {"program_version", version()},
+                                 {"created_utc", utc_now()},  {"cpu", cpu_name()},
+                                 {"threads", thread_count()}, {"rows", table.json()}};
+    write_atomically(options.json, file.dump(2) + "\n");
 }
 
 }  // namespace
@@ -80,9 +105,9 @@ CommandEntry add_bench_command(CLI::App& program, const GlobalOptions& global) {
     std::vector<std::string> names;
     for (const auto& [id, bench] : benches()) names.push_back(id);
     app->add_option("name", options->name,
-                    "compare: metrics beside scikit-image, and the page; main: the main job, cold; methods: "
-                    "their shaders, specialised and with uniforms; "
-                    "reference: the ray tracer")
+                    "compare: metrics beside a plain pass and scikit-image, whole compares beside idiff, the "
+                    "page; main: the main job's stages, cold and warm; methods: their shaders beside a pass "
+                    "of depth alone; reference: the ray tracer beside bare Embree and plain Monte Carlo")
         ->required()
         ->check(one_of(names));
     app->add_option("scene", options->scene, "For methods, reference: a scene")->capture_default_str();
@@ -93,8 +118,9 @@ CommandEntry add_bench_command(CLI::App& program, const GlobalOptions& global) {
     app->add_option("--methods-dir", options->methods_dir, "For methods: a folder of methods of your own");
     app->add_option("--results", options->results,
                     "For compare: results to build the page of [reports/out/main]");
+    app->add_option("--json", options->json, "Write the rows to this file, too");
     return {app, [options, &global] {
-                benches().at(options->name)(*options, global);
+                run_bench(*options, global);
                 return ExitCode::ok;
             }};
 }

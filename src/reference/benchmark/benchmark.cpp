@@ -93,7 +93,7 @@ TruthSettings mean_settings(double target) {
 }
 
 void print_time_to_error(const ReferenceScene& reference, const EmbreeScene& embree, const CameraFrame& frame,
-                         const ReferenceBenchmark& benchmark, double radius_m) {
+                         const ReferenceBenchmark& benchmark, double radius_m, RatioTable& table) {
     const RandomTiles tiles(reference, frame, kPilotGroups);
     const std::vector<TruthQuery> query = binary(radius_m);
     const double target = benchmark.target_error;
@@ -113,6 +113,9 @@ void print_time_to_error(const ReferenceScene& reference, const EmbreeScene& emb
         // To the error that was reached, be it a little above or below the target.
         const double error = mean_standard_error(truth);
         const double best = plain.best_samples_for(error);
+        const std::string what = fmt::format("to a mean error of {:.2g}, R {} m, {}", error, radius_m, name);
+        table.add("plain Monte Carlo " + what, plain.samples_for(error) * pixels / (rate * 1e6), "s");
+        table.add("the tracer " + what, seconds, "s", "plain Monte Carlo " + what);
         fmt::print(
             "R {:>6} m, {}: {:.1f} s{} to a mean standard error of {:.5f}, {} samples in the mean ({:.1f} % "
             "of "
@@ -180,13 +183,25 @@ void print_slopes(const ReferenceScene& reference, const Camera& camera, double 
     }
 }
 
-void print_rates(const EmbreeScene& embree, const CameraFrame& frame, const ReferenceBenchmark& benchmark) {
+void add_rates(const ReplayRates& rates, const std::string& what, RatioTable& table) {
+    const std::string packets = "bare Embree, the tracer's packets, " + what;
+    table.add(packets, rates.sorted, "million rays/s");
+    table.add("bare Embree, best plain order, " + what, rates.best_plain(), "million rays/s", packets);
+    table.add("traced, " + what, rates.traced, "million rays/s", packets);
+}
+
+void print_rates(const EmbreeScene& embree, const CameraFrame& frame, const ReferenceBenchmark& benchmark,
+                 RatioTable& table) {
     fmt::print("Million rays a second, {} rays a pixel, {} random tiles:\n", benchmark.samples,
                benchmark.tiles);
     for (const RayQuestion question : {RayQuestion::occlusion, RayQuestion::distance}) {
         for (const double radius_m : benchmark.radii_m) {
             const ReplayRates rates =
                 replay_rates(embree, frame, radius_m, question, benchmark.samples, benchmark.tiles);
+            add_rates(rates,
+                      fmt::format("{}, R {} m", question == RayQuestion::occlusion ? "occlusion" : "distance",
+                                  radius_m),
+                      table);
             fmt::print(
                 "R {:>6} m, {}: traced {:.1f} | replays: one by one {:.1f}, 16 of a pixel {:.1f}, 16 of a "
                 "block "
@@ -202,7 +217,8 @@ void print_rates(const EmbreeScene& embree, const CameraFrame& frame, const Refe
 
 }  // namespace
 
-void reference_benchmark(const Scene& scene, const View& view, const ReferenceBenchmark& benchmark) {
+void reference_benchmark(const Scene& scene, const View& view, const ReferenceBenchmark& benchmark,
+                         RatioTable& table) {
     std::optional<ReferenceScene> built;
     const double build_s = seconds_of([&] { built.emplace(scene); });
     const ReferenceScene& reference = *built;
@@ -213,10 +229,10 @@ void reference_benchmark(const Scene& scene, const View& view, const ReferenceBe
     for (const double radius_m : benchmark.radii_m) print_slopes(reference, view.camera, radius_m);
     const EmbreeScene embree(scene, {});
     const CameraFrame frame(view.camera, benchmark.width, benchmark.height);
-    print_rates(embree, frame, benchmark);
+    print_rates(embree, frame, benchmark, table);
     fmt::print("Time to the error:\n");
     for (const double radius_m : benchmark.radii_m) {
-        print_time_to_error(reference, embree, frame, benchmark, radius_m);
+        print_time_to_error(reference, embree, frame, benchmark, radius_m, table);
         std::fflush(stdout);
     }
     fmt::print("Peak memory of the whole process so far: {:.0f} MiB\n", peak_memory_mib());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/ratio_table.h"
 #include "reference/truth.h"
 
 #include <cmath>
@@ -22,7 +23,10 @@ struct ReferenceBenchmark {
 /// independent samples; million rays a second against bare replays of the very same rays from memory; time to
 /// the target error against plain Monte Carlo with rtcOccluded1, and whether the stated error is the true
 /// one; time over pixels and over triangles. All ratios in one run; the baselines run on the stated random
-/// subset of tiles. Replays get their rays for free, plain Monte Carlo makes its own.
-void reference_benchmark(const Scene& scene, const View& view, const ReferenceBenchmark& benchmark);
+/// subset of tiles. Replays get their rays for free, plain Monte Carlo makes its own. Rates and times are
+/// left in `table`, too: traced rays beside the replay of the very same packets by bare Embree, times beside
+/// those of plain Monte Carlo to the same error.
+void reference_benchmark(const Scene& scene, const View& view, const ReferenceBenchmark& benchmark,
+                         RatioTable& table);
 
 }  // namespace aoscore
