@@ -24,8 +24,8 @@ constexpr double kSlope = -0.75;
 constexpr double kDay_s = 86400;
 /// Beyond this a doubling was never seen to be enough, and its scores are spared.
 constexpr double kFar = 8;
-/// Where one cell has so much of what noise may leave it, all others were seen to have no more than allowed.
-constexpr double kProbeMargin = 0.7;
+/// How many cells are scored to find the rays that all take.
+constexpr std::size_t kProbes = 3;
 
 /// A value that ranks, and the half width that noise leaves it.
 struct Ranked {
@@ -80,13 +80,18 @@ ViewRun with_rays(const ViewRun& run, const Rays& rays) {
     return more;
 }
 
-/// The run with its first cell alone: nothing is kept in files, and nothing timed.
+/// The run with a few of its cells alone, evenly chosen: nothing is kept in files, and nothing timed.
 ViewRun probe_of(const ViewRun& run) {
     ViewRun probe = run;
-    probe.cells.erase(probe.cells.begin() + 1, probe.cells.end());
-    probe.work.cells.erase(probe.work.cells.begin() + 1, probe.work.cells.end());
-    probe.work.cells.front().keep_image = false;
-    probe.work.cells.front().own.reset();
+    probe.cells.clear();
+    probe.work.cells.clear();
+    for (std::size_t i = 0; i < kProbes; ++i) {
+        const std::size_t chosen = (2 * i + 1) * run.cells.size() / (2 * kProbes);
+        probe.cells.push_back(run.cells[chosen]);
+        CellWork& cell = probe.work.cells.emplace_back(run.work.cells[chosen]);
+        cell.keep_image = false;
+        cell.own.reset();
+    }
     probe.work.own_queries.clear();
     probe.work.timed = false;
     return probe;
@@ -145,17 +150,14 @@ class GoalSearch {
         : run_(run), goal_(*run.plan.score_goal), store_(store) {}
 
     ViewOutcome run() {
-        // Methods are much alike in how many rays they need: one of them finds the number, then all are
-        // scored.
+        // Methods are alike in how many rays they need: a few find the number, then all are scored.
         const Key key = rays_key(run_);
-        if (!store_.has(key.hex) && goal_.every_metric && run_.cells.size() > 1) {
+        if (!store_.has(key.hex) && goal_.every_metric && run_.cells.size() > kProbes) {
             const ViewRun probe = probe_of(run_);
-            ScoreGoal narrower = goal_;
-            narrower.error *= kProbeMargin;
-            while (!enough(probe, narrower)) continue;
+            while (!enough(probe)) continue;
         }
         const std::size_t probed = outcome_.measured;
-        while (!enough(run_, goal_)) continue;
+        while (!enough(run_)) continue;
         outcome_.measured = std::min(outcome_.measured + probed, run_.cells.size());
         store_.put(key.hex, {{"ranked", rays_.ranked}, {"own", rays_.own}});
         // Few rays are soon traced again, and the tiles of many queries would be most of a cache.
@@ -164,17 +166,16 @@ class GoalSearch {
     }
 
   private:
-    /// Measures the run; whether its rays are enough for `goal`. Where they are not, there will be more.
-    bool enough(const ViewRun& run, const ScoreGoal& goal) {
+    /// Measures the run; whether its rays are enough. Where they are not, there will be more.
+    bool enough(const ViewRun& run) {
         ViewOutcome outcome = run_view(with_rays(run, rays_), store_);
         outcome.rays += outcome_.rays;
         outcome.measured = std::max(outcome.measured, outcome_.measured);
         outcome_ = std::move(outcome);
-        const ScoreState state = score_state(outcome_.cells, goal);
-        const double own_excess = outcome_.own_noise / goal.error;
+        const ScoreState state = score_state(outcome_.cells, goal_);
+        const double own_excess = outcome_.own_noise / goal_.error;
         if (!state.reached) {
-            require_in_reach(goal_, state.excess * goal.error / goal_.error, rays_.ranked,
-                             outcome_.view.truth_seconds, run_.work.key);
+            require_in_reach(goal_, state.excess, rays_.ranked, outcome_.view.truth_seconds, run_.work.key);
             rays_.ranked = more_rays(rays_.ranked, state.excess, run_.work.key);
         }
         if (own_excess > 1)

@@ -27,8 +27,8 @@ ScoreState score_state(std::span<const CellRecord> cells, const ScoreGoal& goal)
 ViewRun with_known_rays(const ViewRun& run, const ArtifactStore& store);
 
 /// Measures a view with more and more rays, twice or four times as many each time, until its goal is reached;
-/// what was traced before is gone on from. Where every metric counts, one cell finds how many rays they take
-/// before the others are scored. Throws usage_error where the goal would take more rays than a
+/// what was traced before is gone on from. Where every metric counts, a few cells find how many rays they
+/// take before the others are scored. Throws usage_error where the goal would take more rays than a
 /// pixel can have, or more than a day, as far as the first rays tell.
 ViewOutcome run_to_goal(const ViewRun& run, const ArtifactStore& store);
 
