@@ -9,15 +9,16 @@
 
 namespace aoscore {
 
-/// What a command does with its jobs instead of making all of them.
+/// Options by which a command lists its jobs or makes one, instead of making all of them.
 struct JobOptions {
-    bool list = false;  ///< print them
-    std::string only;   ///< key of the one to be made; empty: all
+    bool list = false;  ///< print the jobs
+    std::string only;   ///< key of the one job to make; empty: all
 };
-/// --jobs and --job.
+/// Adds --jobs and --job.
 void add_job_options(CLI::App& app, JobOptions& options);
 
-/// Prints what `list` gives, or calls `make` with the key, where that was asked for; returns whether it was.
+/// Prints the JSON of `list`, or calls `make` with the key, where the options ask for it; returns whether
+/// they do.
 bool only_lists_or_makes_one(const JobOptions& options, const std::function<nlohmann::json()>& list,
                              const std::function<void(const std::string& key)>& make);
 

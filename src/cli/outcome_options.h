@@ -24,7 +24,7 @@ struct OutcomeOptions {
 };
 /// Adds --fail, --warn and --export.
 void add_outcome_options(CLI::App& app, OutcomeOptions& options);
-/// --baseline.
+/// Adds --baseline.
 void add_baseline_option(CLI::App& app, OutcomeOptions& options);
 
 /// Gates, open export files and the baseline, made before the work begins, so that a fault in them costs

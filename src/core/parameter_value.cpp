@@ -51,7 +51,7 @@ void to_json(nlohmann::json& json, const ParameterValue& value) {
 ParameterValue parameter_value(const nlohmann::json& json, const std::string& where) {
     if (json.is_boolean()) return json.get<bool>();
     if (json.is_string()) return json.get<std::string>();
-    // A whole number beyond 64 bits is a real one, as JSON itself has only one kind of number.
+    // A whole number beyond 64 bits becomes a real one, as JSON itself has only one kind of number.
     if (json.is_number_unsigned() && json.get<std::uint64_t>() > INT64_MAX) return json.get<double>();
     if (json.is_number_integer()) return json.get<std::int64_t>();
     if (json.is_number_float()) return json.get<double>();

@@ -15,7 +15,7 @@ namespace aoscore {
 class StrictObject;
 
 /// The value of a parameter or an axis: true or false, a whole number, a real number, or a word such as the
-/// name of a choice. Values of one number are equal whether it was written whole or real.
+/// name of a choice. Equal numbers are equal values, whether written as whole or real ones.
 class ParameterValue {
   public:
     ParameterValue() = default;
@@ -36,9 +36,9 @@ class ParameterValue {
     bool boolean() const;
     const std::string& word() const;
 
-    /// A word as it is, anything else as JSON writes it: "8", "0.5", "true".
+    /// The value as text: a word as it is, anything else as in JSON: "8", "0.5", "true".
     std::string text() const;
-    /// As text(), a word in quotation marks, for messages.
+    /// The value as text() for messages, a word in quotation marks.
     std::string quoted() const;
 
     std::weak_ordering operator<=>(const ParameterValue& other) const;
@@ -60,7 +60,7 @@ void to_json(nlohmann::json& json, const ParameterValue& value);
 
 /// Reads a value from a file. Throws file_error naming `where` for null, a list or an object.
 ParameterValue parameter_value(const nlohmann::json& json, const std::string& where);
-/// All members of an object, as values by id.
+/// Reads all members of an object, as values by id.
 ParameterValues parameter_values(StrictObject object);
 
 }  // namespace aoscore

@@ -107,7 +107,8 @@ class Expansion {
         }
     }
 
-    // False where the axis means nothing for this method and what was chosen before.
+    // Sets the value of one axis. False where the axis does not apply to this method with the values set
+    // before.
     bool set(const MethodDescriptor& method, Point& point, const std::string& id,
              const ParameterValue& value) const {
         if (id == "preset") {

@@ -29,17 +29,17 @@ struct Timing {
     std::optional<double> spread_ms;  ///< half the distance between the quartiles
 };
 
-/// The id of the truth that all methods of a view are ranked by.
+/// The id of the truth by which all methods of a view are ranked.
 inline constexpr char kRankedTruth[] = "ranked";
 
-/// One truth that a test image was held against.
+/// A truth that images were compared with.
 struct TruthRecord {
     std::string id;                  ///< "ranked", or the method's own, such as "quadratic-0.549"
     std::string falloff;             ///< "binary", "quadratic", "alchemy", "xegtao"
     std::optional<double> radius_m;  ///< empty for infinity
-    std::optional<double> u_m;       ///< of the falloff "alchemy"
-    std::string channel;             ///< of the view's truth file: "V0.Y"; empty where it is in no file
-    std::string se_channel;          ///< "SE0.Y"; empty likewise
+    std::optional<double> u_m;       ///< u of the falloff "alchemy"
+    std::string channel;             ///< its channel in the truth file: "V0.Y"; empty where it is in no file
+    std::string se_channel;          ///< the standard error's: "SE0.Y"; empty likewise
     double mean_standard_error = 0;  ///< over valid pixels
     double noise_floor_rmse = 0;     ///< sqrt of the mean variance: the RMSE a perfect method would show
     int samples = 0;                 ///< rays a pixel, as in ViewRecord::samples
@@ -166,11 +166,11 @@ struct CellRecord {
     std::string method_label;        ///< a bound's ends in "(bound)"
     std::string role = kMethodRole;  ///< or kBoundRole
     std::string preset;
-    std::string setting;                ///< what is not as the preset has it, "noise none"
+    std::string setting;                ///< changes of the preset: "noise none"
     std::string filter;                 ///< "none" or a filter's id
     ParameterValues parameters;         ///< all of them, by id
-    std::vector<LengthRecord> lengths;  ///< those of them, and of the filter's, that are lengths
-    std::string error;                  ///< why the cell failed; empty when it did not
+    std::vector<LengthRecord> lengths;  ///< lengths among them and the filter's
+    std::string error;                  ///< why the cell failed; else empty
     Timing ao, filter_pass;
     std::optional<double> fixed_pass_ms;  ///< sixteen fetches a pixel, timed in the same rounds
     Timing lighting;  ///< the lighting pass, timed in the same rounds; no runs where not asked for

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr const char* kPlace = "place";  ///< of a file that the store has no copy of
+constexpr const char* kPlace = "place";  ///< member with the path of a file that is not copied into the store
 constexpr const char* kFileDigest = "file_digest";
 
 std::string digest_of(const std::string& bytes) {
@@ -29,7 +29,8 @@ bool holds(const fs::path& file, const std::string& digest) {
     return fs::is_regular_file(file, ec) && digest_of(read_file(file)) == digest;
 }
 
-/// The payload of an entry's file. Throws file_error where it is not what was put under the key.
+/// The payload of an entry's file. Throws file_error where it differs from the one that was put under the
+/// key.
 json checked_payload(const fs::path& path, const std::string& key) {
     const json entry = json::parse(read_file(path), nullptr, false);
     const bool whole = entry.is_object() && entry.value("key", "") == key && entry.contains("payload") &&
@@ -163,7 +164,7 @@ std::vector<fs::path> ArtifactStore::damaged() const {
         try {
             const json payload = checked_payload(file.path(), key);
             if (!payload.is_object() || !payload.contains(kFileDigest)) continue;
-            if (payload.contains(kPlace)) continue;  // what became of it is its owner's affair
+            if (payload.contains(kPlace)) continue;  // the file belongs to its owner
             const fs::path image = entry(key, payload.value("extension", ""));
             if (digest_of(read_file(image)) != payload.at(kFileDigest)) paths.push_back(image);
         } catch (const Error&) {

@@ -36,9 +36,9 @@ class ArtifactStore {
     /// Copies that file to `target`; false where there is none, or it is damaged.
     bool fetch_file(const std::string& key, const std::filesystem::path& target) const;
     void put_file(const std::string& key, const std::filesystem::path& source) const;
-    /// What was put or fetched below `staged` now lies below `published`, and is kept there alone: the store
-    /// drops its copies, and remembers where they are. A file in whose place another lies by now is
-    /// forgotten. Whoever changes or removes a published file makes it missing, no more.
+    /// Says that files put or fetched below `staged` now lie below `published`. The store drops its copies of
+    /// them, and remembers their paths. It forgets a file whose place another one has taken. A published file
+    /// that is changed or removed counts as missing.
     void settle(const std::filesystem::path& staged, const std::filesystem::path& published) const;
 
     struct Size {

@@ -9,11 +9,11 @@
 
 namespace aoscore {
 
-/// The jobs of a stress test, as JobListing has them.
+/// Lists the jobs of a stress test as JobListing does.
 nlohmann::json list_stress_jobs(const StressPlan& plan, const std::vector<std::string>& arguments);
 
-/// Makes one of its artifacts alone, as make_alone() does. Throws usage_error for a key that is none of the
-/// plan's or whose artifact is not kept.
+/// Makes one of its artifacts alone, as make_alone() does. Throws usage_error for a key that the plan does
+/// not have, or whose artifact is not stored.
 void make_stress_job(const StressPlan& plan, const std::string& key);
 
 }  // namespace aoscore

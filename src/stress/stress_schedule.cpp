@@ -20,7 +20,7 @@ std::vector<StressAxis> chosen_axes(const StressPlan& plan) {
     return chosen;
 }
 
-// The unstressed setting and those at either end; pictures too large to be traced are no quick test.
+// The unstressed setting and those at either end, without pictures too large to be traced, which take long.
 std::vector<StressSetting> ends_of(std::vector<StressSetting> settings, int size) {
     while (!stress_case(settings.back(), size).has_truth) settings.pop_back();
     std::vector<StressSetting> ends;

@@ -13,7 +13,7 @@
 
 namespace aoscore {
 
-/// The settings of a stress plan in the order in which they are run, and what all of them share.
+/// The settings of a stress plan in the order of running, and the data that all of them share.
 class StressSchedule {
   public:
     /// Throws usage_error for an unknown method or axis. `plan` must outlive it.
@@ -26,7 +26,7 @@ class StressSchedule {
     SceneTools& tools() { return tools_; }
     std::size_t setting_count() const;
 
-    /// "tilt/89".
+    /// The name of a setting: "tilt/89".
     static std::string key_of(const StressAxis& axis, const StressSetting& setting);
     StressWork work_of(const StressAxis& axis, const StressSetting& setting);
 

@@ -54,7 +54,7 @@ class Judge {
         ClaimRecord record{claim.id,     claim.source, claim.place, claim.text, ClaimRecord::kCannotTell,
                            claim.cannot, claim.own,    claim.note,  {},         {}};
         if (claim.settings.empty()) return record;
-        std::map<std::string, std::vector<std::string>> settings;  // by verdict
+        std::map<std::string, std::vector<std::string>> settings;  // settings by verdict
         for (const ClaimSetting& setting : claim.settings) {
             const std::string verdict = verdict_at(setting, record);
             if (!record.reason.empty()) return record;
@@ -76,7 +76,7 @@ class Judge {
     }
 
   private:
-    /// Fails when one part does, holds when all do.
+    /// The verdict at one setting: it fails when one part does, and holds when all do.
     std::string verdict_at(const ClaimSetting& setting, ClaimRecord& record) {
         std::set<std::string> outcomes;
         for (const ClaimCheck& check : setting.checks) {

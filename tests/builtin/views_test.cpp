@@ -124,7 +124,7 @@ TEST(PillarViews, DarkenTheWallBesideThePillarThatHidesTheCrate) {
     EXPECT_GT(open / open_count, 0.97);
 }
 
-/// Surfaces that the ray through the picture's middle meets nearer than `end`, one behind the other.
+/// Counts the surfaces that the ray through the picture's middle meets nearer than `end`.
 int layers_before(const Scene& scene, const View& view, double end) {
     const ReferenceScene reference(scene);
     Camera camera = view.camera;

@@ -87,7 +87,8 @@ TEST(ScoreGoal, GoesWithNoOtherWayToNameRays) {
                   64);
 }
 
-// The truth that a method claims to approximate, traced by itself with many rays, tells the same error.
+// The truth that a method claims to approximate gives the same error when it is traced by itself with many
+// rays.
 TEST(OwnTruths, AreTracedApartWithAsFewRaysAsTheirRmseNeeds) {
     const auto folder = output_dir();
     ASSERT_EQ(run_aoscore("run hussain-table-5 --scale 0.08 --out page", folder).exit_code, 0);

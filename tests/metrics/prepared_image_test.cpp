@@ -69,7 +69,7 @@ TEST(PreparedImage, GivesTheSameWhereTheImageIsSmallerThanAWindow) {
     expect_the_same_bits(testing::natural_pair(9, 30));
 }
 
-// A truth is prepared once and compared with many; a test that came before must leave nothing behind.
+// A truth is prepared once and compared with many images, of which none may affect the next.
 TEST(PreparedImage, GivesTheSameWhateverItWasComparedWithBefore) {
     const testing::Pair pair = masked_pair();
     const PreparedImage truth(pair.truth, pair.valid);

@@ -1,4 +1,5 @@
-// The depth layers of a texel: by which law a sample captures a surface, and what decides no bit of it.
+// Tests the depth layers of a texel: the law by which a sample captures a surface, and inputs that must not
+// change a bit.
 #include "hand_made.h"
 #include "screen/gbuffer/depth_layer_buffer.h"
 #include "screen/gl/context.h"
@@ -39,7 +40,7 @@ Scene walls() {
     return scene;
 }
 
-/// Of a texel: how many samples hold each wall, and how many hold none.
+/// The numbers of a texel's samples that hold each wall, and of those that hold none.
 struct Held {
     std::array<int, kWalls> by_wall{};
     int empty = 0;
@@ -54,8 +55,8 @@ class Walls : public ::testing::Test {
         peeled_ = renderer_.read_depth_layers();
     }
 
-    /// Texels whose nearest neighbours' coins are not theirs, where the noise lies in voxels of a pixel or
-    /// so.
+    /// Counts in texels far enough apart to have independent coins, where the noise lies in voxels of about a
+    /// pixel.
     std::vector<Held> held(const DepthLayers& layers) {
         renderer_.draw_depth_layers(layers);
         const std::vector<ImageF> samples = renderer_.read_depth_layers();
@@ -95,13 +96,13 @@ double choose(int n, int k) {
     return product;
 }
 
-/// With what probability some sample of S captures the wall behind `before` others, each sample on its own.
+/// The probability that some sample of S captures the wall behind `before` others, with independent samples.
 double captured_by_coins(double alpha, int samples, int before) {
     return 1 - std::pow(1 - alpha * std::pow(1 - alpha, before), samples);
 }
 
-/// The same where a wall takes R of the S samples, R alpha S rounded up or down: by the number of samples
-/// that no nearer wall has taken.
+/// The probability where a wall takes R of the S samples, R being alpha S rounded up or down, by the number
+/// of samples that no nearer wall has taken.
 double captured_by_strata(double alpha, int samples, int before) {
     const int low = static_cast<int>(std::floor(alpha * samples + 1e-9));
     const double up = alpha * samples - low;
@@ -209,7 +210,7 @@ TEST_F(Walls, HaveOneCoinForAllSamplesWhereTheSamplesShareIt) {
     }
 }
 
-// Neither are the coins of two seeds, nor those of neighbouring samples of neighbouring seeds.
+// Two seeds share no coins, nor do neighbouring samples of neighbouring seeds.
 TEST_F(Walls, HaveCoinsThatNoOtherSeedHas) {
     for (const std::string& sampling : random_samplings()) {
         renderer_.draw_depth_layers(layers_of(sampling, 2, 0.5, 2));
@@ -283,7 +284,7 @@ TEST(DepthLayers, ArePeeledAsTheGBuffersLayersAre) {
     }
 }
 
-// Both sides of every wall, and what is seen through the holes of cut-outs.
+// Layers hold both sides of every wall, and surfaces seen through the holes of cut-outs.
 TEST(DepthLayers, HoldNothingButSurfacesOfTheirTexel) {
     for (const Stage& stage : stages()) {
         ScreenRenderer renderer;

@@ -37,8 +37,7 @@ class Fidelity : public ::testing::TestWithParam<std::string> {
         const std::function<published::Estimator(const published::Picture&, double)>& make) {
         const GBufferImages images = renderer_.read_gbuffer();
         const published::Picture picture(CameraFrame(front_camera(), width, height), images);
-        const published::Estimator estimate =
-            make(picture, method().values("default").at("radius").number());
+        const published::Estimator estimate = make(picture, method().values("default").at("radius").number());
         ImageF visibility(width, height, 1.0F);
         for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) {
@@ -118,7 +117,7 @@ TEST_P(Fidelity, VanishingRadiusReadsOpen) {
     if (method().find_parameter("radius") == nullptr) GTEST_SKIP() << "has no radius";
     const ImageF image =
         run(plane_scene({0, 0, -4}, {0, 0, 1}, 30), front_camera(), 48, 27, {{"radius", 1e-3}});
-    // Few slices weight a view from the side unevenly, and XeGTAO's slices and power do so by design.
+    // A few slices weight an oblique view unevenly, and XeGTAO's slices and power do so by design.
     const float tolerance = GetParam() == "xegtao"                            ? 0.1F
                             : GetParam() == "gtao" || GetParam() == "sd-gtao" ? 2e-3F
                                                                               : 1e-4F;

@@ -76,8 +76,8 @@ TEST(RunLengths, SetByHandAreTakenLiterally) {
     const ParameterValues values = values_for_radius(alchemy, 1.0, "default", {{"sigma", 0.2}});
     EXPECT_EQ(values.at("sigma"), 0.2);
     EXPECT_EQ(values.at("radius"), 1.0);
-    EXPECT_DOUBLE_EQ(values.at("epsilon").number(), 4 * 1e-4);  // an area: twice the radius
-    // A radius set by hand is that method's alone: its other lengths stay those of the run.
+    EXPECT_DOUBLE_EQ(values.at("epsilon").number(), 4 * 1e-4);  // an area, at twice the radius
+    // A radius set by hand applies to that parameter alone: the other lengths stay those of the run.
     const ParameterValues wide = values_for_radius(alchemy, 1.0, "default", {{"radius", 5.0}});
     EXPECT_EQ(wide.at("radius"), 5.0);
     EXPECT_DOUBLE_EQ(wide.at("sigma").number(), 2 * 0.128);
@@ -103,7 +103,7 @@ TEST(RunLengths, OfFiltersAndOfTheLightsFollowTheRadiusToo) {
     }
     EXPECT_DOUBLE_EQ(values_for_radius(load_lighting(), 1.0, "default").at("reach").number(), 10);
     const MethodDescriptor& filter = find_method(filters, "normal-depth");
-    // Gravås's decimetre goes with a radius of 0.5 m.
+    // Gravås's decimetre belongs to a radius of 0.5 m.
     EXPECT_DOUBLE_EQ(values_for_radius(filter, 1.0, "default").at("distance_unit").number(), 0.2);
 }
 

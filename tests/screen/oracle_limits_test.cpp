@@ -22,7 +22,7 @@ struct OracleStress {
     const char* axis;
     double footprint_m = kPixel;
     Precision precision = Precision::full;
-    std::function<double(double, double)> z;       ///< what is there
+    std::function<double(double, double)> z;       ///< the true surface
     std::function<double(double, double)> stored;  ///< the surface in a depth buffer, at any place
 };
 

@@ -39,7 +39,7 @@ Estimator whinham_ssao(const Picture& picture, const Kernel3& kernel, const Nois
 /// Gravås' Alchemy AO on a spiral of 9 taps.
 Estimator gravas_spiral(const Picture& picture, double radius);
 /// Vermeer's algorithms 1, 2 and 3, or 9, 7 and 8 where the picture was given layers; 4 directions of 4
-/// steps. What has no larger cosine to the normal than the least one is left out, as algorithm 7 has it.
+/// steps. Surfaces whose cosine to the normal is not above the least one are left out, as in algorithm 7.
 Estimator vermeer_ssao(const Picture& picture, const Kernel3& kernel, const Noise& noise, double radius);
 Estimator vermeer_hbao(const Picture& picture, const Noise& noise, double radius, double least_cosine = -2);
 Estimator vermeer_hbao_plus(const Picture& picture, const Noise& noise, double radius);

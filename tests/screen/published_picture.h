@@ -29,7 +29,7 @@ class Picture {
     /// The depth of a texel, or of the nearest one in the picture.
     double depth(int x, int y) const;
     bool surface(int x, int y) const;
-    /// All depths of the texel that were given with take_layers(), else its depth alone.
+    /// All depths of the texel by take_layers(), else its depth alone.
     std::vector<double> depths(int x, int y) const;
     void take_layers(std::vector<ImageF> layers) { layers_ = std::move(layers); }
     glm::dvec3 normal(int x, int y) const;

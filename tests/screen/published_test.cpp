@@ -342,7 +342,7 @@ TEST_P(Published, AgreesWithItsImplementationInDoublePrecisionOnAScenesOwnView) 
     write_png((output_dir() / "raw.png").string(), output.raw);
     write_png((output_dir() / "visibility.png").string(), output.visibility);
 
-    // The layers are an input, as the depth is: depth_layers_test.cpp has the law by which they are drawn.
+    // The layers are an input, like the depth: depth_layers_test.cpp tests the law by which they are drawn.
     stage().picture->take_layers(request.method->depth_layers ? stage().renderer.read_depth_layers()
                                                               : std::vector<ImageF>());
     const Picture& picture = *stage().picture;

@@ -17,14 +17,14 @@ constexpr int kDirections = 4, kSteps = 4;
 
 using Points = std::vector<dvec3>;
 
-// Depths where a place falls, the background's outside of the picture.
+// The depths at a place, and the background's outside of the picture.
 std::vector<double> depths_at(const Picture& picture, const dvec2& place) {
     const int x = static_cast<int>(std::floor(place.x)), y = static_cast<int>(std::floor(place.y));
     const bool inside = x >= 0 && y >= 0 && x < picture.width() && y < picture.height();
     return inside ? picture.depths(x, y) : std::vector<double>{picture.far()};
 }
 
-// The surfaces' points in the texel where a place falls.
+// The surfaces' points in the texel of a place.
 Points surfaces_at(const Picture& picture, const dvec2& place) {
     Points points;
     for (const double depth : depths_at(picture, place))
@@ -32,8 +32,8 @@ Points surfaces_at(const Picture& picture, const dvec2& place) {
     return points;
 }
 
-// Of the marched directions, what each one's steps find: `along` gets the direction in view space and, of
-// each step, the vectors from the pixel to all surfaces of its texel.
+// Sums `along` over the marched directions; it gets the direction in view space and, for each step, the
+// vectors from the pixel to all surfaces of its texel.
 double sum_over_directions(
     const Picture& picture, const Noise& noise, double radius, int x, int y,
     const std::function<double(const dvec3& direction, const Points (&steps)[kSteps])>& along) {

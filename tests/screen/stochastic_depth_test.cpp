@@ -1,4 +1,4 @@
-// Methods over several depths a texel, beside those over one that they extend.
+// Compares methods over several depths a texel with those over one depth that they extend.
 #include "hand_made.h"
 #include "support/support.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view kPrefix = "sd-";
 
-/// The method over one depth a texel that one over several extends.
+/// The method over one depth a texel that each method over several extends.
 const std::vector<std::pair<std::string, std::string>>& parents() {
     static const std::vector<std::pair<std::string, std::string>> all = [] {
         std::vector<std::pair<std::string, std::string>> pairs;
@@ -44,7 +44,7 @@ class StochasticDepth : public ::testing::Test {
         request.border = border;
         return renderer_.run(request).raw;
     }
-    /// The parent with the values of all parameters that both have.
+    /// Runs the parent with the values of all parameters that both have.
     ImageF run_parent(const std::string& parent, const ParameterValues& parameters,
                       Border border = Border::far) {
         ParameterValues shared = values(parent);
@@ -98,8 +98,8 @@ TEST_F(StochasticDepth, EqualsItsParentWhereverItLooksAtAllDepthsIfTheyAreTheFir
     }
 }
 
-// Also where the radius reaches the far plane, whose depth an empty sample has: over a floor it would stand
-// like a wall.
+// This holds also where the radius extends to the far plane, whose depth empty samples have: over a floor
+// they would act as a wall.
 TEST_F(StochasticDepth, IsOpenWhereAllSamplesAreEmpty) {
     Camera low = front_camera();
     low.position = {0, 0.3, 0};

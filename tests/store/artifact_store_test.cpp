@@ -35,7 +35,7 @@ TEST(ArtifactStore, FindsWhatWasPutAndNothingElse) {
     EXPECT_FALSE(store.find("f" + kKey.substr(1)));
 }
 
-/// A file that was put from `staged` and then moved to `published`.
+/// A file that was put from `staged`, and then moved to `published`.
 struct Published {
     fs::path folder = testing::output_dir();
     fs::path staged = folder / "staged", published = folder / "published";

@@ -110,7 +110,7 @@ class Reader {
         return checks;
     }
 
-    // The same checks once for each setting, whose values the named cells take.
+    // Reads the checks once for each setting, whose values the named cells take.
     void read_settings(StrictObject& object, Claim& claim) {
         const std::string name = object.text("over");
         StrictObject range = top_.object("open_constants").object(name);
@@ -243,7 +243,7 @@ class Reader {
     StrictObject top_;
     ClaimSources sources_;
     std::map<std::string, json> named_;
-    std::vector<std::pair<std::string, json>> set_;  ///< values of constants that are left open, by cell
+    std::vector<std::pair<std::string, json>> set_;  ///< values of constants left open, by cell
 };
 
 }  // namespace

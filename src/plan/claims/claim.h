@@ -39,25 +39,25 @@ struct ClaimCheck {
     std::string about;  ///< the meaning, in words
 };
 
-/// What decides a claim where constants that its source does not print have these values.
+/// The checks that decide a claim for given values of constants that its source does not print.
 struct ClaimSetting {
-    std::string about;  ///< the values, in words; empty where nothing is left open
+    std::string about;  ///< the values, in words; empty where the source leaves none open
     std::vector<ClaimCheck> checks;
 };
 
-/// One statement of a source and what decides it here.
+/// One statement of a source, and the checks that decide it here.
 struct Claim {
     std::string id;      ///< "H01"
     std::string source;  ///< as source_reference() writes it
     std::string place;   ///< place in the source
     std::string text;    ///< in our own words
-    /// More than one where the source leaves constants open, over their plausible range. A claim is decided
-    /// only where it is at all of them alike.
+    /// Several where the source leaves constants open, over their plausible range. A claim is decided only
+    /// where all settings agree.
     std::vector<ClaimSetting> settings;
-    std::string open;    ///< which constants are left open, and where their range is taken from
-    std::string cannot;  ///< why nothing here can tell; set where there are no settings
-    std::string own;     ///< what the source's own printed numbers say of it; empty where they agree
-    std::string note;    ///< how our measurement differs from what the source looked at
+    std::string open;    ///< the constants left open, and the source of their range
+    std::string cannot;  ///< why nothing here can decide it; set without settings
+    std::string own;     ///< how the source's printed numbers differ; empty where they agree
+    std::string note;    ///< how our measurement differs from the source's
 };
 
 /// The claims of one source, or of several sources about one subject: reports/claims/<id>.json.

@@ -11,13 +11,13 @@ namespace aoscore::builtin {
 namespace {
 
 constexpr double kCourtBay_m = 3, kArcadeHalf_m = 0.25, kArcadeHeight_m = 4;
-constexpr int kCourtBays = 6;                                  ///< a side
-constexpr double kCourtHalf_m = kCourtBay_m * kCourtBays / 2;  ///< of the court, to the arcades' middle
+constexpr int kCourtBays = 6;                                  ///< bays of a side
+constexpr double kCourtHalf_m = kCourtBay_m * kCourtBays / 2;  ///< half the court, to the arcades' middle
 constexpr double kCourtGallery_m = 3;                          ///< clear depth behind an arcade
 constexpr double kTurn_rad = 2 * std::numbers::pi;
 
 void add_arcades(SceneBuilder& scene, int stone, int plaster) {
-    const double outer = kArcadeHalf_m + kCourtGallery_m;  // of a gallery, from the arcades' middle
+    const double outer = kArcadeHalf_m + kCourtGallery_m;  // depth of a gallery, from the arcades' middle
     MeshBuilder shell;
     const double half = kCourtHalf_m + outer + 0.4;
     add_box(shell, {-half, -0.4, -half}, {half, 0, half});
@@ -50,7 +50,7 @@ MeshBuilder trunk() {
     return mesh;
 }
 
-/// A crown: rings of fronds that droop more the lower they grow.
+/// Places a crown: rings of fronds that droop more the lower they grow.
 void place_crown(SceneBuilder& scene, int fronds, const glm::dmat4& tree, std::uint32_t seed) {
     constexpr int kRings = 9, kFronds = 13;
     std::uint32_t index = 0;
@@ -125,8 +125,8 @@ void add_furniture(SceneBuilder& scene, int stone) {
 
 }  // namespace
 
-/// Many instances and foliage under the sky, in the place of San Miguel in Vermeer, Stochastic-Depth Ambient
-/// Occlusion, 2020, table 9.1: arcades about a court with trees of cut-out fronds, tables and chairs.
+/// Many instances and foliage under the sky, which stand in for San Miguel of Vermeer, Stochastic-Depth
+/// Ambient Occlusion, 2020, table 9.1: arcades about a court with trees of cut-out fronds, tables and chairs.
 Scene generate_courtyard() {
     SceneBuilder scene;
     const int stone = scene.material("stone", glm::vec3(0.55f));

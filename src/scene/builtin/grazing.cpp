@@ -4,9 +4,9 @@
 
 namespace aoscore::builtin {
 
-/// What one camera sees only at a grazing angle, after figures 9.20 and 9.22 in Vermeer, Stochastic-Depth
-/// Ambient Occlusion, 2020: a board at right angles to the back wall, whose sides the view `edge_on` cannot
-/// see, and a side wall that the views `corner_…` turn towards their line of sight.
+/// Surfaces that a camera sees only at a grazing angle, after figures 9.20 and 9.22 in Vermeer,
+/// Stochastic-Depth Ambient Occlusion, 2020: a board at right angles to the back wall, whose sides the view
+/// `edge_on` cannot see, and a side wall that the views `corner_…` turn towards their line of sight.
 Scene generate_grazing() {
     SceneBuilder scene;
     const int plaster = scene.material("plaster", glm::vec3(0.75f, 0.72f, 0.66f));

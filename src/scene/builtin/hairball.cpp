@@ -21,7 +21,8 @@ dvec3 direction(std::uint32_t seed, std::uint32_t index) {
     return {r * std::cos(angle), r * std::sin(angle), z};
 }
 
-/// A strand's centre line: from the core to the surface, curling about the line outwards.
+/// A point of a strand's centre line, which runs from the core to the surface and curls about the line
+/// outwards.
 dvec3 strand_point(std::uint32_t strand, double t) {
     const dvec3 out = direction(11, strand);
     const dvec3 side = glm::normalize(glm::cross(out, direction(12, strand)));
@@ -68,9 +69,9 @@ glm::dmat4 turned(std::uint32_t tuft) {
 
 }  // namespace
 
-/// More than a million triangles thinner than a pixel, everywhere many layers deep: the worst case for depth
-/// buffers of several layers, in the place of the hairball in Vermeer, Stochastic-Depth Ambient Occlusion,
-/// 2020, table 9.1.
+/// More than a million triangles thinner than a pixel, many layers deep everywhere: the worst case for depth
+/// buffers of several layers, which stands in for the hairball of Vermeer, Stochastic-Depth Ambient
+/// Occlusion, 2020, table 9.1.
 Scene generate_hairball() {
     SceneBuilder scene;
     const int hair = scene.material("hair", glm::vec3(0.5f, 0.42f, 0.35f));

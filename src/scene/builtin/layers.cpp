@@ -10,12 +10,12 @@ namespace {
 
 constexpr double kBayWidth_m = 4;
 constexpr double kWallHeight_m = 3.5;
-/// The screens' front, and how deep the boards of one stand together.
+/// The distance of the screens' front, and the depth of all boards of a screen.
 constexpr double kScreenFront_m = 4, kScreenDepth_m = 0.31;
 /// Boards of each bay's screen. A board is two layers of depth, its front and its back.
 constexpr std::array kBoards{1, 2, 4, 8, 16};
 
-/// Boards one behind the other, as far apart as they are thick.
+/// A screen of boards one behind the other, as far apart as they are thick.
 MeshBuilder screen(int boards) {
     const double step = kScreenDepth_m / (2 * boards - 1);
     MeshBuilder mesh;
@@ -37,7 +37,7 @@ MeshBuilder crates() {
 
 /// Occlusion from behind many layers of depth, after the scenario of figure 9.7 in Vermeer, Stochastic-Depth
 /// Ambient Occlusion, 2020: five bays, in each of which crates against the back wall stand hidden behind a
-/// screen of 2, 4, 8, 16 or 32 layers. An arch before each bay shows what too many directions darken.
+/// screen of 2, 4, 8, 16 or 32 layers. An arch before each bay shows false occlusion by too many directions.
 Scene generate_layers() {
     SceneBuilder scene;
     const int plaster = scene.material("plaster", glm::vec3(0.75f, 0.72f, 0.66f));

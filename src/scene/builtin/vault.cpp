@@ -9,7 +9,7 @@ namespace aoscore::builtin {
 namespace {
 
 constexpr double kVaultHalf_m = 2, kVaultSpringing_m = 2, kVaultLength_m = 9;
-/// Edges below this turn are smoothed away, so that normals bend where the surface does not.
+/// Normals are smoothed over edges that turn by less than this, where the surface itself stays faceted.
 constexpr double kSmooth_rad = 50.0 * std::numbers::pi / 180.0;
 
 MeshBuilder barrel() {
@@ -28,7 +28,7 @@ MeshBuilder barrel() {
 
 /// Few triangles under smooth normals, after figures 4.6 and 4.9 in Vermeer, Stochastic-Depth Ambient
 /// Occlusion, 2020: a barrel vault of six strips, a column of eight sides and a sphere of 80 triangles.
-/// Methods that take smooth normals darken what lies below the surface that the normals promise.
+/// Methods that use smooth normals darken points that lie below the surface which the normals imply.
 Scene generate_vault() {
     SceneBuilder scene;
     const int plaster = scene.material("plaster", glm::vec3(0.75f, 0.72f, 0.66f));

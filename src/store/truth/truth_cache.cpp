@@ -381,7 +381,7 @@ void forget_truth(const fs::path& folder, const TruthRequest& request) {
     const fs::path picture = folder / request.picture_key();
     std::error_code ec;
     fs::remove(with(picture / request.wanted_key(), kComplete), ec);
-    fs::remove(picture, ec);  // only where it is empty
+    fs::remove(picture, ec);  // succeeds only where it is empty
 }
 
 CachedTruth trace_truth(const fs::path& folder, const ReferenceScene& reference, const TruthRequest& request,

@@ -102,7 +102,7 @@ class TruthCache {
 CachedTruth trace_truth(const std::filesystem::path& folder, const ReferenceScene& reference,
                         const TruthRequest& request, const TruthLabel& label, const std::string& what);
 
-/// Removes from the cache in `folder` what trace_truth() has kept for this very request.
+/// Removes from the cache in `folder` the truth that trace_truth() has stored for exactly this request.
 void forget_truth(const std::filesystem::path& folder, const TruthRequest& request);
 
 }  // namespace aoscore
