@@ -26,7 +26,7 @@
 namespace aoscore {
 namespace {
 
-/// The ids of a plan's cells, by its view, then by the scene's views that it stands for, then by cell.
+/// The ids of cells, by the plan's view, then by the scene's views that it stands for, then by cell.
 using CellIds = std::vector<std::vector<std::vector<std::string>>>;
 
 SweepRecord sweep_record(const SweepPlan& sweep, const CellIds& cell_ids) {
@@ -52,7 +52,7 @@ std::vector<ClaimList> planned_claims(const ExperimentPlan& plan) {
     return lists;
 }
 
-/// One plan's run: its views one after the other, then what all of them say together.
+/// The run of one plan: its views one after the other, then rankings, claims and all else over views.
 class ExperimentRun {
   public:
     /// `watch` has run since the work began.
@@ -165,8 +165,8 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
     const Stopwatch watch;
     const ArtifactStore store(ArtifactStore::folder_in(plan.truth_cache));
     PlannedRuns planned(plan, store);
-    planned_claims(plan);  // what is wrong with them is said before the work begins
-    // Opened before the work begins: a path that cannot be written fails at once.
+    planned_claims(plan);  // faults in claims are found before the work begins
+    // The folder is opened before the work begins, so that a path that cannot be written fails at once.
     StagedFolder staged(target);
     const std::filesystem::path& folder = staged.path();
     planned.lay_out(folder);

@@ -15,7 +15,7 @@
 namespace aoscore {
 namespace {
 
-/// The radius that lengths are drawn for; empty where the plan wants them as descriptors have them.
+/// The radius that lengths follow; empty where the plan keeps the descriptors' lengths.
 std::optional<double> drawn_for(const ViewPlan& plan, const RankingRadius& radius) {
     return plan.own_parameters ? std::nullopt : std::optional(radius.metres);
 }
@@ -63,7 +63,7 @@ std::vector<PreparedView> prepare(const ExperimentPlan& plan, const Registry& re
             prepared.push_back(std::move(p));
         }
     }
-    // A scene is built once: its views one after the other.
+    // Views of one scene come one after the other, so that it is built once.
     std::vector<const Scene*> order;
     for (const PreparedView& p : prepared) {
         if (std::find(order.begin(), order.end(), p.scene.get()) == order.end())
@@ -76,7 +76,7 @@ std::vector<PreparedView> prepare(const ExperimentPlan& plan, const Registry& re
     return prepared;
 }
 
-// Names the views in the results. One view in two sizes, or at two radii, is two entries.
+// Names the views in the results. One view in two sizes, or at two radii, gets two entries.
 void name_views(std::vector<PreparedView>& prepared) {
     std::set<std::string> taken;
     for (PreparedView& p : prepared) {
@@ -87,7 +87,7 @@ void name_views(std::vector<PreparedView>& prepared) {
     }
 }
 
-/// What methods are held against beside the ranking's truth, which `ranked` asks for.
+/// The queries of methods' own truths that differ from `ranked`, the ranking's.
 std::vector<TruthQuery> own_queries(const std::vector<CellWork>& cells, const TruthQuery& ranked) {
     std::vector<TruthQuery> queries;
     for (const CellWork& cell : cells) {
@@ -134,7 +134,7 @@ MethodRequest fixed_pass_request(const Registry& registry, bool lit, std::uint64
     return request;
 }
 
-/// All that one view's jobs are laid out from.
+/// Makes the work of one view, from which its jobs are laid out.
 ViewWork view_work(const ExperimentPlan& plan, const PreparedView& p, const Registry& registry,
                    SceneTools& tools, const std::filesystem::path& folder) {
     const std::optional<double> drawn_for_m = drawn_for(*p.plan, p.radius);
@@ -190,7 +190,7 @@ ViewRun view_run(const ExperimentPlan& plan, const PreparedView& p, const Regist
 
 PlannedRuns::PlannedRuns(const ExperimentPlan& plan, const ArtifactStore& store)
     : plan_(plan), store_(store) {
-    std::vector<std::string> left_out;  // the plan says which: it names none of them
+    std::vector<std::string> left_out;  // unused: the plan names none of them
     registry_ = load_registry(plan.methods_dir, {}, left_out);
     registry_.folders = plan.folders;
     prepared_ = prepare(plan, registry_, store);

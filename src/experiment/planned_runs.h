@@ -10,11 +10,11 @@
 
 namespace aoscore {
 
-/// One picture to be measured, with everything its plan names looked up.
+/// One picture to measure, with all names of its plan looked up.
 struct PreparedView {
     const ViewPlan* plan;
-    std::size_t plan_index;  ///< into ExperimentPlan::views
-    std::string key;         ///< in the results: "atrium/wide", with its size where that is taken
+    std::size_t plan_index;  ///< index into ExperimentPlan::views
+    std::string key;         ///< its key in the results: "atrium/wide", with its size where that is taken
     std::shared_ptr<const Scene> scene;
     View view;
     RankingRadius radius;
@@ -25,8 +25,8 @@ struct PreparedView {
 class PlannedRuns {
   public:
     /// Loads every scene and looks up all names before any work is done or file is written, so that a wrong
-    /// name costs nothing. `plan` and `store` must outlive it. Throws usage_error and file_error for what
-    /// does not exist.
+    /// name costs nothing. `plan` and `store` must outlive it. Throws usage_error and file_error for names
+    /// that do not exist.
     PlannedRuns(const ExperimentPlan& plan, const ArtifactStore& store);
 
     /// Lays out the jobs; images go below `folder`.
@@ -35,7 +35,7 @@ class PlannedRuns {
     const Registry& registry() const { return registry_; }
     SceneTools& tools() { return tools_; }
     const std::vector<PreparedView>& prepared() const { return prepared_; }
-    const std::vector<ViewRun>& runs() const { return runs_; }  ///< one for each that is prepared
+    const std::vector<ViewRun>& runs() const { return runs_; }  ///< one for each prepared view
 
   private:
     const ExperimentPlan& plan_;

@@ -21,7 +21,7 @@
 namespace aoscore {
 namespace {
 
-// A radius that lies so far from the ranking's, either way, says little of a method.
+// A radius that differs from the ranking's by this factor says little about a method.
 constexpr double kFarRadius = 2;
 
 void add_radius_warnings(const ViewRun& run, std::vector<std::string>& warnings) {
@@ -40,7 +40,7 @@ void add_radius_warnings(const ViewRun& run, std::vector<std::string>& warnings)
     }
 }
 
-/// What the store has of the view, under the names that it has in this run.
+/// The stored record of the view, under its names in this run.
 ViewRecord renamed(ViewRecord stored, const ViewRecord& described) {
     stored.key = described.key;
     stored.scene = described.scene;
@@ -80,7 +80,7 @@ CellRecord described_cell(const ViewRun& run, std::size_t i) {
     return record;
 }
 
-// Who chose the camera himself knows what it shows.
+// Warns of a small radius in an automatic view; a user who chose the camera knows what it shows.
 void warn_of_small_radius(const View& chosen, ViewRecord& view) {
     constexpr double kLeast_px = 15;
     const bool small = view.valid_pixels > 0 && view.radius_px_median < kLeast_px;
@@ -107,8 +107,8 @@ void record_times(const StoredTimes& times, const ViewRecord& view, CellRecord& 
     if (record.lighting.median_ms) record.frame = frame;
 }
 
-/// The metrics without those that the truth's noise leaves more unsure than the goal allows: methods' own
-/// truths have as many rays as the metric that ranks needs, which are too few for SSIM.
+/// The metrics that the truth's noise leaves as certain as the goal asks: methods' own truths have as many
+/// rays as the ranking metric needs, which are too few for SSIM.
 MetricMap sure_metrics(const OwnScore& own, const std::optional<ScoreGoal>& goal) {
     MetricMap metrics = own.metrics;
     if (!goal) return metrics;
@@ -121,7 +121,7 @@ MetricMap sure_metrics(const OwnScore& own, const std::optional<ScoreGoal>& goal
     return metrics;
 }
 
-/// Puts a view's results together from its artifacts.
+/// Makes a view's results from its artifacts.
 class Assembly {
   public:
     Assembly(const ViewRun& run, const ViewMaker& maker, const Execution& done)
@@ -185,7 +185,7 @@ class Assembly {
 
     bool there(const std::optional<Key>& key) const { return key && !done_.has_failed(*key); }
 
-    /// Why the cell failed; empty where it did not.
+    /// The reason why the cell failed; empty where it did not.
     std::string first_error(const CellKeys& keys) const {
         for (const std::optional<Key>& key : {std::optional(keys.image), std::optional(keys.score),
                                               keys.own_score, keys.fetches, keys.times}) {
@@ -199,7 +199,7 @@ class Assembly {
     const Execution& done_;
 };
 
-/// Shows how many of the cells that are still to be scored have been.
+/// Shows the progress of scoring over cells that had no scores.
 class ScoreProgress {
   public:
     ScoreProgress(const ViewRun& run, const ArtifactStore& store) : name_("measuring " + run.work.key) {

@@ -15,33 +15,33 @@
 
 namespace aoscore {
 
-/// One view of a plan with everything that it names looked up.
+/// One view of a plan with all names looked up.
 struct ViewRun {
     const ViewPlan& plan;
     RankingRadius radius;
-    std::optional<double> drawn_for_m;  ///< AO radius of all lengths; empty: they are the descriptors' own
-    std::vector<ResolvedCell> cells;    ///< one for each of the work's
+    std::optional<double> drawn_for_m;  ///< AO radius that lengths follow; empty: descriptors' own lengths
+    std::vector<ResolvedCell> cells;    ///< one for each of the work's cells
     ParameterValues lighting_parameters = {};  ///< empty where frames are not lit
-    std::string lighting = {};                 ///< label of the pass; empty likewise
+    std::string lighting = {};                 ///< label of the pass; empty where frames are not lit
     ViewWork work;
     ViewJobs jobs;
 };
 
-/// What is known of the view before anything is measured.
+/// The record of the view before anything is measured.
 ViewRecord described_view(const ViewRun& run);
 
 struct ViewOutcome {
     ViewRecord view;
     std::vector<CellRecord> cells;  ///< in the order of ViewRun::cells
-    std::uint64_t rays = 0;         ///< traced now
+    std::uint64_t rays = 0;         ///< rays traced now
     std::size_t measured = 0;       ///< cells that were scored now
-    /// The most that the noise of methods' own truths leaves a value of the metric that ranks.
+    /// The largest half width that the noise of own truths gives the ranking metric.
     double own_noise = 0;
 };
 
-/// Takes from the store what is there, and makes the rest: truth, G-buffer, every cell's image and scores; at
-/// last the clock, round by round over the cells, so that a disturbance of the machine meets all of them.
-/// Each artifact is put into the store as soon as it is made: an interrupted run continues where it stopped.
+/// Takes artifacts from the store, and makes the rest: truth, G-buffer, every cell's image and scores; times
+/// come last, round by round over the cells, so that a disturbance of the machine affects all of them. Each
+/// artifact is stored as soon as it is made: an interrupted run continues where it stopped.
 ViewOutcome run_view(const ViewRun& run, const ArtifactStore& store);
 
 }  // namespace aoscore

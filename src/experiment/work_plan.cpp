@@ -16,7 +16,7 @@ double megapixels(const ViewRun& run) {
     return run.work.width * 1e-6 * run.work.height;
 }
 
-/// Seconds a million pixels: of the truth for each ray, and of everything else for each cell.
+/// Seconds for a million pixels: of the truth for each ray, and of all else for each cell.
 struct Pace {
     double truth = 0, cell = 0;
 };

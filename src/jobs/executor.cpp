@@ -32,7 +32,7 @@ class Executor {
     }
 
   private:
-    /// Whether the job's inputs are at hand, made where they have to be; else the job has failed with them.
+    /// Makes the job's inputs where they are missing. False where one of them failed, and the job with it.
     bool prepare(const Job& job) {
         for (const Key& key : job.after) {
             if (done_.has_failed(key)) return fail(job, done_.failed.at(key));
@@ -62,7 +62,7 @@ class Executor {
             maker_.make(job);
             done_.made.push_back(job.key);
         } catch (const Error& e) {
-            // Whatever goes wrong with one artifact, the others are still made.
+            // When one artifact fails, the others are still made.
             if (job.essential || e.exit_code() == ExitCode::interrupted) throw;
             fail(job, e.what());
         }

@@ -6,17 +6,18 @@
 
 namespace aoscore {
 
-/// What both paths agree on, and what is known of each pixel: what every image of a view is compared over.
+/// The pixels over which every image of a view is compared, since both paths agree on them, with facts about
+/// each.
 struct Ground {
     CameraContract contract;
-    PixelFacts facts;  ///< points into the truth it was made of
+    PixelFacts facts;  ///< refers to the truth that it was made of
 };
 
-/// Holds the truth's primary hits against the G-buffer's surfaces.
+/// Compares the truth's primary hits with the G-buffer's surfaces.
 Ground find_ground(const CameraFrame& frame, const Truth& truth, const GBufferImages& gbuffer,
                    const Bounds& scene_bounds);
 
-/// Fills in what the results say of the ground, and of the AO radius in pixels at its median depth.
+/// Records the ground in the results, and the AO radius in pixels at its median depth.
 void record_ground(const Ground& ground, const CameraFrame& frame, const Truth& truth, double radius_m,
                    ViewRecord& view);
 

@@ -39,7 +39,7 @@ void add_vectors(const Image<glm::vec3>& image, const std::vector<std::string_vi
     }
 }
 
-// What was asked for beside the visibility.
+// Adds the planes that were asked for beside visibility.
 void add_extras(const Truth& truth, std::vector<ChannelView>& channels, std::list<ImageF>& planes) {
     for (std::size_t c = 0; c < kCauses; ++c) {
         const ImageF& occlusion = truth.occlusion_by_cause[c];
@@ -56,7 +56,7 @@ void add_extras(const Truth& truth, std::vector<ChannelView>& channels, std::lis
     }
 }
 
-/// As EXR's attributes have it: 16 numbers, row by row, for points that are row vectors.
+/// A matrix as EXR's attributes store it: 16 numbers, row by row, for points that are row vectors.
 std::string row_vector_matrix(const glm::dmat4& matrix) {
     std::string text;
     for (int column = 0; column < 4; ++column) {

@@ -15,25 +15,24 @@ std::string cause_channel(std::size_t cause);
 /// The channel that holds Truth::one_layer_bound.
 inline constexpr const char* kOneLayerChannel = "one_layer.Y";
 
-/// A truth as EXR: `Y` and `V0.Y`, `V1.Y`, … the visibility of each query (Y is the first), `SE.Y` and
+/// Writes a truth as EXR: `Y` and `V0.Y`, `V1.Y`, … the visibility of each query (Y is the first), `SE.Y` and
 /// `SE0.Y`, … the standard errors, `mask.Y` 1 where `valid` says so; radii, falloffs, samples and
-/// `attributes` in the header. Where they were traced: the first query's occlusion by cause
-/// (cause_channel()), the bound of any one-layer method, `bent.X/Y/Z` the bent normal in view space and
-/// `cone.Y` its cone's half angle in radians, with the standard errors `SE.bent.Y` and `SE.cone.Y` of their
-/// angles.
+/// `attributes` in the header. Where they were traced, it also has the first query's occlusion by cause
+/// (cause_channel()), the one-layer bound, `bent.X/Y/Z` the bent normal in view space and `cone.Y` its cone's
+/// half angle in radians, with the standard errors `SE.bent.Y` and `SE.cone.Y` of their angles.
 void write_truth(const std::filesystem::path& path, const Truth& truth, const Mask& valid,
                  std::map<std::string, std::string> attributes);
 
-/// What a header says of a camera: `worldToCamera` and `worldToNDC` (OpenGL's clip space), the planes
-/// `aoscore:near_m` and `aoscore:far_m`, `aoscore:projection`, and its angle or height. `origin` is what
-/// scene space has been moved by (Scene::origin).
+/// The attributes of a camera: `worldToCamera` and `worldToNDC` (OpenGL's clip space), the planes
+/// `aoscore:near_m` and `aoscore:far_m`, `aoscore:projection`, and its angle or height. `origin` is the
+/// offset of scene space (Scene::origin).
 std::map<std::string, std::string> camera_attributes(const CameraFrame& frame, const glm::dvec3& origin);
 
-/// View-space positions of what was drawn, metres; 0 where nothing was.
+/// View-space positions of the surfaces drawn, in metres; 0 where there is none.
 Image<glm::vec3> view_positions(const GBufferImages& gbuffer, const CameraFrame& frame);
 
-/// A G-buffer as EXR: its channels by the names of image/channels.h, `P.X/Y/Z` view-space positions in
-/// metres, `mask.Y`, and `Y` equal to Z for viewers. What was not drawn is left out.
+/// Writes a G-buffer as EXR: its channels by the names of image/channels.h, `P.X/Y/Z` view-space positions in
+/// metres, `mask.Y`, and `Y` equal to Z for viewers. Channels that were not drawn are left out.
 void write_gbuffer(const std::filesystem::path& path, const GBufferImages& gbuffer,
                    const Image<glm::vec3>& positions_m, const std::map<std::string, std::string>& attributes);
 

@@ -16,11 +16,11 @@ namespace aoscore {
 /// The kinds of artifacts, each made by a job of its own.
 enum class ArtifactKind : std::uint8_t {
     gbuffer_times,  ///< runs of the G-buffer alone, milliseconds
-    gbuffer,        ///< what the methods read
+    gbuffer,        ///< the channels that methods read
     truth,          ///< visibility with its standard error
-    own_truth,      ///< the same for the methods' own radii and falloffs
-    contract,       ///< which pixels both paths see alike, and what is known of each
-    view,           ///< the facts of truth and contract that stand in the results
+    own_truth,      ///< the truth for methods' own radii and falloffs
+    contract,       ///< the pixels that both paths see alike, with facts about each
+    view,           ///< the record of truth and contract in the results
     truth_file,
     gbuffer_file,
     image,           ///< a method's visibility, and its file where that is kept
@@ -28,8 +28,8 @@ enum class ArtifactKind : std::uint8_t {
     own_score,       ///< metrics against the method's own truth
     fetches,         ///< texture fetches a pixel
     times,           ///< runs of the method's passes, milliseconds
-    unstressed,      ///< what a stress test's subjects show where nothing is stressed
-    stress_setting,  ///< what a stressed view is like before any subject is run on it
+    unstressed,      ///< pictures of a stress test's subjects without stress
+    stress_setting,  ///< facts of a stressed view, whatever subject runs on it
     stress_cell,     ///< one subject on a stressed view
 };
 inline constexpr std::size_t kArtifactKinds = 16;
@@ -42,23 +42,23 @@ constexpr std::string_view id_of(ArtifactKind kind) {
     return kArtifactKindIds[static_cast<std::size_t>(kind)];
 }
 
-/// Makes one artifact: a function of its inputs, of what its key is built from, and of nothing else.
+/// Makes one artifact, which is a function of its inputs and of the parts of its key, and of nothing else.
 struct Job {
-    Key key;  ///< of the artifact
+    Key key;  ///< the artifact's key
     ArtifactKind kind = ArtifactKind::image;
     std::string about;        ///< "atrium/wide/hbao/default"
     std::vector<Key> inputs;  ///< artifacts that must be at hand when it is made
-    /// Jobs that must not have failed for this one to be worth making; its artifact does not depend on them.
+    /// Jobs whose failure makes this one pointless; its artifact does not depend on them.
     std::vector<Key> after;
-    std::size_t cell = 0;   ///< of the view's work, where it is one cell's
+    std::size_t cell = 0;   ///< index of the cell in the view's work, for a cell's job
     bool in_turns = false;  ///< made together with others of its kind, so that all meet the same disturbances
-    bool essential = false;  ///< where it fails there is nothing to go on with
+    bool essential = false;  ///< without it nothing else can be made
 };
 
-/// The jobs of a plan by key, each once, and which of them are asked for.
+/// The jobs of a plan by key, each once, with the list of those that are asked for.
 class JobGraph {
   public:
-    /// A job that others may need. The same job twice counts once.
+    /// Adds a job that others may need. The same job twice counts once.
     const Job& add(Job job);
     /// The same, and its artifact is asked for.
     const Job& want(Job job);

@@ -43,7 +43,7 @@ bool has_job_to_make(const JobGraph& graph, const std::string& key, const Artifa
 /// Throws internal_error where it fails.
 void make_alone(const JobGraph& graph, const std::string& key, Maker& maker);
 
-/// For a key that none of a command's graphs has.
+/// Throws usage_error for a key that none of a command's graphs has.
 [[noreturn]] void throw_no_such_job(const std::string& key);
 
 }  // namespace aoscore

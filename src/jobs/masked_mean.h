@@ -6,7 +6,7 @@
 
 namespace aoscore {
 
-/// The mean of the pixels that count; 0 where none does. Both images have one size.
+/// The mean over the valid pixels; 0 without any. Both images have one size.
 inline double mean_over(const ImageF& image, const Mask& valid) {
     double sum = 0;
     std::size_t count = 0;

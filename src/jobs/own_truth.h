@@ -8,8 +8,8 @@
 
 namespace aoscore {
 
-/// What a method with these parameters claims to approximate: its own falloff at its own radius. Throws
-/// file_error where the descriptor names a falloff or parameter that does not exist.
+/// The truth that a method with these parameters claims to approximate: its own falloff at its own radius.
+/// Throws file_error where the descriptor names a falloff or parameter that does not exist.
 TruthQuery own_truth(const MethodDescriptor& method, const ParameterValues& parameters);
 
 /// A short name for a query: "binary-0.5", "quadratic-2", "alchemy-u0.128".

@@ -3,7 +3,7 @@
 namespace aoscore {
 
 void SceneTools::choose(const Scene& scene) {
-    // Another scene may lie where an earlier one has ended.
+    // Another scene may have the address of an earlier one.
     if (scene_ == &scene && digest_ == scene.digest) return;
     scene_ = &scene;
     digest_ = scene.digest;

@@ -10,24 +10,25 @@
 
 namespace aoscore {
 
-/// What measures a scene, made ready only when something is asked of it: a run that finds everything in the
-/// store builds nothing.
+/// The tracer and the renderer of a scene, made ready only when they are needed: a run that finds everything
+/// in the store builds nothing.
 class SceneTools {
   public:
-    /// The scene that is measured from here on; it must outlive its use.
+    /// Chooses the scene to measure from here on, which must outlive its use.
     void choose(const Scene& scene);
 
-    /// Of the chosen scene; built when rays are wanted, as far as they reach.
+    /// The tracer of the chosen scene, which is built for rays only when some are wanted, and as far as their
+    /// radius.
     const ReferenceScene& reference();
-    /// With the chosen scene uploaded.
+    /// The renderer with the chosen scene uploaded.
     ScreenRenderer& ready_renderer();
-    /// For questions about OpenGL itself.
+    /// The renderer, for questions about OpenGL itself.
     ScreenRenderer& renderer() { return renderer_; }
 
   private:
     ScreenRenderer renderer_;
     const Scene* scene_ = nullptr;
-    std::string digest_;  ///< of the chosen scene
+    std::string digest_;  ///< the chosen scene's
     const Scene* uploaded_ = nullptr;
     std::optional<ReferenceScene> reference_;
 };

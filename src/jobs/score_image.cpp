@@ -23,7 +23,7 @@
 namespace aoscore {
 namespace {
 
-/// An image against one query of a truth, with the halves of the truth where it has them.
+/// Compares an image with one query of a truth, and with the truth's halves where it has them.
 class Comparison {
   public:
     Comparison(const Truth& truth, std::size_t query, const ImageF& image, const Mask& valid)
@@ -33,7 +33,7 @@ class Comparison {
         halves_.emplace(truth.halves[query][0], truth.halves[query][1], &maps_[1], &maps_[2]);
         input_.halves = &*halves_;
     }
-    /// Against the first query; `valid` must be the mask that the side was made for.
+    /// Compares with the first query; `valid` must be the mask that the side was made for.
     Comparison(const Truth& truth, const TruthSide& side, const ImageF& image, const Mask& valid)
         : Comparison(truth, 0, image, valid) {
         const std::span<const PreparedImage> prepared = side.images();
@@ -54,14 +54,14 @@ class Comparison {
     MetricInput input_;
 };
 
-/// Those of `ids` that are wanted, of all metrics when it is empty.
+/// Measures those of `ids` that are wanted, or of all metrics when it is empty.
 MetricMap measured(const MetricInput& input, const ScoreSettings& settings,
                    const std::vector<std::string>& ids = {}) {
     if (settings.untold) return evaluate(input, ids);
     return evaluate(input, told_metrics(mean_noise_variance(input).value_or(0), ids));
 }
 
-/// As analyse() finds it, of what evaluate() has measured.
+/// The noise as analyse() finds it, for the metrics that evaluate() has measured.
 std::map<std::string, double> noise_of(const MetricInput& input) {
     if (input.halves == nullptr) return {};
     const OcclusionMasks masks = occlusion_masks(input);
@@ -73,7 +73,7 @@ MetricMap raw_metrics(const Truth& truth, const Ground& ground, const TruthSide&
                       const ScoreSettings& settings) {
     std::size_t nonfinite = 0;
     const Mask valid = finite_pixels(truth.visibility[0], raw, ground.contract.valid, nonfinite);
-    // The side is that of all valid pixels.
+    // The side was made for all valid pixels.
     if (nonfinite > 0)
         return measured(Comparison(truth, 0, raw, valid).input(), settings, unranked_metrics());
     return measured(Comparison(truth, side, raw, valid).input(), settings, unranked_metrics());

@@ -16,15 +16,15 @@
 
 namespace aoscore {
 
-/// How far an image is from the ranking's truth.
+/// The scores of an image against the ranking's truth.
 struct Score {
     std::size_t nonfinite = 0;  ///< valid pixels that are NaN or infinite: then there are no numbers
     MetricMap ranked;
     std::optional<ErrorAnalysis> analysis;
-    MetricMap raw;                             ///< of the image before its filter; empty without one
-    std::map<std::string, MetricMap> signals;  ///< of those beside visibility that the image has, by id
+    MetricMap raw;                             ///< metrics before the filter; empty without one
+    std::map<std::string, MetricMap> signals;  ///< metrics of the image's signals beside visibility, by id
 
-    /// Why there are no numbers; empty where there are.
+    /// Says why there are no numbers; empty where there are.
     std::string error() const;
 };
 
@@ -37,26 +37,27 @@ void visit_members(Visit& visit, Record& score) {
     visit("signals", score.signals);
 }
 
-/// How an image is scored.
+/// Settings of a score.
 struct ScoreSettings {
-    bool filtered = false;        ///< the image has been: then it is scored before its filter as well
-    double mask_threshold = 0.1;  ///< of missing and false occlusion, in visibility
-    std::uint64_t seed = 1;       ///< of the resampling
-    /// Also by metrics that the truth's noise hides (told_metrics()): their values are far off, but say how
+    bool filtered = false;        ///< whether the image is: it is then scored before its filter, too
+    double mask_threshold = 0.1;  ///< for missing and false occlusion, in visibility
+    std::uint64_t seed = 1;       ///< seed of the resampling
+    /// Includes metrics that the truth's noise hides (told_metrics()): their values are far off, but say how
     /// many more rays they need.
     bool untold = true;
 };
 
-/// Every metric and the analysis, against the truth's first query; `side` is of this truth and ground. Throws
-/// gate_failed where no pixel is valid, and internal_error where ray tracer and rasteriser disagree.
+/// Computes every metric and the analysis against the truth's first query; `side` belongs to this truth and
+/// ground. Throws gate_failed where no pixel is valid, and internal_error where ray tracer and rasteriser
+/// disagree.
 Score score_image(const Truth& truth, const Ground& ground, const TruthSide& side, const MethodOutput& image,
                   const ScoreSettings& settings);
 
-/// How far an image is from a truth of its method's own.
+/// The scores of an image against its method's own truth.
 struct OwnScore {
     TruthRecord truth;
     MetricMap metrics;
-    std::map<std::string, double> truth_noise;  ///< as ErrorAnalysis has it
+    std::map<std::string, double> truth_noise;  ///< as ErrorAnalysis::truth_noise
 };
 
 template <class Visit, RecordOf<OwnScore> Record>
@@ -66,11 +67,11 @@ void visit_members(Visit& visit, Record& score) {
     visit("truth_noise", score.truth_noise);
 }
 
-/// The metrics that are kept of truths beside the ranking's, against one query of the truth.
+/// Computes the metrics that are stored for own truths, against one query of the truth.
 OwnScore score_own(const Truth& truth, const TruthQuery& query, const Ground& ground, const ImageF& image);
 
 nlohmann::json to_json(const Score& score);
-/// Throws file_error for another form.
+/// Reads a score. Throws file_error for another form.
 Score score_from_json(const nlohmann::json& json, const std::string& where);
 nlohmann::json to_json(const OwnScore& score);
 OwnScore own_score_from_json(const nlohmann::json& json, const std::string& where);

@@ -11,20 +11,20 @@
 
 namespace aoscore {
 
-/// The timed runs of a cell as they are kept, with the fixed pass and the lighting that were timed in the
-/// same rounds. What was not asked for has no runs.
+/// The stored runs of a cell, with the fixed pass and the lighting that were timed in the same rounds. Passes
+/// that were not asked for have no runs.
 struct StoredTimes {
     std::vector<double> ao_ms, filter_ms;
     double fixed_pass_ms = 0;
     std::vector<double> lighting_ms;
     std::vector<double> frame_at_once_ms, frame_by_pass_ms;
 
-    /// Whether these are enough runs for a request: as many as `goal` asks for (without one, as many as were
-    /// taken), and whole frames where they are wanted.
+    /// Whether these runs suffice for a request: as many as `goal` asks for (any number without one), and
+    /// whole frames where they are wanted.
     bool serve(const std::optional<TimingGoal>& goal, bool whole_frames) const;
 };
 nlohmann::json to_json(const StoredTimes& times);
-/// Throws file_error for another form.
+/// Reads stored times. Throws file_error for another form.
 StoredTimes stored_times_from_json(const nlohmann::json& json, const std::string& where);
 
 }  // namespace aoscore

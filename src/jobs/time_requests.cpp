@@ -11,7 +11,7 @@
 namespace aoscore {
 namespace {
 
-// Whatever goes wrong with one cell, the others are still timed.
+// When one cell fails, the others are still timed.
 template <class Action>
 bool succeeds(RequestTimes& times, Action action) {
     try {
@@ -30,7 +30,8 @@ void time_pass(ScreenRenderer& renderer, const MethodRequest& request, RequestTi
     if (run.lighting_ms) times.lighting_ms.push_back(*run.lighting_ms);
 }
 
-// Which of the two comes first changes from round to round: what one leaves behind may help the other.
+// Times both kinds of frames. Their order changes from round to round, since one may warm caches for the
+// other.
 void time_whole_frames(ScreenRenderer& renderer, const MethodRequest& request, RequestTimes& times) {
     using Waits = ScreenRenderer::Waits;
     const auto at_once = [&] {

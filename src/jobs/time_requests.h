@@ -9,7 +9,7 @@
 
 namespace aoscore {
 
-/// What is timed, with its lighting where whole frames are wanted.
+/// A request to time, with its lighting where whole frames are wanted.
 struct TimedRequest {
     MethodRequest request;
     bool whole_frames = false;
@@ -25,12 +25,12 @@ struct RequestTimes {
 };
 
 /// Times requests on the renderer's current G-buffer: a warm-up each, then round by round over all of them,
-/// so that a disturbance of the machine meets all alike; timed_runs() of each, or until `goal` is reached.
+/// so that a disturbance of the machine meets all alike; each timed_runs() times, or until `goal` is reached.
 /// `what` names the work for its progress. Throws interrupted_error on Ctrl-C.
 std::vector<RequestTimes> time_requests(ScreenRenderer& renderer, const std::vector<TimedRequest>& requests,
                                         const std::optional<TimingGoal>& goal, const std::string& what);
 
-/// The G-buffer that was drawn last, drawn again for the clock; milliseconds.
+/// Draws the last G-buffer again for the clock; milliseconds.
 std::vector<double> time_gbuffer(ScreenRenderer& renderer, double first_ms);
 
 }  // namespace aoscore

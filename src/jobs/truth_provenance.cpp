@@ -15,7 +15,7 @@
 namespace aoscore {
 namespace {
 
-/// Row by row for row vectors, which is column by column for ours.
+/// The matrix row by row for row vectors, which is column by column for ours.
 std::string matrix_text(const glm::dmat4& matrix) {
     std::vector<double> numbers;
     for (int column = 0; column < 4; ++column) {
@@ -24,7 +24,7 @@ std::string matrix_text(const glm::dmat4& matrix) {
     return fmt::format("{}", fmt::join(numbers, " "));
 }
 
-/// 2026-11-22T02:11:47Z as EXR writes it: 2026:11:22 02:11:47.
+/// Writes 2026-11-22T02:11:47Z as EXR does: 2026:11:22 02:11:47.
 std::string exr_date(std::string utc) {
     utc.replace(4, 1, ":").replace(7, 1, ":").replace(10, 1, " ");
     utc.pop_back();

@@ -8,9 +8,9 @@
 
 namespace aoscore {
 
-/// The header of a truth file: what its truth depends on, and `command`, which makes it again. Beside our own
-/// attributes EXR's standard ones: comments (the command), capDate, and the matrices worldToCamera (to a
-/// camera that looks down -z) and worldToNDC (-1 to 1 in the picture, after division by w).
+/// The header of a truth file: all that its truth depends on, and `command`, which makes it again. Beside our
+/// own attributes it has EXR's standard ones: comments (the command), capDate, and the matrices worldToCamera
+/// (to a camera that looks down -z) and worldToNDC (-1 to 1 in the picture, after division by w).
 std::map<std::string, std::string> truth_provenance(const Scene& scene, const CachedTruth& traced,
                                                     const std::string& command);
 

@@ -10,11 +10,11 @@
 
 namespace aoscore {
 
-/// What the scores of all images of a view have in common, so that it is made once: what metrics make of the
-/// ranking's truth alone, and how the pixels are divided. One thread may use it.
+/// The common part of the scores of all images of a view, which is made once: the metrics' preparation of the
+/// ranking's truth, and the division of pixels. Only one thread may use it.
 class TruthSide {
   public:
-    /// Both must outlive it.
+    /// Both arguments must outlive this object.
     TruthSide(const Truth& truth, const Ground& ground);
 
     /// The truth of the first query and then its halves, where it has them, on the ground's valid pixels;

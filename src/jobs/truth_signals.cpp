@@ -20,7 +20,7 @@ SignalImage planes_of(const Image<glm::vec3>& image) {
     return planes;
 }
 
-/// How the truth gives one of the signals of core/signal.h.
+/// The way in which the truth gives one of the signals of core/signal.h.
 struct Row {
     std::string_view id;
     bool TruthExtras::*gathered_by;

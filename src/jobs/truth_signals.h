@@ -11,22 +11,22 @@
 
 namespace aoscore {
 
-/// What the truth must gather for these signals.
+/// The extras that the truth must trace for these signals.
 TruthExtras extras_for(std::span<const std::string> signals);
 
-/// Those beside visibility that the truth was asked for.
+/// The signals beside visibility that the truth holds.
 std::vector<std::string> held_signals(const Truth& truth);
 
-/// A signal beside visibility as the truth has it.
+/// A signal beside visibility of the truth.
 struct TruthSignal {
     SignalImage image;
     const ImageF* standard_error_rad;  ///< the truth's own
 };
 
-/// Throws internal_error for a signal that the truth was not asked for.
+/// The truth's signal. Throws internal_error for one that it does not hold.
 TruthSignal truth_signal(const Truth& truth, std::string_view id);
 
-/// What the results say of the signals that the truth holds, over the `valid` pixels.
+/// The records of the truth's signals in the results, over the `valid` pixels.
 std::vector<SignalRecord> recorded_signals(const Truth& truth, const Mask& valid);
 
 }  // namespace aoscore

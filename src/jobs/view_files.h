@@ -6,12 +6,12 @@
 
 namespace aoscore {
 
-// The image files of a view, below its work's folder.
+// These functions write the image files of a view, below its work's folder.
 
 void write_truth_file(const ViewWork& work, const CachedTruth& traced, const Ground& ground);
 void write_gbuffer_file(const ViewWork& work, const GBufferImages& gbuffer);
-/// `Y` the output, and `raw.Y` what it was before its filter, where it has one; beside them the channels
-/// of the signals that it gives (see core/signal.h).
+/// Writes the output as `Y`, the image before the filter, where there is one, as `raw.Y`, and the channels of
+/// its signals (see core/signal.h).
 void write_image_file(const ViewWork& work, const CellWork& cell, const MethodOutput& image);
 
 }  // namespace aoscore

@@ -8,22 +8,22 @@
 
 namespace aoscore {
 
-/// Where the artifacts of one cell are found.
+/// The keys of one cell's artifacts.
 struct CellKeys {
     Key image, score;
     std::optional<Key> own_score;
     std::optional<Key> fetches, times;  ///< empty for a contestant without a cost
 };
 
-/// The jobs of one view: what its results need, and what that is made of.
+/// The jobs of one view: those that its results need, and their inputs.
 struct ViewJobs {
     JobGraph graph;
     Key view;
     std::optional<Key> gbuffer_times, truth_file, gbuffer_file;
-    std::vector<CellKeys> cells;  ///< in the order of the work's
+    std::vector<CellKeys> cells;  ///< in the order of the work's cells
 };
 
-/// Which of a view's artifacts a contestant's image is made of.
+/// The keys of a view's artifacts that a contestant's image is made of.
 std::vector<Key> image_sources(const Contestant& contestant, const Key& gbuffer, const Key& truth);
 
 /// Lays out the jobs; looks nothing up and makes nothing.

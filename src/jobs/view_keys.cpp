@@ -10,7 +10,8 @@
 namespace aoscore {
 namespace {
 
-// The albedo of surfaces without holes is not in the scene's digest: the truth does not see it.
+// The digest of the albedo of surfaces without holes, which is not in the scene's digest: no truth depends on
+// it.
 std::string albedo_digest(const Scene& scene) {
     Digest digest;
     for (const Material& material : scene.materials) digest.value(material.texture);
@@ -22,9 +23,9 @@ std::string albedo_digest(const Scene& scene) {
     return digest.hex();
 }
 
-// Of these queries of a truth that is asked for like this.
+// The key of these queries of the requested truth.
 Key truth_key(TruthRequest request, std::span<const TruthQuery> queries) {
-    // Where pixels are traced until all queries are sure, each of them changes the rays of the others.
+    // Where pixels are traced until all queries converge, each query changes the rays of the others.
     if (request.settings.max_error == 0) request.queries.assign(queries.begin(), queries.end());
     KeyBuilder key("truth");
     key.text(request.picture_key()).text(request.wanted_key()).value(request.settings.halves);
@@ -57,7 +58,7 @@ Key ViewKeys::gbuffer(const std::set<std::string>& inputs) const {
     return key.key();
 }
 
-// What runs on a machine takes its time there.
+// Begins the key of an artifact with times, which depend on the machine.
 KeyBuilder ViewKeys::timed(std::string_view kind) const {
     KeyBuilder key(kind, "times");
     key.text(cpu_name()).value(thread_count());
@@ -72,7 +73,7 @@ Key ViewKeys::truth(std::span<const TruthQuery> queries) const {
     return truth_key(work_.truth_request(), queries);
 }
 
-// What else there is in the view's truth belongs to its first query.
+// The extras of the view's truth belong to its first query, and do not count here.
 Key ViewKeys::own_truth(const TruthQuery& query) const {
     if (work_.ranks_by(query)) return truth(std::vector<TruthQuery>{work_.queries.front(), query});
     return truth_key(work_.own_truth_request(), std::span(&query, 1));
@@ -82,7 +83,7 @@ Key ViewKeys::own_truths() const {
     return truth_key(work_.own_truth_request(), work_.own_queries);
 }
 
-// Of the truth it takes the primary hits alone, which no number of rays changes.
+// The contract depends only on the truth's primary hits, which no number of rays changes.
 Key ViewKeys::contract() const {
     TruthRequest request = work_.truth_request();
     return KeyBuilder("contract").text(request.picture_key()).input(gbuffer({})).key();

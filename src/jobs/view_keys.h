@@ -20,11 +20,11 @@ class ViewKeys {
 
     Key gbuffer(const std::set<std::string>& inputs) const;
     Key gbuffer_times() const;
-    /// Of these queries of the view's truth.
+    /// The key of these queries of the view's truth.
     Key truth(std::span<const TruthQuery> queries) const;
-    /// Of the truth that has the query of a method.
+    /// The key of the truth that has a method's own query.
     Key own_truth(const TruthQuery& query) const;
-    /// Of all queries that are traced apart from the view's.
+    /// The key of all queries that are traced apart from the view's.
     Key own_truths() const;
     Key contract() const;
     Key view() const;
@@ -43,7 +43,7 @@ class ViewKeys {
     KeyBuilder timed(std::string_view kind) const;
 
     const ViewWork& work_;
-    // Digests that take long, made once.
+    // Slow digests, computed once.
     mutable std::optional<std::string> albedo_, fixed_pass_;
     mutable std::map<const CellWork*, Key> images_;
 };

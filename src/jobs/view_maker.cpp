@@ -70,7 +70,7 @@ bool ViewMaker::take(const Job& job) {
     }
 }
 
-// What a damaged or foreign entry holds counts as missing.
+// Takes an artifact from the store; a damaged or foreign entry counts as missing.
 bool ViewMaker::take_payload(const Job& job) {
     const std::optional<nlohmann::json> payload = store_.find(job.key.hex);
     if (!payload) return false;
@@ -197,7 +197,7 @@ void ViewMaker::draw(const std::set<std::string>& inputs) {
     drawn_inputs_ = inputs;
 }
 
-// All queries of a request come from the same rays.
+// Traces the request, whose queries share their rays.
 CachedTruth ViewMaker::trace(TruthRequest request, const std::string& what) {
     const ReferenceScene& reference = work_.tools.reference();
     request.build = reference.build();
@@ -233,7 +233,7 @@ void ViewMaker::make_own_score(const Job& job) {
     keep(job, to_json(own_scores_[job.key]));
 }
 
-// The fixed pass is timed among them.
+// Times the jobs in turns, with the fixed pass among them.
 std::vector<std::string> ViewMaker::make_in_turns(std::span<const Job* const> jobs) {
     std::vector<TimedRequest> requests;
     for (const Job* job : jobs) requests.push_back({cell(*job).timed, cell(*job).whole_frames});

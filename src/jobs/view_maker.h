@@ -19,12 +19,12 @@
 
 namespace aoscore {
 
-/// Makes the artifacts of one view in this process, with Embree and OpenGL, and keeps in the store what is
-/// worth it. Large ones stay in memory as long as they are needed: the G-buffer, the truth, the image made
-/// last.
+/// Makes the artifacts of one view in this process, with Embree and OpenGL, and stores those that take long
+/// to make. Large artifacts stay in memory as long as they are needed: the G-buffer, the truth, the image
+/// made last.
 class ViewMaker final : public Maker {
   public:
-    /// All of them must outlive it. `view` is described but for what is measured.
+    /// All arguments must outlive this object. `view` is described, without measurements.
     ViewMaker(const ViewWork& work, const ViewJobs& jobs, const ArtifactStore& store, const ViewRecord& view);
 
     bool take(const Job& job) override;
@@ -32,7 +32,7 @@ class ViewMaker final : public Maker {
     void make(const Job& job) override;
     std::vector<std::string> make_in_turns(std::span<const Job* const> jobs) override;
 
-    // What was taken or made of the artifacts that the results are put together from; null before that.
+    // The artifacts of the results that were taken or made; null before that.
     const ViewRecord* view() const { return view_ ? &*view_ : nullptr; }
     const std::vector<double>* gbuffer_ms() const { return gbuffer_ms_ ? &*gbuffer_ms_ : nullptr; }
     const Score* score(const Key& key) const;
@@ -40,15 +40,15 @@ class ViewMaker final : public Maker {
     const double* fetches(const Key& key) const;
     const StoredTimes* times(const Key& key) const;
 
-    // What is in memory of the artifacts that others are made of; null where none is.
+    // The artifacts in memory that others are made of; null where there is none.
     const GBufferImages* gbuffer() const { return gbuffer_ ? &*gbuffer_ : nullptr; }
     const Truth* truth() const { return truth_ ? &truth_->truth : nullptr; }
     const Ground* ground() const { return ground_ ? &*ground_ : nullptr; }
     const MethodOutput* image() const { return image_ ? &image_->second : nullptr; }
-    /// How long drawing the G-buffer has taken the last time, milliseconds.
+    /// The time of the last drawing of the G-buffer, milliseconds.
     double drawn_ms() const { return drawn_ms_; }
 
-    /// Rays of the truth that were traced now.
+    /// The number of rays traced now.
     std::uint64_t rays() const { return rays_; }
 
   private:
@@ -68,15 +68,15 @@ class ViewMaker final : public Maker {
     const ArtifactStore& store_;
     const ViewRecord& described_;
     CameraFrame frame_;
-    std::set<Key> pictured_;  ///< images that are kept in files
+    std::set<Key> pictured_;  ///< images that are stored in files
 
     std::set<std::string> drawn_inputs_;
-    double drawn_ms_ = 0;  ///< of the last time
+    double drawn_ms_ = 0;  ///< time of the last drawing
     std::optional<GBufferImages> gbuffer_;
     std::optional<CachedTruth> truth_, own_truth_;
     std::optional<Ground> ground_;
     std::optional<std::pair<Key, MethodOutput>> image_;
-    std::optional<TruthSide> truth_side_;  ///< of the ranking's truth on the ground
+    std::optional<TruthSide> truth_side_;  ///< side of the ranking's truth on the ground
     std::uint64_t rays_ = 0;
 
     std::optional<ViewRecord> view_;

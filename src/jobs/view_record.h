@@ -7,8 +7,8 @@
 
 namespace aoscore {
 
-/// What the results say of a view once its truth is traced and held against the G-buffer; `described` is what
-/// was known before.
+/// The record of a view after its truth was traced and compared with the G-buffer; `described` is the record
+/// before that.
 ViewRecord recorded_view(const ViewWork& work, const ViewRecord& described, const CachedTruth& traced,
                          const Ground& ground);
 

@@ -53,8 +53,8 @@ std::map<std::string, MetricValue> evaluate(const MetricInput& input, std::span<
     finite_pixels(input.truth, input.test, input.valid, nonfinite);
     const PreparedImage test(input.test, input.valid);
     MetricInput shared = input;
-    // Against one truth alone every image is looked at once by each metric, and keeping it would only cost
-    // memory.
+    // Against a single truth each metric reads the image once, so that storing its preparation would only
+    // cost memory.
     if (input.halves != nullptr && input.prepared_test == nullptr) shared.prepared_test = &test;
     std::map<std::string, MetricValue> values;
     for (const Metric* row : rows) {

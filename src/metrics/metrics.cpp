@@ -93,7 +93,7 @@ const std::vector<Metric>& metrics() {
          .meaning = "Largest absolute difference, and the pixel that has it.",
          .measure = measure::max_error,
          .over_views = over_views::largest,
-         .resampled = nullptr},  // parts of an image drawn again never hold a larger one
+         .resampled = nullptr},  // resampled blocks never hold a larger error
         {.id = "flip",
          .label = "FLIP",
          .in_text = "FLIP",

@@ -5,13 +5,13 @@
 
 namespace aoscore {
 
-/// What something costs and how wrong it is; less is better of both. Empty where it could not be had.
+/// A cost and an error, of which less is better; empty where missing.
 struct CostAndError {
     std::optional<double> cost, error;
 };
 
-/// Whether each of them is on the Pareto front: nothing else costs no more and errs no more, with one of the
-/// two less. What lacks a number is not on it.
+/// Whether each is on the Pareto front: no other has at most its cost and its error, and less of one. An
+/// entry that lacks a number is not on it.
 std::vector<bool> pareto_front(const std::vector<CostAndError>& all);
 
 }  // namespace aoscore

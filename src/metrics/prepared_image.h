@@ -12,26 +12,27 @@
 
 namespace aoscore {
 
-/// What metrics that look at a pixel's surroundings make of one image alone: an image that is compared with
-/// several others, as a truth is, need not be filtered for each of them. Made when it is first asked for, and
-/// kept; one thread may ask. The numbers are the same bits as without it.
+/// The part of windowed metrics that depends on one image alone: an image that is compared with several
+/// others, as a truth is, need not be filtered for each. It is made when first needed, and kept; only one
+/// thread may use it. Metrics have the same bits as without it.
 class PreparedImage {
   public:
-    /// Both must outlive it. What is invalid may be NaN.
+    /// Both arguments must outlive this object. Invalid pixels may be NaN.
     PreparedImage(const ImageF& image, const Mask& valid) : image_(image), valid_(valid) {}
 
-    /// What FLIP finds in it.
+    /// FLIP's features of the image.
     const SeenImage& seen() const;
-    /// Halved that many times, with its moments under SSIM's window (where it is larger than the window).
+    /// The image halved so many times, with its moments under SSIM's window (where it is larger than the
+    /// window).
     WindowedImage windowed(std::size_t halvings) const;
 
-    /// What all of it takes of memory, bytes a pixel: three numbers for FLIP, and two for SSIM at the first
-    /// scale, a quarter of them at the second, and so on, beside the images and weights of these scales.
+    /// The memory of all of it in bytes a pixel: three numbers for FLIP, and two for SSIM at the first scale,
+    /// a quarter of that at the second, and so on, with the images and weights of these scales.
     static constexpr double kBytesPerPixel = 3 * 8 + (2 * 8 + 2 * 4) * 4.0 / 3;
 
   private:
     struct Scale {
-        ImageF halved;  ///< empty where it is the image itself
+        ImageF halved;  ///< empty at the first scale, which is the image itself
         std::optional<WindowMoments> moments;
     };
 
@@ -41,18 +42,18 @@ class PreparedImage {
     const ImageF& image_;
     const Mask& valid_;
     mutable std::optional<SeenImage> seen_;
-    mutable std::optional<PixelWeights> weights_;  ///< of the last scale
+    mutable std::optional<PixelWeights> weights_;  ///< weights of the last scale
     mutable std::vector<Scale> scales_;
 };
 
-/// An image at one scale after the other, prepared or not.
+/// An image at successive scales, prepared or not.
 class ScaledImage {
   public:
     /// `prepared` is null where it was not; all must outlive it.
     ScaledImage(const ImageF& image, const PreparedImage* prepared) : image_(image), prepared_(prepared) {}
 
     WindowedImage windowed() const;
-    /// Goes on to half the size; `weights` are those of the size it had.
+    /// Halves the image; `weights` are those of its current size.
     void halve(const PixelWeights& weights);
 
   private:

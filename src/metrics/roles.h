@@ -2,12 +2,11 @@
 
 namespace aoscore {
 
-/// The metrics that have a part to play beside being a column, each by its part: ids of the table of metrics.
-/// No other file names a metric.
+/// The ids of metrics that have a role beside being a column. No other file names a metric.
 inline constexpr char kRankingMetric[] = "rmse_debiased";  ///< ranks where the truth's noise is known
 inline constexpr char kNoisyRankingMetric[] = "rmse";      ///< ranks elsewhere, the noise included
-inline constexpr char kBiasMetric[] = "bias";              ///< says which way a method errs
+inline constexpr char kBiasMetric[] = "bias";              ///< shows the sign of a method's error
 inline constexpr char kStructureMetric[] = "ssim";         ///< likeness, shown beside the error
-inline constexpr char kPerceptualMetric[] = "flip";        ///< what viewers see, shown beside the error
+inline constexpr char kPerceptualMetric[] = "flip";        ///< perceived difference, shown beside the error
 
 }  // namespace aoscore

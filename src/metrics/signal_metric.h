@@ -11,20 +11,20 @@
 
 namespace aoscore {
 
-/// What a metric of a signal beside visibility looks at. All planes have one size.
+/// The input of a metric of a signal beside visibility. All planes have one size.
 struct SignalInput {
     const SignalImage& truth;
     const SignalImage& test;
     const Mask& valid;             ///< pixels that count; finite in both images
-    const ImageF& standard_error;  ///< of the truth, radians
+    const ImageF& standard_error;  ///< the truth's, in radians
 };
 
 /// One metric of such a signal: a row of the table in signal_metrics.cpp and a file of its own.
 struct SignalMetric {
     std::string_view id;     ///< JSON key
-    std::string_view label;  ///< a column's
+    std::string_view label;  ///< the label of a column
     std::string_view unit;
-    std::string_view signal;  ///< the id of the signal that it fits
+    std::string_view signal;  ///< the id of the signal that it measures
     int decimals = 2;
     std::string_view meaning;  ///< one sentence for the page
     MetricValue (*measure)(const SignalInput&);
@@ -33,8 +33,8 @@ struct SignalMetric {
 /// The one table of them, in the order of columns. Lower is better in all.
 const std::vector<SignalMetric>& signal_metrics();
 
-/// Every metric of the table that fits `signal`, by id. Where a valid pixel is NaN or infinite, or none is
-/// valid, every value is empty with a note. Throws sizes_differ for planes of several sizes.
+/// Evaluates every metric of the table for `signal`, by id. Where a valid pixel is NaN or infinite, or none
+/// is valid, every value is empty with a note. Throws sizes_differ for planes of several sizes.
 std::map<std::string, MetricValue> evaluate_signal(std::string_view signal, const SignalInput& input);
 
 }  // namespace aoscore

@@ -14,7 +14,7 @@ bool finite(const SignalImage& image, std::size_t i) {
     return std::ranges::all_of(image, [i](const ImageF& plane) { return std::isfinite(plane.pixels[i]); });
 }
 
-/// Throws sizes_differ.
+/// Throws sizes_differ unless all planes have one size.
 void require_one_size(const SignalInput& input) {
     for (const SignalImage* image : {&input.truth, &input.test}) {
         for (const ImageF& plane : *image)

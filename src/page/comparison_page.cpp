@@ -33,7 +33,7 @@ json image_model(const ComparedImage& image) {
             {"picture", coloured_picture({&image.visibility}, 0, 1, gray_palette(kGrays))}};
 }
 
-/// Test minus truth where they were compared, no number elsewhere.
+/// Test minus truth where they were compared, NaN elsewhere.
 ImageF error_of(const ComparisonPage& comparison) {
     ImageF error(comparison.valid.width, comparison.valid.height, std::numeric_limits<float>::quiet_NaN());
     for (std::size_t i = 0; i < error.size(); ++i) {

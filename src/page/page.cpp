@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Browsers open larger pages, but slowly, and mail programs refuse them.
+// Beyond this size browsers open pages slowly, and mail programs refuse them.
 constexpr std::size_t kLargePage_bytes = std::size_t{50} << 20;
 
 std::string section_html(const Section& section, const PageSource& source) {
@@ -40,7 +40,7 @@ std::string page_html(const PageSource& all, const PageSource& source) {
     const fs::path frame = page_folder() / "template.html";
     std::string html = html_text({"screen-space ambient occlusion against ray-traced truth", page_style(),
                                   page_script(), fill_template(read_file(frame), model, frame.string())});
-    // The images come last: what a reader sees first does not wait for them.
+    // The images come last, so that the top of the page does not wait for them.
     html.insert(html.rfind("</body>"), image_blocks(source) + live_blocks(source.live));
     return html;
 }

@@ -5,14 +5,13 @@
 
 namespace aoscore {
 
-/// Whether a page can be made at all: throws file_error when one of its libraries is not installed. Asked
-/// before long work.
+/// Throws file_error when a library that pages need is not installed. It is called before long work.
 void require_page_parts();
 
 /// Makes one self-contained HTML page, folder/index.html, from folder/results.json and the images beside it
 /// alone. `everything` keeps raw outputs and occlusion by
-/// cause in large pages too. `key`, where there is one, is kept in it (see page_key()). Returns its path.
-/// Throws file_error when the results are missing or of another version.
+/// cause in large pages too. `key`, where there is one, is written into it (see page_key()). Returns its
+/// path. Throws file_error when the results are missing or of another version.
 std::filesystem::path write_page(const std::filesystem::path& results_folder, bool everything = false,
                                  const std::string& key = {});
 

@@ -11,7 +11,7 @@
 
 namespace aoscore {
 
-/// What every section is made of.
+/// The source of every section.
 struct PageSource {
     const Results& results;
     const Pictures& pictures;
@@ -25,9 +25,9 @@ struct Section {
     std::string_view id;
     std::string_view title;
     nlohmann::json (*build)(const PageSource&);
-    /// Which results it is made of: only the views and cells whose images were kept, or all of them.
+    /// The results that it shows: only views and cells whose images were stored, or all of them.
     enum class Of { pictured, all } of = Of::pictured;
-    /// Whether it has anything to say about them; it is left out of the page otherwise.
+    /// Whether it applies to the results; the page leaves it out otherwise.
     bool (*applies)(const Results&) = nullptr;
 };
 
@@ -49,7 +49,7 @@ nlohmann::json claims(const PageSource& source);
 nlohmann::json measurement(const PageSource& source);
 }  // namespace section
 
-/// The part of the results whose images were kept: what can be shown.
+/// The part of the results whose images were stored.
 Results pictured(const Results& results);
 
 /// The cell of that id; null when there is none.
@@ -58,9 +58,9 @@ const CellRecord* find_cell(const Results& results, const std::string& id);
 const ViewRecord& find_view(const Results& results, const std::string& key);
 /// The view's truth of that id; null when there is none.
 const TruthRecord* find_truth(const ViewRecord& view, const std::string& id);
-/// What a method costs beside the G-buffer that all of them need: AO pass and filter, ms.
+/// The cost of a method without the G-buffer that all need: AO pass and filter, ms.
 std::optional<double> cost_ms(const CellRecord& cell);
-/// "binary, 0.5 m", "alchemy, u 0.128 m, infinite".
+/// A truth in words: "binary, 0.5 m", "alchemy, u 0.128 m, infinite".
 std::string truth_text(const TruthRecord& truth);
 
 }  // namespace aoscore

@@ -21,9 +21,9 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// How a cell is drawn.
+/// The look of a cell.
 struct Grade {
-    const char* style;  ///< class of the style sheet
+    const char* style;  ///< its class in the style sheet
     const char* mark;   ///< readable without colours
 };
 
@@ -155,7 +155,7 @@ json number(std::optional<double> value, int decimals) {
     return fixed_text(value, decimals);
 }
 
-// Everything that a cell opens: texts and places in the strips.
+// The details that a cell opens: texts and places in the strips.
 json data_model(const StressResults& results, const fs::path& folder) {
     json axes = json::array();
     for (const StressAxisRecord& axis : results.axes) {

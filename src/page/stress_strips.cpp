@@ -10,7 +10,7 @@
 namespace aoscore {
 namespace {
 
-// Steps of a strip's colours. Odd, so that 0 has a colour of its own.
+// The number of colours of a strip, which is odd so that 0 has a colour of its own.
 constexpr int kSteps = 15;
 
 const ImageF& channel_of(const ImageFile& file, const std::string& name, const std::string& where) {

@@ -27,7 +27,7 @@ std::string gl_text(GLenum name) {
     return text == nullptr ? "unknown" : reinterpret_cast<const char*>(text);
 }
 
-// A pass may write more than 1 where the mean over its filter's pixels is meant. NaN stays NaN.
+// Clips at 1: a pass may write more where only the mean over its filter's pixels counts. NaN stays NaN.
 void cut_off_above_one(ImageF& image) {
     for (float& v : image.pixels) v = v > 1 ? 1 : v;
 }
@@ -151,7 +151,7 @@ ImageF ScreenRenderer::filter(const ImageF& visibility, const MethodRequest& req
 ScreenRenderer::PassTimes ScreenRenderer::time(const MethodRequest& request) {
     MethodRunner& runner = impl_->ready_runner();
     const MethodRunner::Frame frame = runner.prepare(request);  // compiling is not part of a frame
-    runner.forget_derived();  // what a method has made for itself is on its bill
+    runner.forget_derived();  // a method's cost includes the inputs made for it
     gl::Finish();
     PassTimes times;
     const Clock ao;

@@ -10,7 +10,7 @@
 namespace aoscore {
 namespace {
 
-/// What both contestants that a request describes have in common.
+/// The common part of both contestants that a request describes.
 class Requested : public Contestant {
   public:
     explicit Requested(MethodRequest request) : request_(std::move(request)) {}
@@ -40,7 +40,7 @@ class ShaderMethod final : public Requested {
     }
 };
 
-/// It has no cost: rays on a processor say nothing of a graphics card's.
+/// Few rays have no cost: rays on a processor say nothing about a graphics card's.
 class FewRays final : public Requested {
   public:
     using Requested::Requested;
@@ -54,7 +54,7 @@ class FewRays final : public Requested {
     }
 };
 
-/// What both contestants that are a part of the truth have in common.
+/// The common part of both contestants that are a part of the truth.
 class OfTruth : public Contestant {
   public:
     explicit OfTruth(const TruthQuery& query) : query_(query) {}

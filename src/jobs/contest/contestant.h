@@ -13,14 +13,15 @@
 
 namespace aoscore {
 
-/// What a contestant makes its image of: one view of the scene that the tools have chosen.
+/// The inputs of a contestant's image: one view of the scene that the tools have chosen.
 struct ContestantSources {
-    SceneTools& tools;             ///< its renderer holds the G-buffer, where that is read
-    const CameraFrame& frame;      ///< of the view
+    SceneTools& tools;             ///< their renderer holds the G-buffer, where that is read
+    const CameraFrame& frame;      ///< the view's frame
     const Truth* truth = nullptr;  ///< null where no truth is read
 };
 
-/// Whatever can be scored on a view: it gives an image of visibility, and has a cost or none. Behind it:
+/// Anything that can be scored on a view: it gives an image of visibility, and may have a cost.
+/// Implementations:
 /// - ShaderMethod, a folder of shaders/methods/ drawn by the renderer. Passes that no shader can draw are
 ///   computed by a Processor (screen/passes/processors.h), the line sweep among them;
 /// - FewRays, the ray tracer with as few rays as a frame has time for (jobs/contest/few_rays.h);
@@ -31,30 +32,31 @@ class Contestant {
   public:
     virtual ~Contestant() = default;
 
-    /// The code that makes its image, by its name in code_digest().
+    /// The kind in code_digest() of the code that makes its image.
     virtual std::string_view code() const = 0;
-    /// Of all else that decides its image, beside what it reads.
+    /// The digest of all that decides its image beside the inputs that it reads.
     virtual std::string digest(bool orthographic) const = 0;
     /// The G-buffer's inputs that it reads; empty where it does not read the G-buffer at all.
     virtual std::optional<std::set<std::string>> gbuffer_inputs() const { return std::nullopt; }
-    /// What it reads of the truth; empty where it does not read the truth.
+    /// The query of the truth that it reads; empty where it does not read the truth.
     virtual std::optional<TruthQuery> truth_query() const { return std::nullopt; }
-    /// Ids of the signals that it gives beside visibility (core/signal.h).
+    /// The ids of the signals that it gives beside visibility (core/signal.h).
     virtual std::vector<std::string> signals() const { return {}; }
-    /// What is timed, and whose fetches are counted; null for a contestant without a cost.
+    /// The request to time, and whose fetches are counted; null for a contestant without a cost.
     virtual const MethodRequest* timed_request() const { return nullptr; }
-    /// Whether a filter has made its image of a raw one, which it gives as well.
+    /// Whether its image is filtered; it then gives the raw one as well.
     virtual bool is_filtered() const { return false; }
 
     /// Its image, raw and filtered. Throws where there is none, or one that does not fit the view.
     virtual MethodOutput image(const ContestantSources& sources) const = 0;
 };
 
-/// A method, or few rays: what a request asks for.
+/// Makes the contestant of a request: a method, or few rays.
 std::shared_ptr<const Contestant> contestant_of(MethodRequest request);
-/// The truth's visibility of this query.
+/// Makes a contestant of the truth's visibility for this query.
 std::shared_ptr<const Contestant> true_image(const TruthQuery& query);
-/// Of the truth's first query, which this must be; the truth must be traced with its one-layer bound.
+/// Makes the contestant of the one-layer bound. `query` must be the truth's first, traced with its one-layer
+/// bound.
 std::shared_ptr<const Contestant> one_layer_bound(const TruthQuery& query);
 
 }  // namespace aoscore

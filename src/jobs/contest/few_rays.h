@@ -6,10 +6,10 @@
 
 namespace aoscore {
 
-/// Ray-traced ambient occlusion as frames in real time have it: so few rays a pixel that a filter must
-/// follow. A contestant that no shader draws: the ray tracer's picture in place of an AO pass, filtered and
-/// measured like all others. Not among the methods; it has no time of its own, since rays on a processor say
-/// nothing of a graphics card's.
+/// Ray-traced ambient occlusion of frames in real time: so few rays a pixel that a filter must follow. No
+/// shader draws it: the ray tracer's picture takes the place of an AO pass, and is filtered and measured like
+/// all others. It is not among the methods, and has no time of its own, since rays on a processor say nothing
+/// about a graphics card's.
 inline constexpr const char* kFewRays = "ray-traced";
 
 /// Its parameters: "rays" a pixel, and "radius", metres.
@@ -17,8 +17,8 @@ MethodDescriptor few_rays_descriptor();
 
 bool is_few_rays(const MethodRequest& request);
 
-/// Its picture, visibility, 1 where there is no surface. The rays share nothing with those of a truth of the
-/// same seed.
+/// Traces its picture of visibility, 1 where there is no surface. The rays share nothing with those of a
+/// truth of the same seed.
 ImageF trace_few_rays(const ReferenceScene& reference, const CameraFrame& frame,
                       const MethodRequest& request);
 

@@ -14,18 +14,19 @@ namespace aoscore {
 /// contestant.json, see reports/README.md.
 struct ImageFolder {
     std::filesystem::path folder;
-    MethodDescriptor method;  ///< how results name it: id and label; it has no parameters and no passes
-    ParameterValues stated;   ///< a cost that its program states, never ranked: "stated_ms" and "stated_on"
+    MethodDescriptor method;  ///< its id and label in results; it has no parameters and no passes
+    ParameterValues stated;   ///< the cost that its program states, never ranked: "stated_ms" and "stated_on"
     VisibilityReading reading;
     std::map<std::string, std::string> images;  ///< files in the folder, by the view's id
 };
 
-/// Throws file_error where contestant.json is not there or not understood. Whether its images are there is
-/// seen only when they are scored.
+/// Loads a folder. Throws file_error where contestant.json is missing or not understood. Missing images are
+/// noticed only when they are scored.
 ImageFolder load_image_folder(const std::filesystem::path& folder);
 
-/// The folder's image of the view, read when it is asked for: where it is missing, has another size or cannot
-/// be read, image() throws. Pixels that the file has no value for are NaN. `folder` must outlive it.
+/// Makes a contestant of the folder's image of the view. image() reads it, and throws where it is missing,
+/// has another size or cannot be read. Pixels that the file has no value for are NaN. `folder` must outlive
+/// it.
 std::shared_ptr<const Contestant> folder_image(const ImageFolder& folder, const std::string& view);
 
 }  // namespace aoscore

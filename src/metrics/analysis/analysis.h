@@ -17,26 +17,26 @@
 
 namespace aoscore {
 
-/// Where and how a test image is wrong, beside how much (the metrics).
+/// The places and kinds of a test image's errors; metrics tell their size.
 struct ErrorAnalysis {
     std::map<std::string, Interval> intervals;  ///< 95 % confidence, by id; see confidence_intervals()
-    BestFit fit;                                ///< strength and exponent that would suit it best
+    BestFit fit;                                ///< strength and exponent that fit it best
     MaskSummary missing;                        ///< brighter than the truth beyond threshold and noise
-    MaskSummary false_occlusion;                ///< darker
+    MaskSummary false_occlusion;                ///< darker than the truth beyond both
     std::vector<ErrorRegion> regions;           ///< worst connected pieces of both masks
     std::vector<Split> splits;                  ///< error by property of the pixel
     ErrorDistribution distribution;
     std::optional<double> tile_pattern;  ///< see tile_pattern()
-    /// How far each metric may lie from its value against a truth without noise, by id (see truth_noise()):
-    /// half the width of an interval that holds it with 95 % confidence. Empty where the truth has no halves.
+    /// The half width of an interval that holds a metric's value against a truth without noise with 95 %
+    /// confidence, by id (see truth_noise()). Empty where the truth has no halves.
     std::map<std::string, double> truth_noise;
-    BlockErrors blocks;  ///< what the intervals are made of; pairs with those of other tests of the truth
+    BlockErrors blocks;  ///< source of the intervals; pairs with other tests of the truth
 };
 
-/// SSIM, MS-SSIM and FLIP have intervals where evaluate() left their sums in `input.maps`. `mask_threshold`
-/// in visibility; `seed` of the resampling. Empty without a valid pixel or where a valid one is NaN or
-/// infinite. `divisions` are pixel_divisions() of mask and facts, where other tests need them as well; null:
-/// they are made. Throws sizes_differ.
+/// Analyses a test image. SSIM, MS-SSIM and FLIP have intervals where evaluate() left their sums in
+/// `input.maps`. `mask_threshold` is in visibility, `seed` is that of the resampling. Empty without a valid
+/// pixel or where a valid one is NaN or infinite. `divisions` are pixel_divisions() of mask and facts, where
+/// other tests need them as well; null: analyse() makes them. Throws sizes_differ.
 std::optional<ErrorAnalysis> analyse(const MetricInput& input, const PixelFacts& facts, double mask_threshold,
                                      std::uint64_t seed,
                                      const std::vector<PixelDivision>* divisions = nullptr);

@@ -30,8 +30,8 @@ struct Curve {
 };
 
 /// The truth's moments by the test's level: the search looks at levels in place of pixels. A level's mean
-/// stands for its pixels, so that an error of the order of the level's width squared is left to the search
-/// alone; what is reported is measured on the pixels.
+/// stands for its pixels, which gives the search an error of the order of the level's width squared; reported
+/// values are measured on the pixels.
 class Levels {
   public:
     explicit Levels(const MetricInput& input) {
@@ -56,7 +56,7 @@ class Levels {
         fitted_ = tests_;
     }
 
-    /// Sum of squared errors but for a constant: the spread of the truth within levels.
+    /// The sum of squared errors less a constant, which is the spread of the truth within levels.
     double badness(const Curve& curve) {
         std::ranges::copy(tests_, fitted_.begin());
         curve.apply(fitted_);
@@ -70,13 +70,13 @@ class Levels {
 
   private:
     static constexpr std::size_t kLevels = 1024;
-    // Of the levels that have pixels.
+    // Values of the levels that have pixels.
     std::vector<double> counts_, tests_, truths_;
     std::vector<double> fitted_;
 };
 
-/// Where a function of one variable is least in [low, high]: the best of a few even steps, then by golden
-/// section between its neighbours.
+/// Finds where a function of one variable is least in [low, high]: at the best of a few even steps, then by
+/// golden section between its neighbours.
 template <class Function>
 double least_at(double low, double high, Function function) {
     constexpr int kSteps = 24, kSections = 32;
@@ -110,8 +110,8 @@ double least_at(double low, double high, Function function) {
     return function(middle) < least ? middle : best;
 }
 
-/// Strength and exponent make up for each other nearly, in a narrow curved valley: hence the best strength
-/// for every exponent that is tried.
+/// Strength and exponent almost compensate each other, in a narrow curved valley: the search therefore finds
+/// the best strength for every exponent that it tries.
 Curve search(Levels& levels) {
     const auto best_strength = [&](double exponent) {
         return least_at(0, kMostStrength, [&](double strength) {
@@ -171,7 +171,7 @@ std::optional<BestFit> best_fit(const MetricInput& input) {
     Levels levels(input);
     Curve curve = search(levels);
     FittedError error = fitted_error(input, curve);
-    if (error.mse() > *as_it_is) {  // Off by the search's levels: there is nothing to gain.
+    if (error.mse() > *as_it_is) {  // The levels misled the search: nothing is gained.
         curve = {};
         error = fitted_error(input, curve);
     }

@@ -13,7 +13,7 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 void lower_envelope(std::vector<double>& values) {
     const int count = static_cast<int>(values.size());
     std::vector<int> vertices;
-    std::vector<double> starts;  // Where each vertex' parabola begins to be the lowest.
+    std::vector<double> starts;  // the places where each vertex' parabola becomes the lowest
     const auto at = [&](int q) { return values[static_cast<std::size_t>(q)]; };
     for (int q = 0; q < count; ++q) {
         if (at(q) == kFar) continue;

@@ -14,13 +14,13 @@ namespace {
 
 constexpr std::size_t kBins = 201, kSteps = 201;
 
-/// How many errors lie in each bin, and the first step that holds how many; the last step: beyond all.
+/// The number of errors in each bin, and the number that each step holds first; the last step is beyond all.
 struct Counts {
     std::vector<double> bins = std::vector<double>(kBins), steps = std::vector<double>(kSteps + 1);
     double pixels = 0;
 };
 
-/// Of `position`, which is rounded down, or of the first or last place where it lies beyond.
+/// The place of `position`, rounded down, or the first or last place where it lies beyond.
 std::size_t place_below(double position, std::size_t count) {
     return static_cast<std::size_t>(std::clamp(position, 0.0, static_cast<double>(count - 1)));
 }

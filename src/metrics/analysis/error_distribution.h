@@ -6,12 +6,12 @@
 
 namespace aoscore {
 
-/// How the errors (test - truth) of the valid pixels are spread: bins and steps are the same for all images,
-/// so that curves of several methods can lie over one another.
+/// The distribution of errors (test - truth) over the valid pixels: bins and steps are the same for all
+/// images, so that curves of several methods can lie over one another.
 struct ErrorDistribution {
     double histogram_low = -1.005;  ///< lower end of the first bin: the middle ones are at -1, -0.99, …, 1
     double histogram_high = 1.005;  ///< upper end of the last bin
-    /// Share of the valid pixels in each of 201 equal bins; what lies beyond the ends is in the outermost.
+    /// The share of valid pixels in each of 201 equal bins; errors beyond the ends are in the outermost.
     std::vector<double> histogram;
     double cumulative_step = 0.005;
     /// Share of the valid pixels whose |error| is at most i steps, for i = 0 to 200.

@@ -11,7 +11,7 @@ namespace {
 struct Sums {
     double count = 0, truth = 0, test = 0, truth_squared = 0, test_squared = 0, product = 0;
 
-    // Values of about a half are taken off, so that flat pictures keep their digits.
+    // Values of about a half are subtracted, so that flat pictures keep their digits.
     void add(double truth_value, double test_value) {
         const double a = truth_value - 0.5, b = test_value - 0.5;
         ++count;
@@ -36,7 +36,7 @@ std::optional<Likeness> likeness(const MetricInput& input) {
     if (s.count < 2) return std::nullopt;
     const double of_truth = s.truth_squared - s.truth * s.truth / s.count;
     const double of_test = s.test_squared - s.test * s.test / s.count;
-    // Less is what rounding makes of constant pictures.
+    // Rounding gives constant pictures less than this.
     const double least = 1e-12 * s.count;
     if (!(of_truth > least) || !(of_test > least)) return std::nullopt;
     const double both = s.product - s.truth * s.test / s.count;

@@ -9,7 +9,7 @@
 
 namespace aoscore {
 
-/// Where occlusion is missing (test brighter than the truth) and where it is false (darker): by more than a
+/// Masks of missing occlusion (test brighter than the truth) and false occlusion (darker): by more than a
 /// threshold and, where the truth's standard error is known, by more than three of them.
 struct OcclusionMasks {
     Mask missing;
@@ -18,14 +18,14 @@ struct OcclusionMasks {
     double false_area = 0;
 };
 inline constexpr double kMaskThreshold = 0.1;     ///< the default, in visibility
-inline constexpr double kMaskStandardErrors = 3;  ///< what noise alone exceeds in one of 370 pixels
+inline constexpr double kMaskStandardErrors = 3;  ///< noise alone exceeds it in one of 370 pixels
 /// Throws sizes_differ.
 OcclusionMasks occlusion_masks(const MetricInput& input, double threshold = kMaskThreshold);
 
-/// What one cause has to do with a mask: each of its pixels is divided among the causes of the truth's
-/// occlusion there, in proportion to what they occlude.
+/// The part of a mask by one cause: each pixel is divided among the causes of the truth's occlusion there, in
+/// proportion to their occlusion.
 struct CauseShare {
-    std::string cause;           ///< as PixelFacts names it
+    std::string cause;           ///< its name in PixelFacts
     double area = 0;             ///< share of the valid pixels; those of all causes add up to the mask's
     std::optional<double> mean;  ///< mean |test - truth| over that area; empty where there is none
 };

@@ -10,7 +10,7 @@
 namespace aoscore {
 namespace {
 
-/// Between the bounds, which are in ascending order, one below the first and one above the last.
+/// The labels of bins between ascending bounds, with one bin below the first and one above the last.
 std::vector<std::string> labels_between(const std::vector<double>& bounds) {
     std::vector<std::string> labels;
     labels.push_back(fmt::format("below {:.3g}", bounds.front()));
@@ -64,7 +64,7 @@ PixelDivision by_depth(const Mask& valid, const PixelFacts& facts) {
         const auto at = depths.begin() + static_cast<std::ptrdiff_t>(fifth * depths.size() / 5);
         std::nth_element(from, at, depths.end());
         bounds.push_back(double{*at});
-        from = at;  // Nothing before it is larger.
+        from = at;  // no bound before it is larger
     }
     bounds.erase(std::unique(bounds.begin(), bounds.end()), bounds.end());
     return by_image(facts.depth_m, valid, bounds);

@@ -7,12 +7,12 @@
 
 namespace aoscore {
 
-/// What is known of the pixels besides truth and test: by it errors are split and explained. An empty image
-/// or list leaves out what would need it; the others have the size of the truth.
+/// Facts about pixels besides truth and test, by which errors are split and explained. Where an image or list
+/// is empty, its splits are left out; the others have the size of the truth.
 struct PixelFacts {
     ImageF depth_m;           ///< view depth -z
     ImageF tilt;              ///< |n v|, cosine between normal and line of sight, in [0,1]
-    ImageF edge_distance_px;  ///< to the nearest pixel beside a jump in depth
+    ImageF edge_distance_px;  ///< distance to the nearest pixel beside a depth edge
     /// Occlusion of the truth by one cause, in [0,1]; all causes add up to 1 - visibility.
     struct Cause {
         std::string name;

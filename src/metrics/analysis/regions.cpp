@@ -7,7 +7,7 @@
 namespace aoscore {
 namespace {
 
-/// A region and what is summed up while it grows.
+/// A region with its sums while it grows.
 struct Growing {
     ErrorRegion region;
     int right = 0, bottom = 0;
@@ -43,7 +43,7 @@ struct Growing {
     }
 };
 
-/// All pieces of one mask, worst first, no more than are listed.
+/// The pieces of one mask, worst first, as many as are listed.
 std::vector<ErrorRegion> pieces(Mask mask, const std::string& kind, const MetricInput& input,
                                 const std::vector<PixelFacts::Cause>& causes) {
     std::vector<ErrorRegion> found;

@@ -15,8 +15,8 @@ struct ErrorRegion {
     int worst_x = 0, worst_y = 0;                  ///< the pixel of largest |error|
     double worst_error = 0;                        ///< test - truth there
     std::size_t area_px = 0;
-    double mean_error = 0;  ///< mean of test - truth over it
-    std::string cause;      ///< what occludes most of it in the truth (PixelFacts::causes); "" if not known
+    double mean_error = 0;  ///< mean of test - truth over the region
+    std::string cause;      ///< main cause of its true occlusion (PixelFacts::causes); "" if unknown
 };
 
 inline constexpr std::size_t kListedRegions = 8;

@@ -29,7 +29,7 @@ struct Sums {
     }
 };
 
-/// One row of an image: what is divided among bins. Where a pixel is not valid there may be anything.
+/// One row of an image's errors, which are divided among bins. Invalid pixels may have any value.
 struct ErrorRow {
     std::size_t first;  ///< index of its first pixel
     std::vector<double> errors, variances;
@@ -47,7 +47,8 @@ ErrorRow error_row(const MetricInput& input, int y) {
     return row;
 }
 
-/// `bins` are those of the row's pixels; `sums` those of all bins and of one more, which is not asked for.
+/// Adds a row to `sums`, which has an entry for each bin and an unused last one; `bins` are those of the
+/// row's pixels.
 void add_by_bin(const ErrorRow& row, const std::uint8_t* bins, Sums* sums) {
     for (std::size_t x = 0; x < row.errors.size();) {
         const std::uint8_t bin = bins[x];
@@ -69,7 +70,7 @@ void add_by_sign(const MetricInput& input, const ErrorRow& row, Sums* sums) {
     add_by_bin(row, bins.data(), sums);
 }
 
-/// A pixel is divided among the causes of its occlusion; the first bin is for those without any.
+/// Divides a row's pixels among the causes of their occlusion; the first bin is for pixels without any.
 void add_by_cause(const MetricInput& input, const ErrorRow& row, const std::vector<PixelFacts::Cause>& causes,
                   Sums* sums) {
     std::vector<double> parts(causes.size());
@@ -129,7 +130,8 @@ class Splitter {
         return bins;
     }
 
-    /// The sums of each split's bins and of one more, one split after the other.
+    /// Adds a row to the sums of all splits, one after the other, each with its bins and an unused last
+    /// entry.
     void add_row(int y, Sums* sums) const {
         const ErrorRow row = error_row(input_, y);
         add_by_sign(input_, row, sums);
@@ -144,7 +146,7 @@ class Splitter {
         }
     }
 
-    /// Row by row and then in order.
+    /// The sums of all rows, added in order.
     std::vector<Sums> all_sums() const {
         std::size_t bins = 0;
         for (const Split& split : splits_) bins += split.bins.size() + 1;

@@ -35,7 +35,7 @@ struct ErrorRow {
     }
 };
 
-/// Squared differences of pairs of valid pixels, and how many they are.
+/// The sum of squared differences over pairs of valid pixels, and their number.
 struct PairSum {
     double squared = 0, count = 0;
     void add(const PairSum& other) {
@@ -45,11 +45,12 @@ struct PairSum {
 };
 using SumsByDistance = std::array<PairSum, kDistances>;
 
-// As many sums side by side as the machine adds at once; written out, for a compiler must not reorder a sum.
+// The number of sums that the machine adds at once. They are written out, since a compiler must not reorder a
+// sum.
 constexpr std::size_t kLanes = 8;
 typedef double Lanes __attribute__((vector_size(kLanes * sizeof(double))));
 
-/// Of a[i] and b[i].
+/// The sum over the pairs a[i] and b[i].
 AOSCORE_WIDER_WHERE_POSSIBLE
 void add_pairs(const double* a, const double* a_valid, const double* b, const double* b_valid,
                std::size_t count, PairSum& sum) {
@@ -72,7 +73,7 @@ void add_pairs(const double* a, const double* a_valid, const double* b, const do
     }
 }
 
-/// Of the pairs across and down that begin in some rows of the image. Only the last rows are kept.
+/// The sums over pairs across and down that begin in some rows of the image. Only the last rows are kept.
 SumsByDistance sums_of_rows(const MetricInput& input, int first_row, int rows) {
     constexpr std::size_t kKept = kFarthest_px + 1;
     const int height = input.valid.height;
@@ -97,7 +98,7 @@ SumsByDistance sums_of_rows(const MetricInput& input, int first_row, int rows) {
     return sums;
 }
 
-/// Of all pairs of valid pixels at each distance, across and down.
+/// The sums over all pairs of valid pixels at each distance, across and down.
 SumsByDistance sums_by_distance(const MetricInput& input) {
     std::vector<SumsByDistance> bands(band_count(input.valid.height));
     for_each_band(input.valid.height, [&](std::size_t band, int first_row, int rows) {
@@ -116,7 +117,7 @@ std::optional<double> tile_pattern(const MetricInput& input) {
     require_one_size(input);
     const SumsByDistance sums = sums_by_distance(input);
     if (std::ranges::any_of(sums, [](const PairSum& sum) { return sum.count == 0; })) return std::nullopt;
-    // What the cubic through the distances about the tile's gives at the tile's.
+    // The value at the tile's distance of the cubic through the distances about it.
     double without_pattern = 0;
     for (const auto& [distance_px, weight] :
          {std::pair(kTile_px - 2, -1.0), {kTile_px - 1, 4.0}, {kTile_px + 1, 4.0}, {kTile_px + 2, -1.0}}) {

@@ -6,8 +6,8 @@
 
 namespace aoscore {
 
-/// An image divided into squares, row by row: as many across as are asked for or some more, the last ones cut
-/// off where it ends.
+/// An image divided into squares, row by row: at least as many across as are asked for; the last ones are cut
+/// off at its end.
 struct BlockGrid {
     int side_px = 1;
     int across = 0, down = 0;
@@ -20,7 +20,7 @@ struct BlockGrid {
     std::size_t size() const { return static_cast<std::size_t>(across) * static_cast<std::size_t>(down); }
 
     /// Calls add(block, from, to) for the pieces of row y between first_x and last_x that lie in one block
-    /// each. The row may be one of the image halved some times: blocks are those of the whole image.
+    /// each. The row may be one of the image halved some times: the blocks are those of the whole image.
     template <class Add>
     void for_each_piece(int y, int first_x, int last_x, int halvings, Add add) const {
         const int row = (y << halvings) / side_px * across;

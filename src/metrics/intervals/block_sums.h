@@ -7,7 +7,7 @@
 
 namespace aoscore {
 
-/// The sums of each block, MS-SSIM left out. What the image lacks is NaN.
+/// The sums of each block, without MS-SSIM. Sums that the image lacks are NaN.
 std::vector<DrawnSums> sums_of_blocks(const BlockErrors& image);
 
 }  // namespace aoscore

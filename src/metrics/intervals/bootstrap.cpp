@@ -19,12 +19,12 @@ namespace {
 constexpr int kResamples = 2000;
 constexpr double kNotThere = std::numeric_limits<double>::quiet_NaN();
 
-/// An image as it is drawn from. What it lacks is NaN.
+/// An image from which blocks are drawn. Sums that it lacks are NaN.
 class Urn {
   public:
     explicit Urn(const BlockErrors& image) : blocks_(sums_of_blocks(image)), maps_(image.maps) {}
 
-    /// Squares for MS-SSIM come from a generator of their own: they are other than the blocks.
+    /// Squares for MS-SSIM come from a generator of their own, since they differ from the blocks.
     DrawnSums draw(std::mt19937_64& random, std::mt19937_64& random_squares) const {
         DrawnSums sums;
         for (std::size_t k = 0; k < blocks_.size(); ++k) sums += blocks_[random() % blocks_.size()];
@@ -38,7 +38,7 @@ class Urn {
         const std::vector<double>& influences = maps_.ms_ssim_influences;
         double moved = 0;
         for (std::size_t k = 0; k < influences.size(); ++k) moved += influences[random() % influences.size()];
-        // To first order only; the index has no value above 1.
+        // The change is of first order only, but the index cannot exceed 1.
         return std::min(1.0, *maps_.ms_ssim * std::exp(moved));
     }
 
@@ -51,7 +51,7 @@ struct Statistic {
     double (*value)(const DrawnSums& sums);
 };
 
-/// Of the metrics that have one, then of the masks' areas.
+/// The statistics of the metrics that have one, then of the masks' areas.
 const std::vector<Statistic>& statistics() {
     static const std::vector<Statistic> list = [] {
         std::vector<Statistic> rows;

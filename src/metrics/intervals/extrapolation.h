@@ -13,16 +13,16 @@ namespace aoscore {
 // is free of the first term (Lewis Fry Richardson, The Approximate Arithmetical Solution by Finite
 // Differences, 1911; for estimates from samples: Maurice Quenouille, Notes on Bias in Estimation, 1956).
 
-/// The same comparison against one half of the truth, 0 or 1, of which nothing is known but the picture.
+/// The same comparison against one half of the truth, 0 or 1, without a standard error.
 MetricInput against_half(const MetricInput& input, std::size_t half);
 
 inline double extrapolated(double whole, double first, double second) {
     return 2 * whole - (first + second) / 2;
 }
-/// Empty where one of them is; the note is that of the whole.
+/// Extrapolates a value. It is empty where one of them is; the note is that of the whole.
 MetricValue extrapolated(const MetricValue& whole, const MetricValue& first, const MetricValue& second);
 
-/// The sums that extrapolated metrics are made of; all others are those of the whole.
+/// Extrapolates the sums of metrics that are extrapolated; all others are those of the whole.
 BlockErrors extrapolated(BlockErrors whole, const BlockErrors& first, const BlockErrors& second);
 
 }  // namespace aoscore

@@ -12,19 +12,19 @@ struct ErrorAnalysis;
 inline constexpr const char* kMissingArea = "missing_area";
 inline constexpr const char* kFalseArea = "false_area";
 
-/// The share of the valid pixels that an occlusion mask covers. It is ranked over views, limited and shown
-/// beside the metrics, by its id.
+/// The share of the valid pixels that an occlusion mask covers. Like a metric, it has an id, is averaged over
+/// views, limited and shown.
 struct MaskArea {
-    std::string_view id;       ///< command line, JSON key
-    std::string_view mean_id;  ///< of the mean error within the mask
-    std::string_view label;    ///< a column's; with " occlusion" behind it in a sentence
-    std::string_view side;     ///< what the mask's pixels are against the truth: "brighter", "darker"
+    std::string_view id;       ///< its name on the command line and in JSON
+    std::string_view mean_id;  ///< id of the mean error within the mask
+    std::string_view label;    ///< label of a column; followed by " occlusion" in a sentence
+    std::string_view side;     ///< the mask's pixels against the truth: "brighter", "darker"
     double (*value)(const ErrorAnalysis&);
     std::optional<double> (*mean)(const ErrorAnalysis&);
     double (*resampled)(const DrawnSums&);  ///< see Metric::resampled
 };
 
-/// Missing, then false occlusion.
+/// The areas of missing, then of false occlusion.
 const std::array<MaskArea, 2>& mask_areas();
 
 }  // namespace aoscore

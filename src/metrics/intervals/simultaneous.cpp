@@ -9,9 +9,9 @@ namespace aoscore {
 namespace {
 
 constexpr double kConfidence = 0.95;
-/// Of one normal difference. Few views give few distinct draws, and no more certainty than that.
+/// The factor of one normal difference. Few views give few distinct draws, and no more certainty than that.
 constexpr double kLeastFactor = 1.96;
-/// Differences this much smaller than what is compared are rounding.
+/// Differences smaller than the values by this factor are rounding.
 constexpr double kRounding = 1e-12;
 
 /// Calls use(i, difference) for each draw i of both that is a number.
@@ -24,7 +24,7 @@ void for_each_difference(const Resampled& a, const Resampled& b, Use use) {
     }
 }
 
-/// Empty where fewer than two draws are numbers.
+/// The standard deviation of the differences; empty where fewer than two draws are numbers.
 std::optional<double> deviation(const Resampled& a, const Resampled& b) {
     std::size_t count = 0;
     double mean = 0, squares = 0;  // about the mean (Welford, 1962)
@@ -54,7 +54,7 @@ double quantile(std::vector<double> values, double share) {
 std::vector<std::optional<Interval>> simultaneous_intervals(const std::vector<Resampled>& measures,
                                                             const std::vector<MeasurePair>& pairs) {
     std::vector<std::optional<double>> deviations;
-    std::vector<double> largest;  // of each draw, over all pairs
+    std::vector<double> largest;  // the largest of all pairs, for each draw
     for (const auto& [first, second] : pairs) {
         const Resampled &a = measures.at(first), &b = measures.at(second);
         deviations.push_back(deviation(a, b));

@@ -12,8 +12,8 @@
 namespace aoscore {
 namespace {
 
-constexpr double kDeviations = 1.96;  // that hold 95 % of a normal distribution
-/// An image's sums as a whole, and what half the difference of the halves makes of each block's.
+constexpr double kDeviations = 1.96;  // these hold 95 % of a normal distribution
+/// An image's sums, and the change of each block's by half the difference of the halves.
 struct Moved {
     DrawnSums whole;
     std::vector<DrawnSums> by_block;
@@ -42,7 +42,7 @@ Moved moved(const BlockErrors& whole, const BlockErrors& first, const BlockError
     return result;
 }
 
-/// How much each block moves the metric.
+/// The change of the metric by each block.
 std::vector<double> movements(const Metric& metric, const Moved& moved) {
     const double still = metric.resampled(moved.whole);
     std::vector<double> by_block;
@@ -54,7 +54,7 @@ std::vector<double> movements(const Metric& metric, const Moved& moved) {
     return by_block;
 }
 
-/// The variance of the sum, where blocks that touch may move together.
+/// The variance of the sum, where adjacent blocks may be correlated.
 double variance_of_sum(const std::vector<double>& moves, int across, int down) {
     double alone = 0, together = 0;
     for (int y = 0; y < down; ++y) {

@@ -18,7 +18,7 @@ bool counts(const SignalInput& input, std::size_t i) {
     return input.valid.pixels[i] != 0 && input.standard_error.pixels[i] <= kKnownWithin_rad;
 }
 
-/// One error for every pixel that counts.
+/// The errors of all pixels that count.
 template <class ErrorAt>
 std::vector<double> errors_of(const SignalInput& input, const ErrorAt& error_at) {
     std::vector<double> errors;
@@ -69,7 +69,7 @@ MetricValue size_at_95_percent(std::vector<double> errors, const SignalInput& in
     if (errors.empty()) return undefined(kNoKnownPixel);
     std::string note = unknown_note(errors, input);
     for (double& error : errors) error = std::abs(error);
-    const std::size_t rank = (errors.size() * 95 + 99) / 100;  // from 1
+    const std::size_t rank = (errors.size() * 95 + 99) / 100;  // counted from 1
     const auto place = errors.begin() + static_cast<std::ptrdiff_t>(rank - 1);
     std::ranges::nth_element(errors, place);
     return {*place, std::move(note)};

@@ -6,7 +6,7 @@
 
 namespace aoscore {
 
-/// Where the truth's standard error is larger than this, its angle is not known: such pixels do not count.
+/// The largest standard error of a truth's angle that counts as known; other pixels are left out.
 inline constexpr float kKnownWithin_rad = 0.1745329252F;  // 10 degrees
 
 /// Angles between both directions at every pixel that counts, degrees.
@@ -14,8 +14,8 @@ std::vector<double> direction_errors_deg(const SignalInput& input);
 /// Differences test - truth of an angle in radians at every pixel that counts, degrees.
 std::vector<double> angle_differences_deg(const SignalInput& input);
 
-/// The mean of the sizes of these errors, and the size that 95 % of them do not exceed (the nearest rank);
-/// both say in a note how many pixels were left out because the truth does not know them.
+/// The mean size of these errors, and the size that 95 % of them do not exceed (the nearest rank); a note in
+/// both says how many pixels were left out as unknown.
 MetricValue mean_size(const std::vector<double>& errors, const SignalInput& input);
 MetricValue size_at_95_percent(std::vector<double> errors, const SignalInput& input);
 

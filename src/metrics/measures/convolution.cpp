@@ -10,17 +10,18 @@
 namespace aoscore {
 namespace {
 
-// High enough that the rows read twice by neighbours cost little, low enough for a band's planes to stay in
-// cache.
+// The height of a band: large enough that rows read twice by neighbours cost little, small enough for its
+// planes to stay in cache.
 constexpr int kBandRows = 64;
 
-// Several doubles side by side. Written out, because GCC 12 would rather look for them among the taps.
+// The number of doubles side by side. They are written out, because GCC 12 would vectorise over the taps
+// instead.
 constexpr std::size_t kLanes = 8;
 typedef double Lanes __attribute__((vector_size(kLanes * sizeof(double))));
 
 enum class Symmetry { even, odd };
 
-/// Adds a weight times the values at `after` and their like (or their negatives) at `before`.
+/// Adds a weight times the values at `after`, and the same (or its negative) for `before`.
 template <Symmetry kSymmetry, class Value>
 [[gnu::always_inline]] inline void add_pair(Value& sum, double weight, const double* after,
                                             const double* before) {
@@ -42,7 +43,7 @@ template <Symmetry kSymmetry>
 [[gnu::always_inline]] inline void symmetric_sums(double* sums, std::span<const double* const> from,
                                                   std::span<const double> half, std::size_t count) {
     assert(from.size() + 1 == 2 * half.size());
-    constexpr std::size_t kBlock = 4 * kLanes;  // As many sums as stay in registers.
+    constexpr std::size_t kBlock = 4 * kLanes;  // the number of sums that stay in registers
     const double* const* middle = &from[half.size() - 1];
     std::size_t i = 0;
     for (; i + kBlock <= count; i += kBlock) {

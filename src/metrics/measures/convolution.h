@@ -4,7 +4,8 @@
 #include <functional>
 #include <span>
 
-// Built twice, with wider registers where the machine has them: the same roundings in the same order.
+// The code is built twice, with wider registers where the machine has them, and with the same rounding in the
+// same order.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #define AOSCORE_WIDER_WHERE_POSSIBLE __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
@@ -14,9 +15,8 @@
 namespace aoscore {
 
 /// sums[i] = the sum of from[k][i], each times its weight, for i in [0, count). `from` holds 2 n + 1
-/// pointers, of which the one in the middle has the weight half[0], and those k away from it half[k]; for
-/// odd_sums those before it have -half[k], and the middle has none. The same roundings in the same order on
-/// every machine.
+/// pointers, of which the middle one has the weight half[0], and those at distance k half[k]; for odd_sums
+/// those before the middle have -half[k], and the middle has none. Rounding is the same on every machine.
 void even_sums(double* sums, std::span<const double* const> from, std::span<const double> half,
                std::size_t count);
 void odd_sums(double* sums, std::span<const double* const> from, std::span<const double> half,

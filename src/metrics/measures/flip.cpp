@@ -23,8 +23,7 @@
 namespace aoscore {
 namespace {
 
-/// The exponents of FLIP's colour differences: the larger one of two pixels' features differs, the nearer to
-/// 0.
+/// The exponents of FLIP's colour differences, which come nearer to 0 as features of two pixels differ more.
 AOSCORE_WIDER_WHERE_POSSIBLE
 void find_exponents(const SeenRow& truth, const SeenRow& test, std::vector<double>& exponents) {
     double* exponent = exponents.data();
@@ -69,8 +68,8 @@ void add_area(const MetricInput& input, const FlipArea& area, std::vector<double
 MetricValue measure::flip(const MetricInput& input) {
     const std::optional<double> mse = mean_squared_error(input);
     if (!mse) return undefined(kNoValidPixel);
-    if (!std::isfinite(*mse)) return undefined(kNotFinite);  // Before infinity is clamped to 1.
-    // Prepared once, before several threads ask.
+    if (!std::isfinite(*mse)) return undefined(kNotFinite);  // checked before infinity is clamped to 1
+    // Prepares the images before several threads read them.
     for (const PreparedImage* prepared : {input.prepared_truth, input.prepared_test}) {
         if (prepared != nullptr) prepared->seen();
     }

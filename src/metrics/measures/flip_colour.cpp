@@ -13,7 +13,7 @@ namespace {
 constexpr double kExponent = 0.7;
 constexpr double kKnee = 0.4, kAtKnee = 0.95;
 
-/// CIELAB's L*, of a luminance in [0,1]; `root` is its cube root.
+/// CIELAB's L* of a luminance in [0,1]; `root` is its cube root.
 double lightness(double luminance, double root) {
     constexpr double kDelta = 6.0 / 29;
     const double curve =
@@ -37,7 +37,7 @@ Lab hunt_adjusted_lab(double relative_x, double y, double relative_z) {
     return {l, 0.01 * l * a, 0.01 * l * b};
 }
 
-/// The largest colour difference there is, from sRGB's green to its blue, to which all are related.
+/// The largest colour difference, from sRGB's green to its blue, by which all are divided.
 double largest_color_difference() {
     constexpr double kWhiteX = 0.9504700, kWhiteZ = 1.0888300;
     const Lab green = hunt_adjusted_lab(0.3575761 / kWhiteX, 0.7151522, 0.1191920 / kWhiteZ);
@@ -59,7 +59,7 @@ void flip_color_differences(std::span<double> differences, const double* truth, 
     static const double largest = largest_color_difference();
     static const double knee = kKnee * largest;
     for (std::size_t i = 0; i < differences.size(); ++i)
-        differences[i] = std::abs(truth[i] - test[i]);  // HyAB, of grays.
+        differences[i] = std::abs(truth[i] - test[i]);  // HyAB for grays
     raise(differences, kExponent);
     for (double& difference : differences) {
         difference = difference < knee ? kAtKnee / knee * difference

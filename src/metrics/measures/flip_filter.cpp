@@ -12,12 +12,12 @@ namespace {
 
 // The paper's viewing conditions: 0.7 m from a 4K monitor 0.7 m wide.
 constexpr double kPixelsPerDegree = 67.02;
-// Table 1, of the achromatic channel: a gray has no other. The paper samples it as far as the widest channel
-// reaches, 10 pixels; beyond the margin the weights are below 1e-16.
+// Table 1 for the achromatic channel, the only one of a gray. The paper samples it as far as the widest
+// channel reaches, 10 pixels; beyond the margin the weights are below 1e-16.
 constexpr double kLuminanceSpread = 0.0047;
 constexpr double kFeatureWidth_deg = 0.082;
 
-/// The weights of the middle and of what lies right of it or below; on the other side they are the same, or
+/// The weights of the middle and of the pixels right of it or below; those on the other side are the same, or
 /// their negatives.
 using HalfKernel = std::array<double, FlipFilter::kMargin_px + 1>;
 
@@ -28,7 +28,7 @@ HalfKernel sampled(F value_at) {
     return kernel;
 }
 
-/// Of an even kernel: positive weights scaled to a sum of 1, negative ones to -1.
+/// An even kernel with positive weights scaled to a sum of 1, negative ones to -1.
 HalfKernel balanced(HalfKernel kernel) {
     double positive = 0, negative = 0;
     for (std::size_t x = 0; x < kernel.size(); ++x)
@@ -39,7 +39,7 @@ HalfKernel balanced(HalfKernel kernel) {
     return kernel;
 }
 
-/// Of an odd kernel: each side scaled to a sum of 1.
+/// An odd kernel with each side scaled to a sum of 1.
 HalfKernel balanced_side(HalfKernel kernel) {
     double sum = 0;
     for (const double w : kernel) sum += std::abs(w);

@@ -7,26 +7,27 @@
 
 namespace aoscore {
 
-/// The spatial filters of FLIP at 67.02 pixels per degree, row by row: what is pushed is filtered across at
-/// once, and down when enough rows are there, so that nothing but the last rows is kept. Pontus Andersson,
-/// Jim Nilsson, Tomas Akenine-Möller, Magnus Oskarsson, Kalle Åström, Mark Fairchild, "FLIP: A Difference
+/// The spatial filters of FLIP at 67.02 pixels per degree, row by row: a pushed row is filtered across at
+/// once, and down when enough rows are there, so that only the last rows are kept. Pontus Andersson, Jim
+/// Nilsson, Tomas Akenine-Möller, Magnus Oskarsson, Kalle Åström, Mark Fairchild, "FLIP: A Difference
 /// Evaluator for Alternating Images", 2020, sections 4.1.1 and 4.2.1.
 class FlipFilter {
   public:
-    /// Pixels that are looked at on each side of a pixel.
+    /// The number of pixels read on each side of a pixel.
     static constexpr int kMargin_px = 9;
     static constexpr std::size_t kRows = 2 * kMargin_px + 1;
 
-    /// What the filters make of a row: its own values, as the eye smooths them at that distance, and the
+    /// The responses in a row: its own values, the values as the eye smooths them at that distance, and the
     /// first (edge) and second (point) derivatives in x and y.
     enum Response : std::size_t { kSelf, kSeen, kEdgeX, kEdgeY, kPointX, kPointY, kResponses };
 
-    /// For rows of `width` pixels.
+    /// Makes a filter for rows of `width` pixels.
     explicit FlipFilter(std::size_t width);
 
-    /// The next row from above, with the margin on both sides: width + 2 * kMargin_px values.
+    /// Pushes the next row from above, with the margin on both sides: width + 2 * kMargin_px values.
     void push(std::span<const double> row);
-    /// The responses in the row that was pushed kMargin_px rows before the last; kRows must have been pushed.
+    /// Computes the responses in the row that was pushed kMargin_px rows before the last; kRows must have
+    /// been pushed.
     void respond();
     std::span<double> operator[](Response response) {
         return std::span(responses_).subspan(response * width_, width_);
@@ -36,7 +37,7 @@ class FlipFilter {
     }
 
   private:
-    /// What is kept of a row that was pushed.
+    /// The values kept of a pushed row.
     enum Kept : std::size_t { kRow, kContrast, kSmooth, kEdge, kPoint, kKept };
 
     double* kept(Kept what, std::size_t row) { return &kept_[(what * kRows + row % kRows) * width_]; }

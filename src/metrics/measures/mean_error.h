@@ -14,7 +14,7 @@ inline constexpr const char* kNotFinite = "a valid pixel is NaN or infinite";
 
 /// The value, or an empty one with the note kNotFinite when it is NaN or infinite.
 MetricValue defined(double value, std::string note = {});
-/// An empty value and why it is empty.
+/// An empty value, with the reason as its note.
 MetricValue undefined(std::string why);
 
 /// Throws sizes_differ unless all images of the input have one size.
@@ -23,11 +23,11 @@ void require_one_size(const MetricInput& input);
 /// Whether any pixel counts. Throws sizes_differ unless all images have one size.
 bool has_valid_pixel(const MetricInput& input);
 
-/// A sum over valid pixels, and how many they are.
+/// A sum over valid pixels, and their number.
 struct PixelSum {
     double sum = 0;
     std::size_t count = 0;
-    /// Empty without a pixel.
+    /// The mean; empty without a pixel.
     std::optional<double> mean() const;
 };
 /// Sums row(y) for every row of the image, on all cores; rows are added in order.

@@ -16,12 +16,12 @@
 namespace aoscore {
 namespace {
 
-// Finest scale first: table of the paper's section 3.2.
+// The exponents of the paper's section 3.2, finest scale first.
 constexpr std::array<double, 5> kExponents = {0.0448, 0.2856, 0.3001, 0.2363, 0.1333};
 constexpr int kSmallestSide_px = (2 * kSsimBorder_px + 1) << (kExponents.size() - 1);
-constexpr std::size_t kFewestSquares = 15;  ///< that an interval can be had from
+constexpr std::size_t kFewestSquares = 15;  ///< least number for an interval
 
-/// Adds what each block does to exponent * log(mean of a factor).
+/// Adds the influence of each block on exponent * log(mean of a factor).
 void add_influences(std::vector<double>& influences, const std::vector<double>& sums,
                     const std::vector<double>& weights, double exponent) {
     const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
@@ -38,7 +38,7 @@ MetricValue measure::ms_ssim(const MetricInput& input) {
     if (std::min(input.truth.width, input.truth.height) < kSmallestSide_px) {
         return undefined(fmt::format("the image is smaller than {0}x{0} px", kSmallestSide_px));
     }
-    // Squares that the coarsest window does not reach across: smaller ones would not be independent.
+    // Squares are as wide as the coarsest window: smaller ones would not be independent.
     const BlockGrid grid(input.truth.width, input.truth.height, input.truth.width / kSmallestSide_px);
     std::vector<double> influences;
     double product = 1;
@@ -61,7 +61,7 @@ MetricValue measure::ms_ssim(const MetricInput& input) {
         const double factor = coarsest ? means->ssim : means->contrast_structure;
         if (!std::isfinite(factor)) return undefined(kNotFinite);
         anticorrelated = anticorrelated || factor < 0;
-        product *= std::pow(std::max(factor, 0.0), kExponents[scale]);  // A negative base has no real power.
+        product *= std::pow(std::max(factor, 0.0), kExponents[scale]);  // a negative base has no real power
         if (!anticorrelated && factor > 0)
             add_influences(influences, coarsest ? sums.ssim : sums.contrast_structure, sums.weights,
                            kExponents[scale]);

@@ -5,7 +5,7 @@
 namespace aoscore {
 
 std::optional<NoiseFloor> noise_floor(const ImageF& standard_error, const Mask& valid) {
-    // The standard error is its own difference from nothing.
+    // The squared standard error is a squared difference from 0.
     const ImageF zero(standard_error.width, standard_error.height);
     const MetricInput input{zero, standard_error, valid};
     const std::optional<double> variance = mean_squared_error(input);

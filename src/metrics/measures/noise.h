@@ -8,7 +8,7 @@
 
 namespace aoscore {
 
-/// How much of an error is the truth's own noise.
+/// The part of an error that is the truth's own noise.
 struct NoiseFloor {
     double mean_standard_error = 0;  ///< mean over valid pixels
     double mean_variance = 0;        ///< mean squared standard error over valid pixels
@@ -16,17 +16,17 @@ struct NoiseFloor {
     double rmse() const { return std::sqrt(mean_variance); }
 };
 
-/// Empty without a valid pixel. Throws sizes_differ.
+/// Computes it; empty without a valid pixel. Throws sizes_differ.
 std::optional<NoiseFloor> noise_floor(const ImageF& standard_error, const Mask& valid);
 
-/// Whether anything is known of the truth's noise.
+/// Whether the truth's noise is known.
 inline bool knows_noise(const MetricInput& input) {
     return input.halves != nullptr || input.standard_error != nullptr;
 }
 
-/// The variance of the truth's noise at pixel `i`, of which only means over many pixels are meant: from its
-/// two halves, where it has them, else its squared standard error. That of the halves is without bias
-/// whatever the rays, a standard error from few rays is not. knows_noise() must hold.
+/// The variance of the truth's noise at pixel `i`, to be averaged over many pixels: from its two halves,
+/// where it has them, else the squared standard error. The halves give no bias for any number of rays, a
+/// standard error from few rays does. knows_noise() must hold.
 inline double noise_variance(const MetricInput& input, std::size_t i) {
     const double noise =
         input.halves != nullptr
@@ -35,7 +35,7 @@ inline double noise_variance(const MetricInput& input, std::size_t i) {
     return noise * noise;
 }
 
-/// Its mean over the valid pixels; empty where nothing is known or no pixel is valid.
+/// The mean of noise_variance() over the valid pixels; empty where it is unknown or no pixel is valid.
 std::optional<double> mean_noise_variance(const MetricInput& input);
 
 }  // namespace aoscore

@@ -13,16 +13,16 @@ namespace {
 
 constexpr int kMantissaBits = 52;
 constexpr std::uint64_t kExponentBias = 1024;
-constexpr double kLeast = 0x1p-330;  ///< what is less is 0; its third power is a normal number still
+constexpr double kLeast = 0x1p-330;  ///< smaller values are 0; its third power is still a normal number
 
-/// Of a positive normal number: its exponent, plus the logarithm of what is left, m in [sqrt(1/2), sqrt(2)),
-/// as ln m = 2 artanh((m - 1) / (m + 1)). Terms beyond the last would add less than 1e-16.
+/// The logarithm of a positive normal number: its exponent, plus the logarithm of the rest, m in [sqrt(1/2),
+/// sqrt(2)), by ln m = 2 artanh((m - 1) / (m + 1)). Terms beyond the last would add less than 1e-16.
 [[gnu::always_inline]] inline double log2_of(double x) {
     const auto bits = std::bit_cast<std::uint64_t>(x);
     const auto least = std::bit_cast<std::uint64_t>(0.5 * std::numbers::sqrt2);
     const std::uint64_t exponent = (bits - least + (kExponentBias << kMantissaBits)) >> kMantissaBits;
     const double m = std::bit_cast<double>(bits - ((exponent - kExponentBias) << kMantissaBits));
-    // An integer in the mantissa of 2^52 is 2^52 plus that integer.
+    // With an integer in its mantissa, 2^52 becomes 2^52 plus that integer.
     const double whole = std::bit_cast<double>(exponent | std::bit_cast<std::uint64_t>(0x1p52)) -
                          (0x1p52 + double{kExponentBias});
     const double s = (m - 1) / (m + 1), z = s * s;
@@ -39,10 +39,10 @@ constexpr double kLeast = 0x1p-330;  ///< what is less is 0; its third power is 
     return whole + 2 / std::numbers::ln2 * s * sum;
 }
 
-/// Of a number in [-1000, 1000]: its nearest integer goes to the exponent, the rest into the series of e^x.
-/// Terms beyond the last would add less than 1e-16.
+/// 2 to the power of a number in [-1000, 1000]: its nearest integer goes to the exponent, the rest into the
+/// series of e^x. Terms beyond the last would add less than 1e-16.
 [[gnu::always_inline]] inline double exp2_of(double x) {
-    const double shifted = x + 0x1.8p52;  // Its last bits are the nearest integer.
+    const double shifted = x + 0x1.8p52;  // its last bits are the nearest integer
     const double rest = (x - (shifted - 0x1.8p52)) * std::numbers::ln2;
     double sum = 1.0 / 6227020800;
     sum = sum * rest + 1.0 / 479001600;

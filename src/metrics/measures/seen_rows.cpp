@@ -27,7 +27,7 @@ void read_row(std::vector<double>& row, const FlipArea& area, int image_width, F
     for (int i = end; i < count; ++i) row[static_cast<std::size_t>(i)] = value_at(image_width - 1);
 }
 
-/// Calls push(row) until the filter has seen what it needs for row `y`.
+/// Calls push(row) until the filter has the rows that it needs for row `y`.
 template <class Push>
 void push_until(int y, const FlipArea& area, int image_height, Push push) {
     const int first = y == area.top ? y - kMargin_px : y + kMargin_px;
@@ -89,8 +89,8 @@ void FilteredRows::push(int y) {
     filter_.push(row_);
 }
 
-/// Takes invalid pixels out of what was filtered as 0 there: the mean is over the valid ones, and in a
-/// derivative the value of the pixel itself stands for an invalid one, which therefore has no part in it.
+/// Removes invalid pixels, which were filtered as 0: the mean is over the valid ones, and in a derivative the
+/// value of the pixel itself replaces invalid ones, which therefore have no effect.
 void FilteredRows::without_invalid(const FlipFilter& valid) {
     using enum FlipFilter::Response;
     const std::span<double> seen = filter_[kSeen];

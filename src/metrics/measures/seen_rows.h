@@ -11,12 +11,12 @@
 
 namespace aoscore {
 
-/// A row of a SeenImage within an area, from the area's left on.
+/// A row of a SeenImage within an area, from the area's left.
 struct SeenRow {
     const double *lightness, *edges, *points;
 };
 
-/// Which pixels of an area count, and what FLIP's filters make of that where some do not.
+/// The pixels of an area that count, with FLIP's filters applied to them where some do not.
 class ValidRows {
   public:
     /// Both must outlive it.
@@ -39,18 +39,18 @@ class ValidRows {
     int next_ = 0;             ///< the row whose responses come next
 };
 
-/// Row after row of what FLIP finds in an image, within an area.
+/// FLIP's features of an image within an area, row by row.
 class SeenRows {
   public:
     virtual ~SeenRows() = default;
-    /// From the area's top on; stays until it is asked again.
+    /// The next row from the area's top; it is valid until the next call.
     virtual SeenRow next() = 0;
 };
 
-/// Filtered as they are asked for.
+/// Rows that are filtered when they are asked for.
 class FilteredRows final : public SeenRows {
   public:
-    /// Both must outlive it. Several images can share the rows of one mask when they go on together.
+    /// Both must outlive it. Several images can share the rows of one mask when they advance together.
     FilteredRows(const ImageF& image, ValidRows& valid);
     SeenRow next() override;
 
@@ -68,7 +68,7 @@ class FilteredRows final : public SeenRows {
     int next_;
 };
 
-/// Of an image that was filtered before.
+/// Rows of an image that was filtered before.
 class StoredRows final : public SeenRows {
   public:
     /// Both must outlive it.

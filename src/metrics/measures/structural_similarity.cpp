@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kC1 = 0.01 * 0.01, kC2 = 0.03 * 0.03;
 
-/// One of the two images: a row of its values, and its moments, found or looked up.
+/// One of the two images: a row of its values, and its moments, computed or looked up.
 class Side {
   public:
     explicit Side(const WindowedImage& image)

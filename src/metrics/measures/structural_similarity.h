@@ -22,21 +22,21 @@ struct SsimSums {
     SsimSums() = default;
     explicit SsimSums(std::size_t blocks) : ssim(blocks), contrast_structure(blocks), weights(blocks) {}
     void add(const SsimSums& other);
-    /// Empty when no pixel has a weight.
+    /// The means; empty when no pixel has a weight.
     std::optional<SsimMeans> means() const;
 };
 
-/// An image, and its moments where they were found before.
+/// An image, with its moments where they were computed before.
 struct WindowedImage {
     const ImageF& image;
     const WindowMoments* moments = nullptr;
 };
 
-/// Where the weight is 0 the images may hold anything. Sums over the pixels that are at least kSsimBorder_px
-/// inside, by block of `grid`; the images may be its image halved some times.
-/// The moments of the 11x11 Gaussian window (standard deviation 1.5, K1 0.01, K2 0.03, range 1, population
-/// covariance) are normalised convolutions, see WindowMoments. Zhou Wang, Alan Bovik, Hamid Sheikh, Eero
-/// Simoncelli, "Image Quality Assessment: From Error Visibility to Structural Similarity", 2004.
+/// Sums over the pixels that are at least kSsimBorder_px inside, by block of `grid`, whose image may have
+/// been halved some times. Where the weight is 0 the images may hold anything. The moments of the 11x11
+/// Gaussian window (standard deviation 1.5, K1 0.01, K2 0.03, range 1, population covariance) are normalised
+/// convolutions, see WindowMoments. Zhou Wang, Alan Bovik, Hamid Sheikh, Eero Simoncelli, "Image Quality
+/// Assessment: From Error Visibility to Structural Similarity", 2004.
 SsimSums structural_similarity(const WindowedImage& truth, const WindowedImage& test,
                                const PixelWeights& weights, const BlockGrid& grid, int halvings = 0);
 

@@ -8,7 +8,7 @@
 namespace aoscore {
 namespace {
 
-/// The middle of the window's row and what lies right of it.
+/// The weights of the middle of the window's row and of the pixels right of it.
 std::array<double, kSsimBorder_px + 1> half_gaussian_window() {
     std::array<double, kSsimBorder_px + 1> half{};
     double sum = 0;

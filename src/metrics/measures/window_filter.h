@@ -6,22 +6,23 @@
 
 namespace aoscore {
 
-inline constexpr int kSsimBorder_px = 5;  ///< half of the 11x11 window, left out all around
+inline constexpr int kSsimBorder_px = 5;  ///< half of the 11x11 window, a border without values
 
-/// Sums under SSIM's window, an 11x11 Gaussian of standard deviation 1.5, row by row: what is pushed is
-/// summed across at once, and down when enough rows are there, so that only the last rows are kept. Zhou
-/// Wang, Alan Bovik, Hamid Sheikh, Eero Simoncelli, "Image Quality Assessment: From Error Visibility to
-/// Structural Similarity", 2004.
+/// Sums under SSIM's window, an 11x11 Gaussian of standard deviation 1.5, row by row: a pushed row is summed
+/// across at once, and down when enough rows are there, so that only the last rows are kept. Zhou Wang, Alan
+/// Bovik, Hamid Sheikh, Eero Simoncelli, "Image Quality Assessment: From Error Visibility to Structural
+/// Similarity", 2004.
 class WindowFilter {
   public:
     static constexpr std::size_t kRows = 2 * kSsimBorder_px + 1;
 
-    /// For rows of `width` values, of which the sums leave out kSsimBorder_px on both sides.
+    /// Makes a filter for rows of `width` values, of which the sums leave out kSsimBorder_px on both sides.
     explicit WindowFilter(std::size_t width)
         : inner_(width - 2 * kSsimBorder_px), kept_(kRows * inner_), sums_(inner_) {}
 
     void push(const double* row);
-    /// Around the row that was pushed kSsimBorder_px rows before the last; kRows must have been pushed.
+    /// The sums around the row that was pushed kSsimBorder_px rows before the last; kRows must have been
+    /// pushed.
     const double* sums();
 
   private:

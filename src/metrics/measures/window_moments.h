@@ -10,14 +10,14 @@
 namespace aoscore {
 
 /// Mean and variance of an image under SSIM's window, around each pixel that is kSsimBorder_px or more
-/// inside: smaller than the image by that on each side.
+/// inside; the planes are smaller than the image by that on each side.
 struct WindowMoments {
     Image<double> mean, variance;
 };
 
-/// They are normalised convolutions: pixels of weight 0, which may be NaN, contribute nothing. Hans Knutsson,
-/// Carl-Fredrik Westin, "Normalized and Differential Convolution", 1993. The image must be larger than the
-/// window.
+/// The moments are normalised convolutions: pixels of weight 0, which may be NaN, contribute nothing. Hans
+/// Knutsson, Carl-Fredrik Westin, "Normalized and Differential Convolution", 1993. The image must be larger
+/// than the window.
 WindowMoments window_moments(const ImageF& image, const PixelWeights& weights);
 
 /// Weights row by row, and their sums under the window.
@@ -26,9 +26,9 @@ class MovingWeights {
     /// `weights` must outlive it.
     explicit MovingWeights(const PixelWeights& weights);
 
-    /// Those of row `y`, which must be the one after the last.
+    /// Pushes the weights of row `y`, which must be the one after the last.
     const std::vector<double>& push(int y);
-    /// Around the middle one of the last rows; 1 where all pixels count fully.
+    /// The sums around the middle one of the last rows; 1 where all pixels count fully.
     const double* sums();
 
   private:
@@ -47,9 +47,9 @@ class MovingMoments {
   public:
     explicit MovingMoments(std::size_t width);
 
-    /// The next row: its values, 0 where they do not count, and their weights.
+    /// Pushes the next row: its values, 0 where they do not count, and their weights.
     void push(const std::vector<double>& values, const std::vector<double>& weights);
-    /// Around the middle one of the last rows pushed.
+    /// The moments around the middle one of the last rows pushed.
     MomentRow row(const double* weight_sums);
 
   private:
@@ -57,7 +57,7 @@ class MovingMoments {
     std::vector<double> terms_, squared_terms_, mean_, variance_;
 };
 
-/// The values of row `y`, 0 where they do not count.
+/// Reads the values of row `y`, 0 where they do not count.
 void read_counting(const ImageF& image, int y, const std::vector<double>& weights,
                    std::vector<double>& values);
 

@@ -5,15 +5,15 @@
 
 namespace aoscore {
 
-/// One HTML file that needs nothing beside it.
+/// The parts of one HTML file that needs no other files.
 struct HtmlDocument {
-    std::string title;  ///< behind "aoscore: "
+    std::string title;  ///< follows "aoscore: "
     std::string style;
-    std::string script;  ///< runs when all of the body is there; without one no script may run at all
+    std::string script;  ///< runs after the body; without one no script may run at all
     std::string body;    ///< HTML
 };
 
-/// The file's text: reports/page/document.html, filled.
+/// Makes the file's text from reports/page/document.html.
 std::string html_text(const HtmlDocument& document);
 
 }  // namespace aoscore

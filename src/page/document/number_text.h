@@ -6,21 +6,21 @@
 
 namespace aoscore {
 
-/// How the page writes numbers: equal decimals down a column, a true minus sign, a dash where there is none.
-/// Nothing here ever yields "nan" or "inf".
+/// These functions write numbers for pages: with equal decimals down a column, a true minus sign, and a dash
+/// where there is none. None of them ever returns "nan" or "inf".
 
 inline constexpr const char* kNoNumber = "–";
 
-/// With this many decimals; kNoNumber where empty or not finite. Never "−0.00".
+/// The number with so many decimals; kNoNumber where empty or not finite. It is never "−0.00".
 std::string fixed_text(std::optional<double> value, int decimals);
-/// As short as six significant digits allow: 0.299, 16, 1e-04.
+/// The number as short as six significant digits allow: 0.299, 16, 1e-04.
 std::string short_text(double value);
-/// 0.123 as "12.30".
+/// The fraction in percent: 0.123 as "12.30".
 std::string percent_text(std::optional<double> fraction, int decimals = 2);
-/// 2073600 as "2 073 600", with narrow spaces that do not break.
+/// The count with narrow no-break spaces: 2073600 as "2 073 600".
 std::string count_text(std::size_t count);
 
-/// Decimals that leave the largest number of a column about four significant digits: 2 below 100, 1 below
+/// The decimals that give the largest number of a column about four significant digits: 2 below 100, 1 below
 /// 1000, else 0.
 int column_decimals(const std::vector<std::optional<double>>& column);
 

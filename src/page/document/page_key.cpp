@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What tells one run from another that measured the same.
+/// The results without members that differ between runs with the same measurements.
 Results without_occasion(Results results) {
     results.created_utc.clear();
     results.total_seconds = results.peak_memory_mib = 0;

@@ -7,8 +7,8 @@
 
 namespace aoscore {
 
-/// Names everything that a page shows: the results but for when and out of which caches they came, the page's
-/// styles, scripts and sections, and `code`, the digest of the code that makes pages.
+/// The key of a page's contents: the results without their time and use of caches, the page's styles, scripts
+/// and sections, and `code`, the digest of the code that makes pages.
 std::string page_key(const Results& results, const std::string& code);
 
 /// Whether the page at `path` was made under this key; false where there is none.

@@ -13,11 +13,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What of a package of npm is put into the page.
+/// The files of an npm package that are put into the page.
 struct Library {
     const char* package;
     const char* script;
-    const char* style;  ///< empty: ours does for it
+    const char* style;  ///< empty: the page's own styles suffice
 };
 constexpr std::array kLibraries = {
     Library{"uplot", "dist/uPlot.iife.min.js", "dist/uPlot.min.css"},
@@ -42,7 +42,7 @@ std::vector<fs::path> files_by_name(const fs::path& folder, const char* extensio
     return files;
 }
 
-/// The licences ask to stand wherever the code does.
+/// The comment with the licence, which must accompany the code.
 std::string licence_comment(const Library& library) {
     return "/* " + std::string(library.package) + "\n" + library_file(library, "LICENSE") + "*/\n";
 }

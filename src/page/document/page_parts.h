@@ -13,8 +13,8 @@ std::filesystem::path page_folder();
 std::string page_style();
 
 /// The libraries' scripts, then the page's own in one strict scope: reports/page/scripts/*.js in the order of
-/// their names, which declare, then reports/page/sections/<id>.js of the sections that have one, each in a
-/// block of its own, which run. Throws file_error when a library is not installed.
+/// their names, which hold declarations, then reports/page/sections/<id>.js of the sections that have one,
+/// each in a block of its own, which run. Throws file_error when a library is not installed.
 std::string page_script();
 
 }  // namespace aoscore

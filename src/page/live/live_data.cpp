@@ -47,7 +47,7 @@ std::set<std::string> inputs_of(const json& method) {
     return inputs;
 }
 
-/// Why a method cannot be run; empty when it can.
+/// Says why a method cannot be run; empty when it can.
 std::string refusal(const json& method) {
     if (method.contains("processor")) {
         return fmt::format("computed on the processor ({}), not by shaders",

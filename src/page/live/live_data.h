@@ -11,14 +11,14 @@
 
 namespace aoscore {
 
-/// What the page runs methods on: the shaders and cameras that the run left (results/live_file.h), and the
-/// stored G-buffers.
+/// The data for running methods in the page: the shaders and cameras that the run left (results/live_file.h),
+/// and the stored G-buffers.
 struct LiveData {
-    std::string missing;  ///< why nothing can be run, a sentence; empty otherwise
+    std::string missing;  ///< a sentence that says why nothing can be run; else empty
 
     /// {contract, methods, filters, views}: the run's file without the methods that cannot be run. Each view
     /// has, beside its camera, `inputs`: {name: {kind: "floats" or "normals", data: name of the block}};
-    /// scene, view, radius_m, samples, noise_floor_rmse; and `cells`: what was measured, with method, preset,
+    /// scene, view, radius_m, samples, noise_floor_rmse; and `cells`, the measured cells with method, preset,
     /// filter, parameters and the ranked metrics.
     nlohmann::json index;
 
@@ -28,14 +28,15 @@ struct LiveData {
     };
     std::vector<Refused> refused;  ///< methods that cannot be run in a browser
 
-    /// Texts of script elements by name: G-buffer inputs, packed (live_packing.h).
+    /// The texts of script elements by name: packed G-buffer inputs (live_packing.h).
     std::vector<std::pair<std::string, std::string>> blocks;
 };
 
-/// Throws file_error for a live.json that is damaged, and where the G-buffer's file lacks a channel.
+/// Reads the data. Throws file_error for a live.json that is damaged, and where the G-buffer's file lacks a
+/// channel.
 LiveData read_live_data(const Results& results, const std::filesystem::path& folder);
 
-/// The script elements that hold it: "live index" and the blocks.
+/// The script elements that hold the data: "live index" and the blocks.
 std::string live_blocks(const LiveData& data);
 
 }  // namespace aoscore

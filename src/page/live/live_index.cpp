@@ -27,7 +27,7 @@ bool is_plain(const json& value) {
     return value.is_number() || value.is_boolean() || value.is_string();
 }
 
-/// Members of any name: numbers, texts, true or false.
+/// Checks members of any name, which must be numbers, texts, true or false.
 void check_values(StrictObject values) {
     for (const auto& [id, value] : values.members())
         require(is_plain(value), value, values.where(id), "a number, a text, true or false");
@@ -38,7 +38,7 @@ void check_texts(StrictObject texts) {
         require(value.is_string(), value, texts.where(id), "a text");
 }
 
-/// For each preset values of parameters.
+/// Checks the values of parameters of each preset.
 void check_presets(StrictObject presets) {
     for (const auto& [id, values] : presets.members()) check_values(StrictObject(values, presets.where(id)));
 }
@@ -86,7 +86,7 @@ void check_passes(StrictObject& method) {
     std::vector<StrictObject> passes = method.objects("passes");
     if (passes.empty()) throw file_error("is empty", method.where("passes"), "at least one pass");
     for (StrictObject& pass : passes) {
-        pass.raw("inputs");  // must be there, if empty
+        pass.raw("inputs");  // must be there, even if empty
         pass.texts_or_empty("inputs");
         pass.integer("scale", 1, 64);
         pass.integer("source", 0, sources - 1);
@@ -119,7 +119,7 @@ void check_method(StrictObject method) {
     method.finish();
 }
 
-/// For each method or filter that has lengths, those by preset.
+/// Checks the lengths by preset of each method or filter that has some.
 void check_lengths(StrictObject lengths) {
     for (const auto& [id, presets] : lengths.members())
         check_presets(StrictObject(presets, lengths.where(id)));

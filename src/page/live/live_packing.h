@@ -11,19 +11,19 @@
 
 namespace aoscore {
 
-/// For the page's live methods, which need numbers and not pictures. Each result is a zlib stream (RFC 1950)
-/// in base64; reports/page/scripts/live_decode.js unpacks it.
+/// These functions pack numbers for the page's live methods. Each result is a zlib stream (RFC 1950) in
+/// base64; reports/page/scripts/live_decode.js unpacks it.
 
 std::string pack_text(std::string_view text);
 
-/// Integers row by row, exactly: what is left after left + up - upper left (0 outside) modulo 2^32, folded so
-/// that 0, -1, 1, -2, … become 0, 1, 2, 3, …; the highest bytes of all pixels first. The bits of positive
-/// floats order as the floats do, so that this packs depth as well, at about 5 bits a pixel.
+/// Packs integers row by row, exactly: the residuals after left + up - upper left (0 outside) modulo 2^32,
+/// folded so that 0, -1, 1, -2, … become 0, 1, 2, 3, …; the highest bytes of all pixels first. The bits of
+/// positive floats order as the floats do, so that this packs depth as well, at about 5 bits a pixel.
 std::string pack_integers(std::span<const std::uint32_t> values, int width);
 std::string pack_floats(const ImageF& image);
 
-/// Unit vectors in octahedral codes of 16 bits a component (Meyer, Süßmuth, Sußner, Stamminger, Greiner, On
-/// Floating-Point Normal Vectors, 2010): off by at most 7e-5 rad; the axes are exact.
+/// Packs unit vectors in octahedral codes of 16 bits a component (Meyer, Süßmuth, Sußner, Stamminger,
+/// Greiner, On Floating-Point Normal Vectors, 2010): the error is at most 7e-5 rad, and the axes are exact.
 std::string pack_normals(const Image<glm::vec3>& normals);
 
 }  // namespace aoscore

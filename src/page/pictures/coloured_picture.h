@@ -9,19 +9,20 @@
 
 namespace aoscore {
 
-/// Colours from the low to the high end (0xRRGGBB), and one more for what is no number: magenta.
+/// Colours from the low to the high end (0xRRGGBB), followed by magenta for NaN.
 using Palette = std::vector<std::uint32_t>;
 
 /// `steps` colours, at most 255, evenly along the anchors (red, green, blue, 0 to 255). An odd number gives
 /// the middle a colour of its own.
 Palette palette_between(const std::vector<std::array<double, 3>>& anchors, int steps);
 
-/// From black to white.
+/// A palette from black to white.
 Palette gray_palette(int steps);
-/// From blue over white to red: signed error, red where the picture is too bright.
+/// A palette from blue over white to red for signed errors, red where the picture is too bright.
 Palette blue_red_palette(int steps);
 
-/// Pictures of one size below each other as a PNG data URI: `low` has the first colour, `high` the last.
+/// Encodes pictures of one size below each other as a PNG data URI: `low` has the first colour, `high` the
+/// last.
 std::string coloured_picture(const std::vector<const ImageF*>& images, double low, double high,
                              const Palette& palette);
 

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kThumbnailWidth_px = 480;
-// Of visibility; two bytes of each make at most 22 MB of page.
+// The number of values of visibility; at two bytes each they take at most 22 MB of a page.
 constexpr std::size_t kSmallPage_values = 8'000'000;
 
 void require_size(const ImageF& image, const ViewRecord& view, const fs::path& path) {
@@ -74,13 +74,13 @@ ImageF only_where(const ImageF& values, const Mask& valid) {
     return kept;
 }
 
-/// What all pictures of a page have in common.
+/// The common settings of all pictures of a page.
 struct Encoding {
     int visibility_levels;
-    bool extras;  ///< raw outputs, and occlusion by cause
+    bool extras;  ///< with raw outputs, and occlusion by cause
 };
 
-/// A large page is kept small by what it shows least of.
+/// The encoding: a large page has fewer levels and no extras.
 Encoding encoding_for(const Results& results, bool everything) {
     std::size_t values = 0;
     for (const ViewRecord& view : results.views) {

@@ -16,29 +16,28 @@ struct Picture {
     explicit operator bool() const { return !uri.empty(); }
 };
 
-/// Steps of the truth's standard error, which is itself no surer than they are fine.
+/// The number of steps of the truth's standard error, which is itself no more precise than they are.
 inline constexpr int kErrorLevels = 64;
 
 struct ViewPictures {
     QuantisedImage truth;
-    QuantisedImage
-        standard_error;  ///< of the truth, 0 where it has none; no number where nothing is compared
+    QuantisedImage standard_error;  ///< the truth's, 0 where it has none; NaN where nothing is compared
     bool has_standard_error = false;
-    QuantisedImage depth;  ///< m; no number where there is no surface; empty when the G-buffer was not kept
-    double depth_high_m = 0;  ///< nearer than this lie 99 % of the valid pixels
+    QuantisedImage depth;     ///< metres; NaN where there is no surface; empty without a stored G-buffer
+    double depth_high_m = 0;  ///< 99 % of the valid pixels are nearer
     /// Of the ranking's occlusion, what has each cause ("outside", …), and what one depth layer could show of
     /// it
     /// ("one_layer"); empty where they were not traced, and where the page would become too large.
     std::map<std::string, QuantisedImage> occlusion;
     Picture truth_thumbnail;
-    std::map<std::string, Picture> signals;  ///< of the truth, beside visibility, by id
+    std::map<std::string, Picture> signals;  ///< the truth's signals beside visibility, by id
 };
 
 struct CellPictures {
     QuantisedImage output;
-    QuantisedImage raw;  ///< before the filter; empty without one, and where the page would become too large
+    QuantisedImage raw;  ///< the image before the filter; empty without one, and in large pages
     Picture output_thumbnail, raw_thumbnail;
-    std::map<std::string, Picture> signals;  ///< beside visibility, by id
+    std::map<std::string, Picture> signals;  ///< signals beside visibility, by id
 };
 
 struct Pictures {
@@ -46,10 +45,10 @@ struct Pictures {
     std::map<std::string, CellPictures> cells;  ///< by CellRecord::id; failed cells have none
 };
 
-/// Reads the EXR files of the results and encodes every picture of the page, on all threads. Small pages keep
-/// 65535 levels of visibility, what the methods gave before their filters and what the occlusion's causes
-/// are; large ones 255 levels, and that only where `everything` is asked for. Throws file_error where a file
-/// or channel is missing, differs in size, or lies outside the folder.
+/// Reads the EXR files of the results and encodes every picture of the page, on all threads. Small pages have
+/// 65535 levels of visibility, raw outputs and occlusion by cause; large ones have 255 levels, and the others
+/// only where `everything` is asked for. Throws file_error where a file or channel is missing, differs in
+/// size, or lies outside the folder.
 Pictures make_pictures(const Results& results, const std::filesystem::path& folder, bool everything = false);
 
 }  // namespace aoscore

@@ -64,8 +64,8 @@ QuantisedImage quantise(const ImageF& image, double low, double high, int levels
     }
     QuantisedImage result{image.width, image.height, low, 0, levels <= kLevelsOfOneByte ? 1 : 2, {}};
     result.step = high > low ? (high - low) / (levels - 1) : 1;
-    // Residuals are noise for the most part, with runs of zeros where all is open: entropy coding and runs
-    // get nearly all that a search for repetitions would, several times as fast.
+    // Residuals are mostly noise, with runs of zeros where all is open: entropy coding and run lengths
+    // compress them almost as well as a search for repetitions would, and several times as fast.
     result.data = base64(deflated(residuals(codes_of(image, result), result.bytes), 1, Z_RLE));
     return result;
 }

@@ -8,9 +8,9 @@
 
 namespace aoscore {
 
-/// A signal's channels of an image file as a picture, at most `width_px` wide: a direction in colour, each
-/// axis from -1 to 1 one of red, green and blue, and black where there is none; a number in gray, from the
-/// low to the high end of its range. Throws file_error where a channel is missing; `path` is the file's.
+/// Makes a picture, at most `width_px` wide, of a signal's channels in an image file. A direction is in
+/// colour, with its axes from -1 to 1 as red, green and blue, and black where there is none; a number is in
+/// gray over its range. Throws file_error where a channel is missing; `path` is the file's.
 Picture signal_picture(const Signal& signal, const ImageFile& file, const std::filesystem::path& path,
                        int width_px);
 

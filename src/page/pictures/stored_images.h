@@ -7,7 +7,7 @@
 
 namespace aoscore {
 
-/// Where a file lies that the results name. Throws file_error for a place outside of their folder.
+/// The path of a file that the results name. Throws file_error for a path outside of their folder.
 std::filesystem::path stored_path(const std::filesystem::path& folder, const std::string& file);
 
 /// The channel of that name. Throws file_error listing the channels when there is none; `path` is the file's.

@@ -4,8 +4,8 @@
 
 namespace aoscore {
 
-/// The cells of this run against those of the baseline, as the ranking's model: a list of one table, or empty
-/// without a baseline.
+/// Compares the cells of this run with those of the baseline, as part of the ranking's model: a list of one
+/// table, or empty without a baseline.
 nlohmann::json baseline_tables(const Results& results);
 
 }  // namespace aoscore

@@ -5,17 +5,17 @@
 
 namespace aoscore {
 
-/// What the page calls the causes of occlusion that the results name.
+/// The page's names for the causes of occlusion in the results.
 struct CauseText {
     const char* id;
     const char* label;
     const char* meaning;
 };
 
-/// In the order of the page's bars.
+/// All causes in the order of the page's bars.
 std::span<const CauseText> causes();
 
-/// "" for an id that is none.
+/// The label of a cause; "" for an unknown id.
 const char* cause_label(const std::string& id);
 
 }  // namespace aoscore

@@ -58,7 +58,7 @@ json finding_model(const ClaimFinding& finding) {
             {"style", style_of(finding.outcome)}};
 }
 
-/// What the truth says of the cells that a claim was measured on.
+/// The errors against the truth of the cells that a claim was measured on.
 json error_models(const ClaimRecord& claim, const Results& results) {
     json list = json::array();
     for (const std::string& id : claim.cell_ids) {

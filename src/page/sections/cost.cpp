@@ -17,7 +17,7 @@ using nlohmann::json;
 struct Point {
     const CellRecord* cell;
     double ms, error;
-    bool front = false;  ///< never of a bound, which is not for use
+    bool front = false;  ///< never true for a bound, which is not for use
 };
 
 std::vector<Point> points_of(const Results& results, const ViewRecord& view, const std::string& metric) {

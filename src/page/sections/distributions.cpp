@@ -23,14 +23,14 @@ Cells analysed_cells(const Results& results, const ViewRecord& view) {
     return cells;
 }
 
-/// Several presets of a view need their names beside the method's.
+/// The name of a curve, with the preset where a view has several.
 std::string series_name(const CellRecord& cell, const Cells& cells) {
     const bool one_preset =
         std::ranges::all_of(cells, [&](const CellRecord* other) { return other->preset == cell.preset; });
     return one_preset ? shown_name(cell) : fmt::format("{}, {}", shown_name(cell), cell.preset);
 }
 
-/// What the chart's script draws: the positions of the bins' middles, and the shares of each method at them.
+/// The data of a chart: the middles of bins, and the shares of each method at them.
 json curves_data(const Cells& cells, bool cumulative) {
     json series = json::array();
     for (const CellRecord* cell : cells) {
@@ -75,7 +75,7 @@ const Split* split_of(const CellRecord& cell, const std::string& id) {
     return find_row(cell.analysis->splits, id);
 }
 
-/// The share of the pixels that a bin has, where it is the same for all methods.
+/// A bin's share of the pixels, where it is the same for all methods.
 std::string common_share(const std::string& split, std::size_t bin, const Cells& cells) {
     std::optional<std::string> common;
     for (const CellRecord* cell : cells) {
@@ -88,7 +88,7 @@ std::string common_share(const std::string& split, std::size_t bin, const Cells&
     return common.value_or("") + " %";
 }
 
-/// One split of all methods, which have the same bins.
+/// The model of one split of all methods, which have the same bins.
 json split_model(const Split& split, const Cells& cells) {
     double largest = 0;
     json heads = json::array(), rows = json::array();

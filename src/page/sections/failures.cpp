@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Regions of each mask that a method shows at first; the results list more.
+/// The number of regions of each mask that are shown at first; the results list more.
 constexpr std::size_t kShownOfEach = 3;
 
 std::string css_percent(double share) {
@@ -61,7 +61,7 @@ json row_model(const CellRecord& cell, double widest) {
             {"false_width", css_percent(widest > 0 ? analysis.false_occlusion.area / widest : 0)}};
 }
 
-/// A view of the region and as much around it, in a view file's words.
+/// A view of the region and as much around it, as an entry of a view file.
 std::string crop_text(const ViewRecord& view, const ErrorRegion& region) {
     const PictureBox box{region.left - region.width / 2, region.top - region.height / 2, 2 * region.width,
                          2 * region.height};

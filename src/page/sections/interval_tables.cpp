@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-/// How a measure is headed and printed.
+/// A measure's heading and format.
 struct Head {
     std::string id, label, unit;
     double scale;

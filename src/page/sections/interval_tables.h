@@ -6,8 +6,7 @@
 
 namespace aoscore {
 
-/// Model of the tables that give every measure with its 95 % interval, one for each ranking: per view, and
-/// the means over views.
+/// The model of tables with the 95 % interval of every measure, one for each ranking of a view or over views.
 nlohmann::json interval_tables(const Results& results);
 
 }  // namespace aoscore

@@ -63,7 +63,8 @@ std::string truth_cost_text(const ViewRecord& view) {
     return text;
 }
 
-/// What was not traced, of all rays that the picture would have taken, and what was not built for them.
+/// The rays that were saved, of all that the picture would have taken, and the triangles not built for
+/// tracing.
 std::string savings_text(const ViewRecord& view) {
     const TruthSavings& saved = view.savings;
     const auto all = static_cast<double>(view.truth_rays) + static_cast<double>(saved.background_rays) +
@@ -85,7 +86,7 @@ std::string savings_text(const ViewRecord& view) {
     return text;
 }
 
-/// All that the bits of a truth depend on beside scene, camera and radii, which have their own lines.
+/// The settings that a truth depends on, without scene, camera and radii, which have their own lines.
 std::string truth_settings_text(const ViewRecord& view, std::uint64_t seed) {
     const std::string effort =
         view.max_error ? fmt::format("at least {} samples a pixel, then more until the standard error is {}",
@@ -99,7 +100,7 @@ std::string truth_settings_text(const ViewRecord& view, std::uint64_t seed) {
     return fmt::format("seed {}, {}; integrator {}", seed, effort, view.integrator);
 }
 
-/// What methods were drawn with, each setting once.
+/// The rows of methods' lengths, each setting once.
 json length_rows(const Results& results, const ViewRecord& view) {
     json rows = json::array();
     for (const CellRecord& cell : results.cells) {

@@ -12,7 +12,8 @@ namespace {
 
 using nlohmann::json;
 
-/// The cell that a view opens on: the closest to the truth, a bound only without others; empty without any.
+/// The cell that is shown first on a view: the one with the least error, a bound only without others; empty
+/// without any.
 std::string first_shown(const Results& results, const std::string& view_key) {
     std::vector<const CellRecord*> cells;
     for (const CellRecord& cell : results.cells) {

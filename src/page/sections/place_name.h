@@ -6,8 +6,8 @@
 
 namespace aoscore {
 
-/// What a place is called in a sentence: its method with its setting, and its preset and filter where
-/// another place of the ranking differs from it in these alone.
+/// The name of a place in a sentence: its method with its setting, and its preset and filter where another
+/// place differs only in these.
 std::string place_name(const RankingRecord& ranking, const PlaceRecord& place);
 
 }  // namespace aoscore

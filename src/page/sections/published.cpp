@@ -16,10 +16,10 @@ namespace {
 
 using nlohmann::json;
 
-/// What a source prints of a method's parameters; the rest of `published` is time and cost.
+/// The parameters of a method among a source's printed numbers; the rest of `published` is time and cost.
 constexpr std::array kPublishedParameters = {"samples", "steps", "radius", "bias", "sigma", "kappa"};
 
-/// A number that a source printed, and the other one that it printed elsewhere.
+/// A number that a source printed, and a different one that it printed elsewhere.
 struct Printed {
     std::optional<double> value, other;
     std::string other_place;
@@ -42,7 +42,7 @@ Printed printed(const json& row, const std::string& key) {
     return result;
 }
 
-/// The same operation on both of the printed numbers.
+/// Applies an operation to both of the printed numbers.
 template <class Operation>
 Printed derived(const Printed& from, Operation operation) {
     return {operation(from.value), from.other ? operation(from.other) : std::nullopt, from.other_place};
@@ -88,7 +88,7 @@ std::optional<double> own_value(const CellRecord& cell, const std::string& metri
     return value_of(cell.own, metric);
 }
 
-/// The rows of one table: each the definition's row and the cell that stands for it.
+/// A row of a table: the definition's row and its cell.
 struct TableRow {
     const json& published;
     const CellRecord& cell;
@@ -111,7 +111,7 @@ std::vector<TableRow> rows_of(const TableRecord& table, const Results& results) 
     return list;
 }
 
-/// Each pair is what the source prints and what was measured here.
+/// Pairs of the source's printed number and our measurement.
 json cost_pairs(const std::vector<TableRow>& rows, const TableRow& row) {
     const Printed ao = printed(row.published, "ao_ms");
     const auto first_ao = printed(rows.front().published, "ao_ms").value;

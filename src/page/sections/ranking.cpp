@@ -20,7 +20,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The columns and how many decimals each has over the whole page.
+/// The columns with the decimals of each, which are the same over the whole page.
 struct Columns {
     std::vector<RankingColumn> list;
     std::vector<int> decimals;
@@ -36,7 +36,7 @@ Columns columns_of(const Results& results) {
     return columns;
 }
 
-/// Where a value and its interval lie between 0 and the table's largest, for a bar under the number.
+/// The positions of a value and its interval between 0 and the table's largest, for a bar under the number.
 json bar_model(const PlaceRecord& place, double largest) {
     const auto part = [&](double value) {
         return fmt::format("{:.2f}%", largest > 0 ? std::clamp(value / largest, 0.0, 1.0) * 100 : 0.0);
@@ -54,7 +54,7 @@ double largest_of(const RankingRecord& ranking) {
     return largest;
 }
 
-/// "1–3", and whom it cannot be told apart from.
+/// The rank, "1–3", with the places that do not differ significantly.
 json rank_model(const RankingRecord& ranking, const PlaceRecord& place) {
     std::vector<std::string> others;
     for (const std::size_t other : place.ties)
@@ -119,7 +119,7 @@ json view_table(const Columns& columns, const Results& results, const RankingRec
             {"rows", std::move(rows)}};
 }
 
-/// Cells that no ranking holds: what failed.
+/// The rows of cells that failed, which no ranking holds.
 json failed_rows(const Columns& columns, const Results& results) {
     json rows = json::array();
     for (const CellRecord& cell : results.cells) {
@@ -131,7 +131,8 @@ json failed_rows(const Columns& columns, const Results& results) {
     return rows;
 }
 
-/// What was scored on some of a ranking's views and so has no place in it, with how many views it lacks.
+/// Names the cells that lack some of a ranking's views, and so have no place in it, with the number of
+/// missing views.
 std::string left_out_text(const Results& results, const RankingRecord& ranking) {
     std::map<std::string, std::size_t> views_of;
     for (const CellRecord& cell : results.cells) {
@@ -173,7 +174,8 @@ json overall_table(const Results& results, const RankingRecord& ranking) {
             {"rows", std::move(rows)}};
 }
 
-/// Numbers that are missing although their cells succeeded, with the reason: a dash alone would hide it.
+/// The numbers that are missing although their cells succeeded, with the reason, which a dash alone would
+/// hide.
 json gaps_of(const std::vector<RankingColumn>& list, const Results& results) {
     std::map<std::pair<std::string, std::string>, std::vector<std::string>> cells_by_gap;
     for (const CellRecord& cell : results.cells) {

@@ -9,13 +9,12 @@
 
 namespace aoscore {
 
-/// One column of numbers of the ranking: its head, how wide its digits run, and where a cell's number comes
-/// from.
+/// One column of numbers of the ranking: its head, its decimals, and the source of a cell's number.
 struct RankingColumn {
-    std::string id;  ///< of the metric; empty for costs and areas
+    std::string id;  ///< the metric's id; empty for costs and areas
     std::string label, unit, meaning;
     std::function<MeasuredMetric(const CellRecord&)> value;
-    std::optional<int> decimals;  ///< empty: as the column's largest number asks
+    std::optional<int> decimals;  ///< empty: by the column's largest number
 };
 
 /// All metrics in the order of their table, then areas and costs.

@@ -14,12 +14,12 @@ namespace {
 
 using nlohmann::json;
 
-/// A method's name as its pictures and rows have it.
+/// A method's name for its pictures and rows.
 std::string name_of(const CellRecord& cell) {
     return fmt::format("{}, {}", shown_name(cell), cell.preset);
 }
 
-/// The cells of a view that have this signal, those with the least value of its first metric first.
+/// The cells of a view that have this signal, in the order of its first metric.
 std::vector<const CellRecord*> cells_with(const Results& results, const ViewRecord& view,
                                           const std::string& id, const std::string& first_metric) {
     std::vector<const CellRecord*> cells;

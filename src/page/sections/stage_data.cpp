@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-/// An image of the page and the name it goes by.
+/// An image of the page with its name.
 struct NamedImage {
     std::string kind;
     const QuantisedImage& image;

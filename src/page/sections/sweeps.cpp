@@ -24,7 +24,7 @@ json number(std::optional<double> value) {
     return value && std::isfinite(*value) ? json(*value) : json();
 }
 
-/// The points of one view as the script's charts read them: for each method its settings by cost.
+/// The points of one view for the script's charts: each method's settings by cost.
 json chart_data(const Rows& rows, std::optional<double> budget_ms) {
     std::map<std::string, Rows> by_method;
     for (const SweepRow* row : rows) {
@@ -80,8 +80,7 @@ std::string with_spread(const Timing& timing, int decimals) {
                        fixed_text(timing.spread_ms, decimals));
 }
 
-/// What frames are made of and how many a second there are, one row for each setting whose lighting was
-/// timed.
+/// The passes and rates of frames, one row for each setting whose lighting was timed.
 json frame_rows(const Rows& rows) {
     std::vector<std::optional<double>> parts;
     for (const SweepRow* row : rows) {
@@ -117,7 +116,7 @@ std::string setting(const SweepRow& row) {
     return fmt::format("{} ({})", row.cell->method_label, point_text(*row.point));
 }
 
-/// Which settings lead, in a sentence or two.
+/// The leading settings in a sentence or two.
 std::string answer(const Rows& rows, std::optional<double> budget_ms) {
     Rows front;
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(front),
@@ -166,7 +165,7 @@ json rows_model(const Rows& rows, const SweepRecord& sweep) {
     return model;
 }
 
-/// What lights the frames, and how steady the G-buffer's time is, which all settings share.
+/// The lighting of frames, and the spread of the G-buffer's time, which all settings share.
 std::string light_text(const ViewRecord& view) {
     std::vector<std::string> parameters;
     for (const auto& [id, value] : view.lighting_parameters)
@@ -203,7 +202,7 @@ json over_views_model(const SweepRowsOverViews& all, const SweepRecord& sweep) {
     return model;
 }
 
-/// What the source of a definition states of its own measurements, and nothing that it does not.
+/// The results that a definition's source states of its own measurements.
 json stated_models(const json& definition) {
     json list = json::array();
     for (const json& stated : definition.value("stated", json::array())) {
@@ -232,7 +231,7 @@ json source_model(const json& definition) {
     return model;
 }
 
-/// Why there is no number over all of a sweep's views; empty where there is one.
+/// Says why there is no number over all of a sweep's views; empty where there is one.
 std::string apart_text(const std::vector<std::pair<const ViewRecord*, Rows>>& views) {
     std::vector<const ViewRecord*> all;
     for (const auto& [view, rows] : views) all.push_back(view);

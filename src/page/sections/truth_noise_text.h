@@ -6,11 +6,12 @@
 
 namespace aoscore {
 
-/// What the truth's noise leaves of a view's scores, in a sentence; empty where its truth has no halves that
-/// tell.
+/// Says in a sentence how certain a view's scores are with the truth's noise; empty where its truth has no
+/// halves.
 std::string truth_noise_text(const Results& results, const ViewRecord& view);
 
-/// That a page shows the first answer of a run that goes on, and what in it is final; empty for a final page.
+/// Says that a page shows the first answer of a run that goes on, and which parts are final; empty for a
+/// final page.
 std::string first_answer_text(const Results& results);
 
 }  // namespace aoscore

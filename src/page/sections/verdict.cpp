@@ -15,12 +15,12 @@
 namespace aoscore {
 namespace {
 
-/// Names that a sentence lists; the table has all of them.
+/// The number of names in a sentence; the table has all of them.
 constexpr std::size_t kListed = 4;
 
 using Places = std::vector<const PlaceRecord*>;
 
-/// The places that have a rank, closest first.
+/// The places that have a rank, in the order of their error.
 Places ranked_places(const RankingRecord& ranking) {
     Places places;
     for (const PlaceRecord& place : ranking.places) {
@@ -29,7 +29,7 @@ Places ranked_places(const RankingRecord& ranking) {
     return places;
 }
 
-/// Those that may be the closest.
+/// The places that may have the least error.
 Places leaders_of(const RankingRecord& ranking) {
     Places places = ranked_places(ranking);
     std::erase_if(places, [](const PlaceRecord* place) { return place->rank->best > 1; });
@@ -48,7 +48,7 @@ std::string listed(std::vector<std::string> names) {
     return fmt::format("{} and {}", fmt::join(names, ", "), last);
 }
 
-/// "On atrium/wide", "Over atrium/wide and atrium/close at R 0.5 m".
+/// The views of a ranking in words: "On atrium/wide", "Over atrium/wide and atrium/close at R 0.5 m".
 std::string where_text(const RankingRecord& ranking) {
     if (ranking.view_keys.size() == 1) return "On " + ranking.view_keys.front();
     return fmt::format("Over {} at R {} m", listed(ranking.view_keys), short_text(ranking.radius_m));
@@ -67,7 +67,7 @@ std::string cost_clause(const CellRecord& best, const CellRecord& second) {
     return ", at " + costs.front() + (costs.size() > 1 ? " and " + costs.back() : "");
 }
 
-/// How much closer the first is than the second, and what it costs beside it; of one view only.
+/// Compares the first with the second place in error and cost; for one view only.
 std::string lead_clause(const Results& results, const RankingRecord& ranking, const PlaceRecord& best,
                         const PlaceRecord& second) {
     std::string text;
@@ -84,7 +84,7 @@ std::string with_value(const RankingRecord& ranking, const PlaceRecord& place) {
     return fmt::format("{} ({})", place_name(ranking, place), fixed_text(place.value, 4));
 }
 
-/// What a ranking's bounds reach, as a sentence of its own; empty without any.
+/// A sentence with the errors of a ranking's bounds; empty without any.
 std::string bounds_sentence(const RankingRecord& ranking) {
     std::vector<std::string> bounds;
     for (const PlaceRecord& place : ranking.places) {
@@ -112,7 +112,7 @@ std::string ranking_sentence(const Results& results, const RankingRecord& rankin
         ranked.size(), listed(std::move(names)), metric);
 }
 
-/// How often each method is surely the closest, view by view.
+/// Counts the views on which each method has significantly the least error.
 std::string counting_sentence(const std::vector<const RankingRecord*>& views) {
     std::map<std::string, int> wins;
     std::size_t compared = 0, untold = 0;
@@ -149,8 +149,8 @@ bool has_place(const RankingRecord& ranking, const std::string& cell_id) {
     });
 }
 
-/// Whether what leads on any of its views has a place in a ranking over views: it may else speak for fewer
-/// methods than were compared.
+/// Whether the leaders of all its views have a place in a ranking over views, which may otherwise leave out
+/// methods that were compared.
 bool speaks_for(const RankingRecord& over, const std::vector<const RankingRecord*>& views) {
     return std::ranges::all_of(views, [&](const RankingRecord* view) {
         if (std::ranges::find(over.view_keys, view->view_keys.front()) == over.view_keys.end()) return true;
@@ -160,8 +160,8 @@ bool speaks_for(const RankingRecord& over, const std::vector<const RankingRecord
     });
 }
 
-/// The rankings that together hold every view once, over as many views as one number may cover; empty where
-/// they are more than a headline can hold, or one does not speak for its views.
+/// The rankings that together hold every view once, each over a whole group of comparable views; empty where
+/// there are too many for a headline, or one leaves out a leader.
 std::vector<const RankingRecord*> summary(const Results& results,
                                           const std::vector<const RankingRecord*>& views) {
     std::vector<const RankingRecord*> parts;

@@ -9,23 +9,24 @@
 
 namespace aoscore {
 
-/// Which picture of a capture, counted from 0.
+/// The index of a picture in a capture, counted from 0.
 struct CaptureIndex {
-    int frame = 0;  ///< of time
-    int layer = 0;  ///< of depth, 0 in front
+    int frame = 0;  ///< frame in time
+    int layer = 0;  ///< layer of depth, 0 in front
     int eye = 0;
 };
 
-/// What is drawn for a method: channels (image/channels.h) of one or more frames, layers of depth and eyes.
+/// The inputs drawn for a method: channels (image/channels.h) of one or more frames, layers of depth and
+/// eyes.
 struct Capture {
-    /// One camera for each frame and eye, all of one size: those of the first frame first.
+    /// One camera for each frame and eye, all of one size, beginning with those of the first frame.
     std::vector<CameraFrame> cameras;
     int layers = 1;
     int eyes = 1;
-    /// Beside those that are always drawn.
+    /// Channels beside those that are always drawn.
     std::set<std::string> channels;
 
-    /// One frame, one layer, one eye.
+    /// Makes a capture of one frame, one layer and one eye.
     Capture(const CameraFrame& camera, std::set<std::string> asked)
         : cameras{camera}, channels(std::move(asked)) {}
 
@@ -34,7 +35,7 @@ struct Capture {
     const CameraFrame& camera(const CaptureIndex& index) const {
         return cameras[static_cast<std::size_t>(index.frame * eyes + index.eye)];
     }
-    /// The picture's place among all of them; layers of one camera stand side by side.
+    /// The picture's place among all of them; layers of one camera are adjacent.
     std::size_t place(const CaptureIndex& index) const {
         return static_cast<std::size_t>((index.frame * eyes + index.eye) * layers + index.layer);
     }

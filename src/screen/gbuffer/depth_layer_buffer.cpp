@@ -30,7 +30,7 @@ std::string macros_of(const DepthLayers& layers, Mirror mirror) {
                        layers.per_sample ? 1 : 0, sampling.macro, mirror_macros(mirror));
 }
 
-/// Of the framebuffer that is bound: every sample empty.
+/// Empties every sample of the bound framebuffer.
 void clear_samples(int textures, float far) {
     const std::array<float, 4> empty = {far, far, far, far};
     for (int i = 0; i < textures; ++i) gl::ClearBufferfv(GL_COLOR, i, empty.data());
@@ -46,7 +46,7 @@ GLuint DepthLayerBuffer::texture(const GBuffer& gbuffer, const DepthLayers& laye
 
 void DepthLayerBuffer::draw(const GBuffer& gbuffer, const DepthLayers& layers, Mirror mirror,
                             std::span<const SceneGeometry::Draw> draws) {
-    drawn_.reset();  // before the next one takes its memory
+    drawn_.reset();  // frees its memory for the next one
     const TextureFormat format = format_of(layers.samples);
     drawn_ = Drawn{layers, mirror, gbuffer.width(), gbuffer.height(), {}};
     drawn_->array =
@@ -67,7 +67,7 @@ void DepthLayerBuffer::draw(const GBuffer& gbuffer, const DepthLayers& layers, M
     gl::check("drawing depth layers");
 }
 
-// The minimum does not care for the order of its operands.
+// Draws all samples at once by blending with the minimum, which ignores the order of its operands.
 void DepthLayerBuffer::blend(const GBuffer& gbuffer, SceneDrawing::Look look) {
     const int textures = textures_for(drawn_->layers.samples);
     const gl::Framebuffer framebuffer = make_array_framebuffer(drawn_->array.name(), 0, textures);
@@ -78,7 +78,7 @@ void DepthLayerBuffer::blend(const GBuffer& gbuffer, SceneDrawing::Look look) {
     gl::Disable(GL_BLEND);
 }
 
-// A pass a layer, each into one number of the texel.
+// Draws each layer by a pass of its own, into one number of the texel.
 void DepthLayerBuffer::peel(const GBuffer& gbuffer, SceneDrawing::Look look) {
     const int width = gbuffer.width(), height = gbuffer.height();
     const std::array<gl::Texture, 2> depths = {make_texture(kDepth32F, width, height),

@@ -16,20 +16,20 @@ namespace aoscore {
 /// Surfaces are those of the G-buffer: cut-outs have their holes, and both sides of a wall are drawn.
 class DepthLayerBuffer {
   public:
-    /// A GL_TEXTURE_2D_ARRAY of four samples a texel, of two or one where no more are asked for. Drawn where
-    /// it is not the one that was drawn last, which alone is kept: sixteen samples of 1920x1080 pixels are
-    /// 133 MB.
+    /// A GL_TEXTURE_2D_ARRAY of four samples a texel, or of two or one where no more are asked for. It is
+    /// drawn unless it was drawn last: only one is kept, since sixteen samples of 1920x1080 pixels take 133
+    /// MB.
     GLuint texture(const GBuffer& gbuffer, const DepthLayers& layers, Mirror mirror);
 
-    /// Draws it, the scene's surfaces in this order, which decides no bit of the result. A sample holds the
+    /// Draws the scene's surfaces in this order, which does not affect the result. A sample holds the
     /// nearest of the surfaces that it accepts, by blending with the minimum: in one pass without sorting.
     void draw(const GBuffer& gbuffer, const DepthLayers& layers, Mirror mirror,
               std::span<const SceneGeometry::Draw> draws);
 
-    /// What was drawn last: a picture for each sample, row 0 at the top.
+    /// Reads the last drawing: a picture for each sample, row 0 at the top.
     std::vector<ImageF> read() const;
 
-    /// The G-buffer has changed, or the clock is to see the work.
+    /// Forgets the last drawing, when the G-buffer has changed or the work is to be timed.
     void forget() { drawn_.reset(); }
 
   private:

@@ -58,8 +58,7 @@ GLuint DerivedInputs::depth_mips(const GBuffer& gbuffer, GLuint linear_depth, co
         gl::Uniform1i(p.location("u_source_level"), level - 1);
         const GLuint source = level == 0 ? linear_depth : mips.name();
         if (level > 0) {
-            // A level may be read while another is drawn only when the drawn one is out of the sampler's
-            // reach.
+            // A level may be read while another is drawn only when the sampler cannot access the drawn one.
             gl::BindTexture(GL_TEXTURE_2D, mips.name());
             gl::TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, level - 1);
         }

@@ -14,10 +14,10 @@ namespace aoscore {
 /// They are kept until forget().
 class DerivedInputs {
   public:
-    /// Levels of "depth_mips", the full picture among them.
+    /// The number of levels of "depth_mips", including the full picture.
     static constexpr int kMipLevels = 6;
 
-    /// The G-buffer has changed, or the clock is to see the work.
+    /// Forgets all inputs, when the G-buffer has changed or the work is to be timed.
     void forget();
 
     /// `radius_m` is that of a "weighted" chain.
@@ -25,15 +25,15 @@ class DerivedInputs {
     GLuint depth_mips(const GBuffer& gbuffer, GLuint linear_depth, const std::string& filter, double radius_m,
                       Mirror mirror);
 
-    /// What the depth buffer of that format gives back (PrecisionFormat::stored), metres.
+    /// The view depth that a depth buffer of that format returns (PrecisionFormat::stored), metres.
     GLuint stored_depth(const GBuffer& gbuffer, std::string_view stored);
-    /// What two bytes keep of a normal.
+    /// The normal after rounding to two bytes.
     GLuint packed_normal(const GBuffer& gbuffer, GLuint normal);
 
     /// `linear_depth` at half the resolution, rounded up: one texel of each block of 2x2.
     GLuint half_depth(const GBuffer& gbuffer, GLuint linear_depth);
 
-    /// View-space normals from this linear depth, unit, turned to the camera: `accurate` extrapolates from
+    /// View-space normals from this linear depth, unit, facing the camera: `accurate` extrapolates from
     /// both sides and takes the better (Wu, Accurate Normal Reconstruction from Depth Buffer, 2019), else the
     /// differences to the right and below, as derivatives of a shader would be.
     GLuint normal_from_depth(const GBuffer& gbuffer, GLuint linear_depth, bool accurate);

@@ -20,12 +20,12 @@
 namespace aoscore {
 
 /// The textures that methods read, drawn from a scene's triangles. Row 0 of every texture is the picture's
-/// top row. What asks for no picture by its index means the first one.
+/// top row. Functions without a picture's index refer to the first picture.
 class GBuffer {
   public:
     /// Draws a capture in place of the one before. Layers behind the first are peeled off (Everitt,
-    /// Interactive Order-Independent Transparency, 2001): each holds what lies behind the layer in front of
-    /// it. Throws internal_error for a channel that is none, and for cameras of several sizes.
+    /// Interactive Order-Independent Transparency, 2001): each holds the surfaces next behind the layer in
+    /// front of it. Throws internal_error for an unknown channel, and for cameras of several sizes.
     void draw(const SceneGeometry& geometry, const Capture& capture);
 
     bool drawn() const { return !pictures_.empty(); }
@@ -39,16 +39,16 @@ class GBuffer {
     GLuint texture(std::string_view channel, const CaptureIndex& index = {}) const;
 
     GBufferImages read(const CaptureIndex& index = {}) const;
-    /// Of all pictures.
+    /// The digest of all pictures.
     std::string digest() const;
 
-    /// The camera's uniforms of shaders/contract/view.glsl, for this G-buffer or any pass over it.
+    /// Sets the camera's uniforms of shaders/contract/view.glsl, for this G-buffer or any pass over it.
     void set_view_uniforms(const ShaderProgram& program, const CaptureIndex& index = {}) const;
     const Capture& capture() const { return *capture_; }
-    /// What was drawn, which must still be there.
+    /// The geometry that was drawn, which must still exist.
     const SceneGeometry& geometry() const { return *geometry_; }
     const CameraFrame& frame(const CaptureIndex& index = {}) const { return capture_->camera(index); }
-    /// ORTHOGRAPHIC of shaders/contract/view.glsl.
+    /// The value of ORTHOGRAPHIC in shaders/contract/view.glsl.
     bool orthographic() const { return pictures_.front().view.orthographic; }
 
   private:
@@ -57,18 +57,18 @@ class GBuffer {
         std::map<std::string, gl::Texture, std::less<>> textures;
     };
     const Picture& picture(const CaptureIndex& index) const { return pictures_[capture_->place(index)]; }
-    /// Makes the textures of a picture, and draws into them from here on.
+    /// Makes the textures of a picture, and binds them for drawing.
     void allocate(Picture& made);
     void clear(const Picture& cleared) const;
-    /// `before`: the window depth of the layer in front, 0 for the first.
+    /// Draws a picture; `before` is the window depth of the layer in front, 0 for the first.
     void draw_picture(const CameraFrame& frame, const Picture& drawn, GLuint before);
-    /// Which channel is which output of scene.frag.
+    /// The macros that assign channels to the outputs of scene.frag.
     std::string output_macros() const;
 
     const SceneGeometry* geometry_ = nullptr;
     std::optional<Capture> capture_;
     std::vector<const Channel*> outputs_;  // colour attachments in order
-    std::vector<Picture> pictures_;        // by Capture::place()
+    std::vector<Picture> pictures_;        // indexed by Capture::place()
     gl::Framebuffer framebuffer_;
     SceneDrawing drawing_{"G-buffer", "scene.frag"};
 };

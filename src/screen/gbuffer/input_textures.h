@@ -13,7 +13,7 @@
 
 namespace aoscore {
 
-/// Which of a request's settings decide what an input is.
+/// The settings of a request that decide the content of inputs.
 struct InputSettings {
     Normals normals = Normals::as_described;
     Precision precision = Precision::full;
@@ -22,7 +22,7 @@ struct InputSettings {
 /// The input that a request reads in place of a listed one, where it asks for other normals.
 std::string replaced_normal(const std::string& input, Normals normals);
 
-/// What its texture is bound to: GL_TEXTURE_2D, or an array of them.
+/// The target of its texture: GL_TEXTURE_2D, or an array of them.
 GLenum texture_target(std::string_view input);
 
 /// Finds, or makes, the texture behind each input that a pass lists.
@@ -30,12 +30,12 @@ class InputTextures {
   public:
     explicit InputTextures(const GBuffer& gbuffer) : gbuffer_(&gbuffer) {}
 
-    /// "coarser" and "visibility" are the pass before this one's: `previous`. Throws internal_error for an
+    /// "coarser" and "visibility" are the result of the pass before: `previous`. Throws internal_error for an
     /// input that the G-buffer was drawn without.
     GLuint texture(const std::string& listed, const PassBuild& build, const InputSettings& settings,
                    GLuint previous);
 
-    /// Drops what was computed from the G-buffer, or drawn beside it.
+    /// Forgets inputs that were computed from the G-buffer, or drawn beside it.
     void forget_derived() {
         derived_.forget();
         layers_.forget();

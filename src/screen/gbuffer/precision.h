@@ -7,10 +7,10 @@
 
 namespace aoscore {
 
-/// One way of storing depth and normals: a row of the one table.
+/// A format of depth and normals: a row of the one table.
 struct PrecisionFormat {
     Precision precision;
-    std::string_view id;      ///< command line and results: "depth-24"
+    std::string_view id;      ///< its name on the command line and in results: "depth-24"
     std::string_view stored;  ///< STORED of shaders/gbuffer/stored_depth.frag; empty: depth as it was drawn
     bool packs_normals = false;
     std::string_view meaning;

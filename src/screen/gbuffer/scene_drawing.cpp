@@ -16,7 +16,7 @@ namespace {
 constexpr GLenum kBaseColor = 0, kTriangleNormals = 1, kLayerBefore = 2;
 
 // Normals transform by the cofactor matrix, which exists for flattened instances too. Its sign does not
-// matter: normals are turned to the camera. Scaled to keep float in range.
+// matter: normals are turned to the camera. They are scaled to keep float in range.
 glm::mat3 normal_matrix(const glm::dmat4& view_from_mesh) {
     glm::dmat3 matrix = cofactors(glm::dmat3(view_from_mesh));
     double largest = 0;

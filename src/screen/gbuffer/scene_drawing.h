@@ -12,11 +12,11 @@
 
 namespace aoscore {
 
-/// Draws a scene's triangles by shaders/gbuffer/scene.vert and a fragment shader of that folder, into
-/// whatever is bound; keeps the programs. Row 0 of what it draws is the picture's top row.
+/// Draws a scene's triangles by shaders/gbuffer/scene.vert and a fragment shader of that folder, into the
+/// bound framebuffer; keeps the programs. Row 0 of the result is the picture's top row.
 class SceneDrawing {
   public:
-    /// `fragment` is a file of shaders/gbuffer/; `name` is what errors call the programs.
+    /// `fragment` is a file of shaders/gbuffer/; errors call the programs `name`.
     SceneDrawing(std::string name, std::string fragment)
         : name_(std::move(name)), fragment_(std::move(fragment)) {}
 
@@ -24,10 +24,10 @@ class SceneDrawing {
         const SceneGeometry* geometry = nullptr;
         std::span<const SceneGeometry::Draw> draws;  ///< in the order of drawing
         const CameraFrame* frame = nullptr;
-        std::string macros;  ///< of the shaders, beside ORTHOGRAPHIC and CUTOUT
-        /// Window depth of the layer in front of what is to be drawn (macro PEELED); 0: none.
+        std::string macros;  ///< macros of the shaders beside ORTHOGRAPHIC and CUTOUT
+        /// The window depth of the layer in front of the one to draw (macro PEELED); 0: none.
         GLuint layer_before = 0;
-        /// Sets what the fragment shader has beside this, of a program that is in use. May be empty.
+        /// Sets further uniforms of the fragment shader, whose program is in use. It may be empty.
         std::function<void(const ShaderProgram&)> set_uniforms;
     };
     void draw(const Look& look);
@@ -37,7 +37,7 @@ class SceneDrawing {
     void begin(const Look& look, const ShaderProgram& program, const ViewUniforms& view) const;
 
     std::string name_, fragment_;
-    std::map<std::string, ShaderProgram> programs_;  // by macros
+    std::map<std::string, ShaderProgram> programs_;  // indexed by macros
 };
 
 }  // namespace aoscore

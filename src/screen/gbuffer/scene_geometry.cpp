@@ -11,7 +11,7 @@
 namespace aoscore {
 namespace {
 
-// Attribute places of shaders/gbuffer/scene.vert.
+// The locations of attributes in shaders/gbuffer/scene.vert.
 constexpr GLuint kPosition = 0, kNormal = 1, kTexcoord = 2, kAlpha = 3;
 
 struct Vertices {
@@ -27,7 +27,7 @@ void append(Vertices& all, const Mesh& mesh) {
     all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
     all.normals.insert(all.normals.end(), mesh.normals.begin(), mesh.normals.end());
     all.texcoords.insert(all.texcoords.end(), mesh.texcoords.begin(), mesh.texcoords.end());
-    // A mesh without normals is drawn flat: the shader takes a zero normal for that.
+    // A mesh without normals is drawn flat: a zero normal tells the shader so.
     all.normals.resize(end, glm::vec3(0));
     all.texcoords.resize(end, glm::vec2(0));
     if (!mesh.alphas.empty()) {

@@ -16,23 +16,23 @@ class SceneGeometry {
         int material = 0;
         GLint base_vertex = 0;
         GLsizei index_count = 0;
-        std::size_t index_offset = 0;  ///< bytes into the index buffer
-        GLint first_triangle = 0;      ///< into the buffer texture of normals
+        std::size_t index_offset = 0;  ///< offset into the index buffer in bytes
+        GLint first_triangle = 0;      ///< index into the buffer texture of normals
     };
     struct Draw {
         int range = 0;
-        int instance = 0;  ///< of the scene's, whatever the order of drawing
+        int instance = 0;  ///< index into the scene's instances
         glm::dmat4 scene_from_mesh{1.0};
     };
     const std::vector<Range>& ranges() const { return ranges_; }
-    /// All instances: those of solid materials first, since cut-outs need another program.
+    /// All instances, those of solid materials first, since cut-outs need another program.
     const std::vector<Draw>& draws() const { return draws_; }
     const std::vector<Material>& materials() const { return materials_; }
 
     GLuint vertex_array() const { return vertex_array_.name(); }
-    /// GL_TEXTURE_BUFFER, RGBA32F: the unit normal of each triangle in mesh space, by its winding.
+    /// A GL_TEXTURE_BUFFER of RGBA32F with the unit normal of each triangle in mesh space, by its winding.
     GLuint triangle_normals() const { return triangle_normals_.name(); }
-    /// RGBA8, level 0 only; 0 for a texture that the scene did not decode.
+    /// A texture of RGBA8 with level 0 only; 0 for one that the scene did not decode.
     GLuint texture(int index) const { return textures_[static_cast<std::size_t>(index)].name(); }
     const Texture& texture_info(int index) const { return texture_infos_[static_cast<std::size_t>(index)]; }
 

@@ -6,17 +6,17 @@ namespace aoscore {
 
 class ShaderProgram;
 
-/// What shaders/contract/view.glsl is given of a camera.
+/// The values of a camera for shaders/contract/view.glsl.
 struct ViewUniforms {
     int width = 0, height = 0;  ///< u_size_px
     glm::dvec2 pixel_size{0};   ///< u_pixel_size: metres a pixel at depth 1 (orthographic: anywhere)
-    double near = 0, far = 0;   ///< metres; far as a float has it, since it marks the background
+    double near = 0, far = 0;   ///< metres; far is rounded to float, since it marks the background
     bool orthographic = false;  ///< ORTHOGRAPHIC
 
     ViewUniforms() = default;
     explicit ViewUniforms(const CameraFrame& frame);
 
-    /// Of a program that is in use.
+    /// Sets the uniforms of a program that is in use.
     void set(const ShaderProgram& program) const;
 };
 

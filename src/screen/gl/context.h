@@ -19,12 +19,12 @@ class GlContext {
     virtual void make_current() = 0;
 
     using Function = void (*)();
-    /// The entry point of an OpenGL function ("glClear"), null when there is none.
+    /// The entry point of an OpenGL function ("glClear"); null when there is none.
     virtual Function function(const char* name) const = 0;
 };
 
 /// The one place that chooses an implementation. Makes the context current and loads the functions of gl.h.
-/// Throws internal_error when there is no context to be had, or a function is missing.
+/// Throws internal_error when no context can be made, or a function is missing.
 std::unique_ptr<GlContext> new_gl_context();
 
 }  // namespace aoscore

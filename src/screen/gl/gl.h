@@ -2,8 +2,9 @@
 
 #include <GL/glcorearb.h>
 
-// The OpenGL 3.3 functions that this room calls, and no later one: what is not listed does not compile. Each
-// is loaded from the context by its name; AOSCORE_GL_FUNCTIONS(X) calls X(upper-case name, name).
+// The OpenGL 3.3 functions that this room calls, and no later one: a function that is not listed does not
+// compile. Each is loaded from the context by its name; AOSCORE_GL_FUNCTIONS(X) calls X(upper-case name,
+// name).
 #define AOSCORE_GL_FUNCTIONS(X)                         \
     X(ACTIVETEXTURE, ActiveTexture)                     \
     X(ATTACHSHADER, AttachShader)                       \
@@ -85,7 +86,7 @@ AOSCORE_GL_FUNCTIONS(AOSCORE_GL_DECLARE)
 /// function.
 void load_functions(const GlContext& context);
 
-/// Throws internal_error when an OpenGL call since the last check failed; `doing` says what was done.
+/// Throws internal_error when an OpenGL call since the last check failed; `doing` names the action.
 void check(const char* doing);
 
 }  // namespace aoscore::gl

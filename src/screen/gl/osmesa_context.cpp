@@ -17,17 +17,17 @@
 namespace aoscore {
 namespace {
 
-// Everything is drawn into framebuffer objects; OSMesa only insists that some window buffer exists.
+// Everything is drawn into framebuffer objects; OSMesa only requires that some window buffer exists.
 constexpr int kWindowSize = 16;
 
-// llvmpipe reads its number of threads once, when the first context is made.
+// Sets the number of threads of llvmpipe, which reads it once, when the first context is made.
 void limit_rasteriser_threads() {
     setenv("LP_NUM_THREADS", std::to_string(thread_count()).c_str(), 0);
 }
 
-// Mesa does not look whether it was given the memory that it asked for, and crashes where it was not. Its
-// threads are as many as the rasteriser's and a few of its own; each has a stack and a heap of the C library.
-// The numbers are those of Mesa 22.3, with room for the first shaders.
+// Checks that enough addresses are left: Mesa does not check whether it got the memory that it asked for, and
+// crashes where it did not. It has the rasteriser's threads and a few of its own, each with a stack and a
+// heap of the C library. The numbers are those of Mesa 22.3, with room for the first shaders.
 void require_addresses() {
     constexpr std::size_t kMiB = std::size_t{1} << 20, kThread = 72 * kMiB, kRest = 256 * kMiB;
     constexpr int kMostRasterisers = 32, kOwnThreads = 4;

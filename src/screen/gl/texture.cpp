@@ -25,7 +25,7 @@ void read_bound(GLenum target, GLenum transfer, void* pixels) {
     gl::check("reading a texture");
 }
 
-/// Of the framebuffer that is bound, with its colour buffers attached.
+/// Selects the colour buffers of the bound framebuffer for drawing.
 void draw_into(int count) {
     std::vector<GLenum> buffers;
     for (int i = 0; i < count; ++i) buffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));

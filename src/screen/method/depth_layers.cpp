@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-/// What each member accepts; a default stands for a member that is not there.
+/// The members with their accepted values; a missing member has its default.
 const std::vector<Parameter>& members() {
     static const std::vector<Parameter> all = [] {
         std::vector<Parameter> made(5);
@@ -29,7 +29,7 @@ const std::vector<Parameter>& members() {
     return all;
 }
 
-/// Whether every value of the parameter is one of the member's.
+/// Whether the member accepts every value of the parameter.
 bool fits(const Parameter& parameter, const Parameter& member) {
     const bool within = parameter.lowest >= member.lowest && parameter.highest <= member.highest;
     const bool known = std::ranges::all_of(parameter.choices, [&](const std::string& choice) {

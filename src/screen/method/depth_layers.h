@@ -12,37 +12,36 @@ namespace aoscore {
 
 class StrictObject;
 
-/// A way of choosing which depths a texel keeps of all that are drawn over it: a row of the one table.
+/// A rule for the depths that a texel keeps of all that are drawn over it: a row of the one table.
 struct DepthSampling {
-    std::string_view id;     ///< in descriptors
-    std::string_view macro;  ///< of shaders/gbuffer/depth_layers.frag
+    std::string_view id;     ///< its name in descriptors
+    std::string_view macro;  ///< its macro in shaders/gbuffer/depth_layers.frag
     std::string_view meaning;
 };
 const std::vector<DepthSampling>& depth_samplings();
 
-/// The depths of a texel that a method is given beside the first: a stochastic-depth buffer (Vermeer,
-/// Stochastic-Depth Ambient Occlusion, 2020, chapter 5 and section 6.1; after Enderton et al., Stochastic
-/// Transparency, 2010), or layers that were peeled off (Everitt, Interactive Order-Independent Transparency,
-/// 2001).
+/// Several depths a texel for a method: a stochastic-depth buffer (Vermeer, Stochastic-Depth Ambient
+/// Occlusion, 2020, chapter 5 and section 6.1; after Enderton et al., Stochastic Transparency, 2010), or
+/// layers that were peeled off (Everitt, Interactive Order-Independent Transparency, 2001).
 struct DepthLayers {
     static constexpr int kMost = 16;
     int samples = 1;   ///< depths a texel, 1 to kMost
-    double alpha = 1;  ///< with what probability a sample keeps a surface; of no effect on peeled layers
-    std::string sampling = "stratified";  ///< of depth_samplings()
+    double alpha = 1;  ///< probability that a sample keeps a surface; no effect on peeled layers
+    std::string sampling = "stratified";  ///< a row of depth_samplings()
     bool per_sample = true;               ///< false: a surface's samples share one coin
     std::uint32_t seed = 1;
 
     auto operator<=>(const DepthLayers&) const = default;
 };
 
-/// Reads a descriptor's "depth_layers". Throws file_error for a value that is none of a member's, and for a
-/// parameter that could have one.
+/// Reads a descriptor's "depth_layers". Throws file_error for a value that a member does not accept, and for
+/// a parameter that may have such a value.
 DepthLayersDescriptor parse_depth_layers(const MethodDescriptor& method, StrictObject object);
 
-/// Whether a member names this parameter.
+/// Whether some member names this parameter.
 bool names_parameter(const DepthLayersDescriptor& descriptor, std::string_view parameter);
 
-/// What it asks for with these parameters, in a run of this seed.
+/// The depth layers for these parameters, in a run of this seed.
 DepthLayers asked_depth_layers(const DepthLayersDescriptor& descriptor, const ParameterValues& parameters,
                                std::uint64_t run_seed);
 

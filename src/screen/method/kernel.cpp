@@ -7,7 +7,7 @@
 namespace aoscore {
 namespace {
 
-// A counter-based generator: the finaliser of SplitMix64 (Steele, Lea and Flood, "Fast splittable
+// Mixes the bits of a counter by the finaliser of SplitMix64 (Steele, Lea and Flood, "Fast splittable
 // pseudorandom number generators", 2014).
 std::uint64_t mix(std::uint64_t x) {
     x += 0x9e3779b97f4a7c15U;
@@ -26,7 +26,7 @@ double unit_number(std::uint64_t h) {
     return static_cast<double>(h >> 11) * 0x1p-53;
 }
 
-// Three numbers in [0,1) for the direction, a fourth for the radius.
+// Gives each point three numbers in [0,1) for the direction, and a fourth for the radius.
 class Numbers {
   public:
     Numbers(const Kernel& kernel, std::uint64_t seed)

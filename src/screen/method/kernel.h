@@ -13,7 +13,7 @@
 
 namespace aoscore {
 
-/// What the members of a descriptor's kernel may say.
+/// The choices for the members of a descriptor's kernel.
 ///   directions: "sphere" uniform; "sphere_cube" a uniform point of the cube [-1,1]^3, normalised (denser
 ///   toward
 ///     its corners, as widely copied code has it); "hemisphere_cube" the same of [-1,1]²x[0,1]; "hemisphere"
@@ -30,13 +30,13 @@ struct KernelChoices {
     static const std::set<std::string>& sequences();
 };
 
-/// The points of a kernel whose members are all values (no '@'). Same arguments, same points, on every
-/// machine. A longer "random" or "low_discrepancy" kernel begins with the points of a shorter one, up to
-/// `scale`.
+/// Generates the points of a kernel whose members are all values (no '@'). The points depend on the arguments
+/// alone, on every machine. A longer "random" or "low_discrepancy" kernel begins with the points of a shorter
+/// one, up to `scale`.
 std::vector<glm::vec3> generate_kernel(const Kernel& kernel, std::uint64_t seed);
 
-/// The 4x4 tile of noise: four numbers in [0,1) a pixel. Each channel is a permutation of (i + ½)/16, so that
-/// the mean over any aligned or unaligned 4x4 block is exactly stratified.
+/// Generates the 4x4 tile of noise: four numbers in [0,1) a pixel. Each channel is a permutation of (i +
+/// ½)/16, so that the mean over any aligned or unaligned 4x4 block is exactly stratified.
 Image<glm::vec4> generate_noise_4x4(std::uint64_t seed);
 
 }  // namespace aoscore

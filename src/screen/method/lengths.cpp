@@ -40,7 +40,7 @@ ParameterValues values_for_radius(const MethodDescriptor& method, double radius_
                                   const ParameterValues& overrides) {
     const ParameterValues own = method.values(preset, overrides);
     const std::optional<double> reference_m = reference_radius(method, preset);
-    // At the reference radius itself the values stay what they are, to the last bit.
+    // At the reference radius itself the values do not change by a bit.
     if (!reference_m || radius_m == *reference_m || method.absolute_presets.contains(std::string(preset)))
         return own;
     ParameterValues values = lengths_for_radius(method, radius_m, *reference_m, own, overrides);

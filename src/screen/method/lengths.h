@@ -11,7 +11,7 @@ namespace aoscore {
 /// Throws usage_error for an unknown preset.
 std::optional<double> reference_radius(const MethodDescriptor& method, std::string_view preset);
 
-/// The preset's values drawn for one AO radius: a value of length power p is multiplied by
+/// The preset's values for one AO radius: a value of length power p is multiplied by
 /// (radius_m / reference radius)^p, and the parameter that is the radius becomes `radius_m`. An absolute
 /// preset keeps its lengths, and `overrides` are taken literally. `radius_m` > 0. Throws usage_error as
 /// MethodDescriptor::values() does, also where a length leaves its parameter's range.

@@ -21,12 +21,12 @@ struct Parameter {
     std::vector<std::string> choices;  ///< choice: the shader sees the index
     std::string unit;                  ///< "m", "rad", "px", "uv", ""
     std::string meaning;
-    int length_power = 0;     ///< how it scales with the scene: 1 for lengths, 2 for areas, …, 0 for none
-    std::string signal = {};  ///< the only one that it decides (see core/signal.h); empty: visibility, too
+    int length_power = 0;     ///< power of its scaling with the scene: 1 for lengths, 2 for areas, 0 for none
+    std::string signal = {};  ///< the only signal that it affects (core/signal.h); empty: visibility, too
 
     /// Whether a value has this parameter's type and lies in its range.
     bool accepts(const ParameterValue& value) const;
-    /// What it accepts, in words.
+    /// The accepted values in words.
     std::string valid() const;
 };
 
@@ -41,7 +41,7 @@ struct Kernel {
     std::string sequence = "random";
 };
 
-/// How the input "depth_mips" is made for a method.
+/// The making of the input "depth_mips" for a method.
 struct DepthMips {
     /// "rotated_grid": each texel is one of the four below it (McGuire, Mara, Luebke, Scalable Ambient
     /// Obscurance, 2012); "weighted": their mean, weighted by nearness to the farthest within the radius
@@ -50,13 +50,13 @@ struct DepthMips {
     std::string radius_parameter;  ///< "weighted" only
 };
 
-/// How the input "depth_layers" is gathered for a method (see depth_layers.h): each member is a value, or "@"
+/// The settings of the input "depth_layers" for a method (see depth_layers.h): each member is a value, or "@"
 /// and the parameter that holds it.
 struct DepthLayersDescriptor {
     ParameterValues members;  ///< complete
 };
 
-/// Which truth a method claims to approximate: its falloff, and which of its parameters holds the radius.
+/// The truth that a method claims to approximate: its falloff, and the parameter that holds its radius.
 struct OwnTruth {
     std::string falloff = "binary";
     std::string radius_parameter;         ///< empty: infinite
@@ -71,16 +71,17 @@ struct ReferenceRadius {
     double metres = 0;
 };
 
-/// The filter that follows a method's preset, and with which of the filter's own presets.
+/// The filter that follows a method's preset, with the filter's own preset.
 struct PresetFilter {
     std::string filter = "none";
     std::string preset = "default";
 };
 
-/// What a method is for: to be used in frames, or to show how far others could go, at no usable cost.
+/// The purpose of a method: to be used in frames, or, as a bound, to show how far others could go, at no
+/// usable cost.
 enum class MethodRole { method, bound };
 
-/// How a method enters a score where the user does not say.
+/// The presets and modes of a method in a score where the user chooses none.
 struct ScoredAs {
     std::vector<std::string> presets = {"default"};
     std::map<std::string, std::string> modes;  ///< mode of running -> choice, such as "resolution": "half"
@@ -88,12 +89,13 @@ struct ScoredAs {
 
 struct Pass {
     std::string fragment;             ///< file in the method's folder; empty where a processor computes it
-    std::string processor;            ///< of processors(): computes it from the listed inputs
+    std::string processor;            ///< a row of processors(), which computes it from the listed inputs
     std::vector<std::string> inputs;  ///< contract inputs it samples: "linear_depth", "normal_geometric", …
-    /// Drawn at 1/scale of the picture's width and height. The next pass reads its result as "coarser" (a
-    /// filter's as "visibility"); the last pass has scale 1.
+    /// The pass is drawn at 1/scale of the picture's width and height. The next pass reads its result as
+    /// "coarser" (a filter's as "visibility"); the last pass has scale 1.
     int scale = 1;
-    /// Signals beside visibility that it writes where they are asked for; of a method's last pass alone.
+    /// Signals beside visibility that the pass writes where they are asked for; only a method's last pass has
+    /// some.
     std::vector<std::string> outputs;
 };
 
@@ -105,24 +107,25 @@ struct MethodDescriptor {
     MethodRole role = MethodRole::method;
     std::string paper;                    ///< author, title, year
     std::string summary;                  ///< one line
-    std::vector<std::string> deviations;  ///< from the paper, each a sentence
-    /// Where it breaks by its nature: stress axis to the reason, a sentence each.
+    std::vector<std::string> deviations;  ///< deviations from the paper, a sentence each
+    /// The reasons why it breaks by its nature, by stress axis, a sentence each.
     std::map<std::string, std::string> limits;
     std::vector<Parameter> parameters;
     std::map<std::string, ParameterValues> presets;      ///< by id; "default" always exists
-    std::map<std::string, PresetFilter> preset_filters;  ///< by preset; none where unsaid
+    std::map<std::string, PresetFilter> preset_filters;  ///< by preset; none where the descriptor names none
     ReferenceRadius reference_radius;
-    /// Presets whose lengths are metres, whatever the AO radius of a run, and why: where they are printed.
+    /// Presets whose lengths are metres, whatever the AO radius of a run, with the place where they are
+    /// printed.
     std::map<std::string, std::string> absolute_presets;
     std::vector<Kernel> kernels;
     DepthMips depth_mips;
-    std::optional<DepthLayersDescriptor> depth_layers;  ///< where a pass lists the input
+    std::optional<DepthLayersDescriptor> depth_layers;  ///< set where a pass lists the input
     std::vector<Pass> passes;
     OwnTruth truth;
     ScoredAs scored;
     std::filesystem::path folder;
 
-    /// The label as results and pages show it: a bound's says that it is one, "Ray march (bound)".
+    /// The label in results and on pages, where a bound's says that it is one: "Ray march (bound)".
     std::string shown_label() const;
 
     /// The parameter of that id, null when there is none.
@@ -139,26 +142,26 @@ struct MethodDescriptor {
     ParameterValues values(std::string_view preset, const ParameterValues& overrides = {}) const;
 };
 
-/// Those of the values that decide visibility.
+/// The values that affect visibility.
 ParameterValues visibility_values(const MethodDescriptor& method, ParameterValues values);
 
-/// All methods: those of shaders/methods/ and of `extra_dir` (empty: none), by id. Throws file_error for a
-/// bad descriptor and for an id that exists twice.
+/// Loads all methods, those of shaders/methods/ and of `extra_dir` (empty: none), by id. Throws file_error
+/// for a bad descriptor and for an id that exists twice.
 std::vector<MethodDescriptor> load_methods(const std::filesystem::path& extra_dir = {});
-/// The same for a user who asked for `asked`, by id: a folder of `extra_dir` that cannot be loaded is an
-/// error where it was asked for; else it is left out, and `warnings` gets a sentence that names it.
+/// Loads methods for a user who named those of `asked`: a folder of `extra_dir` that cannot be loaded is an
+/// error where it was named; else it is left out, and `warnings` gets a sentence about it.
 std::vector<MethodDescriptor> load_asked_methods(const std::filesystem::path& extra_dir,
                                                  const std::vector<std::string>& asked,
                                                  std::vector<std::string>& warnings);
-/// All filters of shaders/filters/. "none" is not among them.
+/// Loads all filters of shaders/filters/. "none" is not among them.
 std::vector<MethodDescriptor> load_filters();
-/// The pass that costs are related to: sixteen neighbouring depth fetches a pixel, over the whole picture.
-/// Not among the methods.
+/// Loads the pass that costs are related to: sixteen neighbouring depth fetches a pixel, over the whole
+/// picture. It is not among the methods.
 MethodDescriptor load_fixed_pass();
-/// The pass that lights a frame: ambient light times the filtered visibility, and some lights. Not among the
-/// methods.
+/// Loads the pass that lights a frame: ambient light times the filtered visibility, and some lights. It is
+/// not among the methods.
 MethodDescriptor load_lighting();
-/// The one of that id. Throws usage_error listing the known ones.
+/// The method of that id. Throws usage_error listing the known ones.
 const MethodDescriptor& find_method(const std::vector<MethodDescriptor>& methods, std::string_view id);
 
 }  // namespace aoscore

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-// The shortest number that is this float again: a third of the digits that its double would take.
+// The shortest number that reads back as this float, with a third of the digits of its double.
 double short_number(float value) {
     return std::stod(fmt::format("{}", value));
 }

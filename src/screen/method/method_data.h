@@ -8,8 +8,8 @@
 
 namespace aoscore {
 
-/// A method or filter as data, for programs that run its passes elsewhere (WebGL 2): what its descriptor
-/// says, and its shaders put together in the uniform form, GLSL 3.30 without macros.
+/// A method or filter as data, for programs that run its passes elsewhere (WebGL 2): its descriptor, and its
+/// assembled shaders in the uniform form, GLSL 3.30 without macros.
 ///
 ///   id, label, summary; parameters: [{id, type, default, low, high, choices, unit, length_power,
 ///   meaning}];
@@ -23,9 +23,9 @@ namespace aoscore {
 ///   depth_mips: {filter, radius: parameter}.
 nlohmann::json method_data(const MethodDescriptor& method, std::uint64_t seed);
 
-/// What all methods share: screen_vertex, the triangle that fills the picture; derived, by file, the shaders
-/// that make inputs from depth and that bring up a result of lower resolution; noise_4x4, four numbers a
-/// texel, row by row; depth_mip_levels; macros, those of a plain pass at full resolution; seed.
+/// The data that all methods share: screen_vertex, the triangle that fills the picture; derived, by file, the
+/// shaders that make inputs from depth and that upsample a result of lower resolution; noise_4x4, four
+/// numbers a texel, row by row; depth_mip_levels; macros, those of a plain pass at full resolution; seed.
 nlohmann::json contract_data(std::uint64_t seed);
 
 }  // namespace aoscore

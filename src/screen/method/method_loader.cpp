@@ -62,7 +62,7 @@ Parameter parse_parameter(const std::string& id, StrictObject object) {
         const auto range = object.numbers("range", 2);
         p.lowest = range[0];
         p.highest = range[1];
-        // What GLSL can hold.
+        // The largest integer of GLSL.
         constexpr double kLargestInteger = std::numeric_limits<int>::max();
         constexpr double kLargestReal = std::numeric_limits<float>::max();
         const double largest = p.type == Parameter::Type::integer ? kLargestInteger : kLargestReal;
@@ -103,8 +103,8 @@ std::map<std::string, ParameterValues> parse_presets(const MethodDescriptor& met
     return result;
 }
 
-// A member of a kernel: one of the known words, or '@' and a choice parameter all of whose choices are known
-// words.
+// Reads a member of a kernel: one of the known words, or '@' and a choice parameter all of whose choices are
+// known words.
 std::string kernel_member(StrictObject& object, const char* key, const std::string& fallback,
                           const std::set<std::string>& known, const MethodDescriptor& method) {
     std::string value = object.text_or(key, fallback);
@@ -192,7 +192,7 @@ OwnTruth parse_truth(const MethodDescriptor& method, StrictObject object) {
     return truth;
 }
 
-/// The signals that a pass writes beside visibility, which all of them write.
+/// Reads the signals that a pass writes beside visibility.
 std::vector<std::string> parse_outputs(const Pass& pass, const fs::path& folder, StrictObject& object) {
     const std::vector<std::string> outputs = object.texts_or_empty("outputs"), known = further_signals();
     if (outputs.empty()) return outputs;
@@ -285,7 +285,7 @@ std::map<std::string, std::string> parse_limits(StrictObject object) {
     return limits;
 }
 
-// Every parameter must have an effect: some pass or kernel names it.
+// Checks that every parameter has an effect, since some pass or kernel names it.
 void check_parameters_used(const MethodDescriptor& method, const std::string& where) {
     std::string text;
     std::set<std::string> processed;
@@ -322,7 +322,7 @@ void check_parameters_used(const MethodDescriptor& method, const std::string& wh
     }
 }
 
-// Asked for, and read.
+// Checks that depth layers are both declared and read, or neither.
 void check_depth_layers(const MethodDescriptor& method, const StrictObject& top) {
     const bool listed = std::ranges::any_of(method.passes, [](const Pass& pass) {
         return std::ranges::find(pass.inputs, "depth_layers") != pass.inputs.end();

@@ -36,7 +36,7 @@ void add_descriptor(Digest& digest, const MethodRequest& request, const MethodDe
     }
 }
 
-// What draws the G-buffer and the inputs that are computed from it.
+// Adds the shaders that draw the G-buffer and compute inputs from it.
 void add_input_shaders(Digest& digest) {
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(home_dir() / "shaders" / "gbuffer"))

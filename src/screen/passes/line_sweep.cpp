@@ -17,7 +17,7 @@ constexpr double kPi = std::numbers::pi;
 struct Direction {
     bool along_x = true;  // the major axis
     int step = 1;         // +1 or -1 along it
-    double slope = 0;     // of the minor axis, a major pixel (not a step)
+    double slope = 0;     // change of the minor axis for a major pixel (not a step)
     glm::dvec2 unit{1, 0};
 };
 
@@ -39,7 +39,7 @@ struct PlanePoint {
     double depth = 0;
 };
 
-// Positive where c lies on the viewer's side of the line from a to b, s growing.
+// Positive where c lies on the viewer's side of the line from a to b, with s increasing.
 double toward_viewer(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
     return (b.depth - a.depth) * (c.s - a.s) - (b.s - a.s) * (c.depth - a.depth);
 }
@@ -65,9 +65,9 @@ class Sweep {
             const int nearest = static_cast<int>(std::lround(minor));
             if (nearest < 0 || nearest >= minor_size()) continue;
             const double depth = depth_on_line(major, minor, nearest);
-            if (depth >= static_cast<double>(in_.background_depth)) continue;  // nothing is there to occlude
+            if (depth >= static_cast<double>(in_.background_depth)) continue;  // there is no occluder
             const PlanePoint point = plane_point(major, minor, depth);
-            // What lies below the tangent from the new point to the hull can never be a horizon again.
+            // Points below the tangent from the new point to the hull can never be a horizon again.
             while (hull.size() > 1 && toward_viewer(hull[hull.size() - 2], point, hull.back()) <= 0)
                 hull.pop_back();
             const int x = direction_.along_x ? major : nearest, y = direction_.along_x ? nearest : major;
@@ -81,10 +81,10 @@ class Sweep {
   private:
     int major_size() const { return direction_.along_x ? in_.linear_depth->width : in_.linear_depth->height; }
     int minor_size() const { return direction_.along_x ? in_.linear_depth->height : in_.linear_depth->width; }
-    // Lines are a pixel apart and meet pixel centres here, so that the two directions of a mirror run along
-    // mirrored lines.
+    // Lines are a pixel apart and pass through pixel centres here, so that mirrored directions have mirrored
+    // lines.
     int middle() const { return (major_size() - 1) / 2; }
-    // How far lines climb from there to either side of the picture, pixels.
+    // The greatest change of the minor axis from there to either side of the picture, pixels.
     int reach() const {
         return static_cast<int>(std::ceil(std::abs(direction_.slope) * (major_size() - middle()))) + 1;
     }
@@ -95,7 +95,8 @@ class Sweep {
                                                       : in_.linear_depth->at(m, major));
     }
 
-    // Between the two pixels beside the line, along a plane through them; the nearer pixel's across an edge.
+    // The depth between the two pixels beside the line, on a plane through them; across an edge the nearer
+    // pixel's.
     double depth_on_line(int major, double minor, int nearest) const {
         const double low = std::floor(minor), fraction = minor - low;
         const double a = depth_at(major, static_cast<int>(low)),
@@ -108,7 +109,7 @@ class Sweep {
         return (direction_.along_x ? glm::dvec2(major, minor) : glm::dvec2(minor, major)) + 0.5;
     }
 
-    // In view space, in the picture plane.
+    // The direction in view space, in the picture plane.
     glm::dvec3 along() const { return {direction_.unit.x, -direction_.unit.y, 0}; }
 
     PlanePoint plane_point(int major, double minor, double depth) const {
@@ -116,7 +117,7 @@ class Sweep {
         return {glm::dot(in_.frame->view_position(px.x, px.y, depth), along()), depth};
     }
 
-    // The horizon lies against the sweep, where the hull is.
+    // The horizon lies on the side that was swept before, where the hull is.
     double side_visibility(int x, int y, int major, double minor, const PlanePoint& point,
                            const std::vector<PlanePoint>& hull) const {
         const glm::dvec2 px = image_px(major, minor);
@@ -124,7 +125,7 @@ class Sweep {
         const glm::dvec3 view = perspective_ ? glm::normalize(-position) : glm::dvec3(0, 0, 1);
         const glm::dvec3 across = -along() + view * glm::dot(along(), view);
         const glm::dvec3 back = glm::normalize(across);
-        // Directions are even in the picture; this is what one of them spans about the view vector.
+        // Directions are even in the picture; this is the angle that one of them spans about the view vector.
         const double share = view.z / glm::dot(across, across);
         const glm::dvec3 slice_normal = glm::cross(back, view);
         const glm::dvec3 normal(glm::vec3(in_.normal->at(x, y)));
@@ -133,8 +134,8 @@ class Sweep {
         const double gamma = std::atan2(glm::dot(in_slice, back), glm::dot(in_slice, view));
         double horizon = gamma + kPi / 2;
         if (!hull.empty()) {
-            // The plane's two axes in view space: along the picture, and straight ahead with what the line's
-            // plane adds.
+            // The plane's two axes in view space: along the picture, and straight ahead plus the tilt of the
+            // line's plane.
             const glm::dvec3 ahead = depth_axis(position, point);
             const PlanePoint& h = hull.back();
             const glm::dvec3 v = along() * (h.s - point.s) + ahead * (h.depth - point.depth);
@@ -145,8 +146,8 @@ class Sweep {
         return share * length * arc;
     }
 
-    // How a point of the line's plane moves with depth while s stays: the eye's plane is not upright off the
-    // centre.
+    // The change of a point of the line's plane with depth at constant s: off the centre the plane through
+    // the eye is tilted.
     glm::dvec3 depth_axis(const glm::dvec3& position, const PlanePoint& point) const {
         if (!perspective_) return {0, 0, -1};
         const glm::dvec3 ray = position / point.depth;
@@ -164,7 +165,8 @@ class Sweep {
 ImageF line_sweep(const ProcessorInput& input, const ParameterValues& parameters) {
     const int directions = static_cast<int>(parameters.at("directions").number());
     const double edge = parameters.at("edge").number();
-    // One picture a direction, added in order: the same sum for any number of threads.
+    // There is one picture for each direction, and they are added in order: the sum is the same for any
+    // number of threads.
     std::vector<ImageF> sums(static_cast<std::size_t>(directions));
     ImageF result(input.linear_depth->width, input.linear_depth->height, 0);
     const std::size_t batch = static_cast<std::size_t>(std::max(thread_count(), 1)) * 2;

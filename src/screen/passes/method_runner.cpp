@@ -18,7 +18,8 @@
 namespace aoscore {
 namespace {
 
-// In place of a count of fetches: where nothing was shaded, and what contract/ao_pass.glsl says of loops.
+// Values in place of a count of fetches: one where nothing was shaded, and one by which contract/ao_pass.glsl
+// reports loops that were cut short.
 constexpr float kUnshaded = -1, kLoopsCutShort = -2;
 
 const Processor& processor_of(const Pass& pass) {
@@ -118,7 +119,7 @@ std::vector<MethodRunner::Step> MethodRunner::following_steps(const MethodReques
     return steps;
 }
 
-// A shader that nobody here has tried may take any time and memory to compile.
+// Tries a user's shader in a process with limits: it may take any time and memory to compile.
 void MethodRunner::try_users_shader(const PassBuild& build, const Pass& pass, const ShaderSource& source) {
     const std::filesystem::path& folder = build.method->folder;
     if (!lies_in(folder, shader_library()))
@@ -140,8 +141,8 @@ const PassProgram* MethodRunner::program(const Step& step) {
     return &made;
 }
 
-// A listed input that this setting does not sample may belong to another setting: only the form that leaves
-// all settings open can tell.
+// Checks that listed inputs are sampled. An input that this setting does not sample may belong to another
+// setting, which only the uniform form shows.
 void MethodRunner::check_listed_inputs(const PassBuild& build, const Pass& pass, const PassProgram& made) {
     if (made.samplers().size() >= pass.inputs.size()) return;
     if (!checked_inputs_.insert((build.method->folder / pass.fragment).string()).second) return;
@@ -189,7 +190,7 @@ std::vector<MethodRunner::Target> MethodRunner::targets_of(const Step& step, GLu
     return targets;
 }
 
-// The dual mode's fine pass leaves what it does not shade.
+// Draws a pass. The dual mode's fine pass keeps pixels that it does not shade.
 void MethodRunner::draw(const Step& step, const std::vector<Target>& targets, const InputSettings& settings,
                         GLuint previous) {
     ++passes_;
@@ -198,7 +199,7 @@ void MethodRunner::draw(const Step& step, const std::vector<Target>& targets, co
         return;
     }
     const PassProgram& compiled = *step.program;
-    // Inputs first: making one draws by itself.
+    // Inputs come first, since making one may draw.
     std::vector<GLuint> textures;
     for (const std::string& input : compiled.samplers()) {
         textures.push_back(inputs_.texture(input, step.build, settings, previous));
@@ -325,11 +326,12 @@ void MethodRunner::draw_lighting(const Frame& frame) {
     }
 }
 
-// Where a pass has shaded nothing it has fetched nothing. A pass at full resolution shades all surfaces: the
-// compiler drops what follows a loop that never ends, the result among it.
+// Replaces the special values of counts. Where a pass has shaded nothing it has fetched nothing; but a pass
+// at full resolution must shade all surfaces, and the compiler removes all code after an endless loop, the
+// result included.
 void MethodRunner::settle_counts(const Step& step, const InputSettings& settings, ImageF& counted) {
     const bool shades_all = step.build.scale == 1 && !step.build.dual;
-    // The depth that the pass has read: a coarse format may have moved a surface onto the background.
+    // This is the depth that the pass has read: a coarse format may have moved a surface onto the background.
     const ImageF depth =
         shades_all ? read(inputs_.texture("linear_depth", step.build, settings, 0)) : ImageF();
     for (std::size_t i = 0; i < counted.size(); ++i) {
@@ -370,7 +372,7 @@ ImageF MethodRunner::count_fetches(const MethodRequest& request) {
         ImageF counted(width, height);
         read_texture(counts.name(), GL_RED, counted.pixels.data());
         settle_counts(steps[i], {request.normals, request.precision}, counted);
-        // A coarse pixel's taps are shared by all those that it stands for.
+        // A coarse pixel's taps are shared by the pixels that it stands for.
         const float share = 1.0F / static_cast<float>(scale * scale);
         for (int y = 0; y < height_; ++y) {
             for (int x = 0; x < width_; ++x) total.at(x, y) += share * counted.at(x / scale, y / scale);

@@ -28,31 +28,32 @@ class MethodRunner {
         PassBuild build;
         const PassProgram* program = nullptr;  ///< null where the processor computes the pass
     };
-    /// A request made ready: everything is compiled. The request must outlive it.
+    /// A request whose programs are compiled. The request must outlive it.
     struct Frame {
         std::vector<Step> method, filter, lighting;
         InputSettings settings;
     };
-    /// Compiles what is new. Throws usage_error where the method has no such resolution.
+    /// Compiles programs that are missing. Throws usage_error where the method does not support the
+    /// resolution.
     Frame prepare(const MethodRequest& request);
 
-    /// The AO passes in the request's resolution mode; the result is raw().
+    /// Draws the AO passes in the request's resolution mode; the result is raw().
     void draw_method(const Frame& frame);
-    /// What was made elsewhere, of the picture's size, as raw().
+    /// Sets raw() to visibility of the picture's size that was made elsewhere.
     void take_raw(const ImageF& visibility);
-    /// The filter's passes over raw(); the result is filtered(), which is raw() without a filter.
+    /// Draws the filter's passes over raw(); the result is filtered(), which is raw() without a filter.
     void draw_filter(const Frame& frame);
-    /// The lighting's pass over filtered(); the result is lit(). Nothing without one.
+    /// Draws the lighting's pass, if there is one, over filtered(); the result is lit().
     void draw_lighting(const Frame& frame);
-    /// Taps a pixel of the AO passes, at the picture's resolution. Throws file_error for a method whose loops
-    /// the rasteriser has ended.
+    /// Counts the taps a pixel of the AO passes, at the picture's resolution. Throws file_error for a method
+    /// whose loops the rasteriser has cut short.
     ImageF count_fetches(const MethodRequest& request);
 
     ImageF raw() const { return read(raw_.name()); }
     ImageF filtered() const { return read(filtered_->name()); }
-    /// What the AO pass gave of a signal beside visibility; draw_method() must have drawn it.
+    /// Reads a signal beside visibility of the AO pass; draw_method() must have drawn it.
     SignalImage signal_image(const std::string& id) const;
-    /// Linear RGB. draw_lighting() must have drawn it since the G-buffer was.
+    /// Reads the lit picture in linear RGB. draw_lighting() must have drawn it since the G-buffer was drawn.
     Image<glm::vec3> lit() const;
 
     DepthLayerBuffer& depth_layers() { return inputs_.depth_layers(); }
@@ -60,48 +61,48 @@ class MethodRunner {
     std::uint64_t passes_drawn() const { return passes_; }
     std::uint64_t programs_compiled() const { return compilations_; }
 
-    /// What was computed from the G-buffer is computed again.
+    /// Forgets inputs that were computed from the G-buffer, so that they are computed again.
     void forget_derived() { inputs_.forget_derived(); }
 
   private:
-    /// Throws usage_error where the method has no such resolution.
+    /// Throws usage_error where the method does not support the resolution.
     void check_resolution(const MethodRequest& request) const;
-    /// Throws usage_error where the method does not give them, or not at this resolution.
+    /// Throws usage_error where the method does not give the signals, or not at this resolution.
     static void check_signals(const MethodRequest& request);
     PassBuild base_build(const MethodRequest& request, const MethodDescriptor& descriptor,
                          const ParameterValues& parameters) const;
     std::vector<Step> method_steps(const MethodRequest& request) const;
-    /// Of a filter or the lighting; none where `descriptor` is null.
+    /// The steps of a filter or the lighting; none where `descriptor` is null.
     std::vector<Step> following_steps(const MethodRequest& request, const MethodDescriptor* descriptor,
                                       const ParameterValues& parameters) const;
 
     const PassProgram* program(const Step& step);
     static void try_users_shader(const PassBuild& build, const Pass& pass, const ShaderSource& source);
-    /// Throws file_error where the rasteriser has ended a pixel's loops.
+    /// Throws file_error where the rasteriser has cut a pixel's loops short.
     void settle_counts(const Step& step, const InputSettings& settings, ImageF& counted);
     void check_listed_inputs(const PassBuild& build, const Pass& pass, const PassProgram& made);
 
     void allocate();
     gl::Texture& scaled_target(std::size_t step, int scale);
-    /// A texture that a pass draws into, and what it holds where nothing is drawn.
+    /// A texture that a pass draws into, with its value where nothing is drawn.
     struct Target {
         GLuint texture;
         std::array<float, 4> clear;
     };
-    /// The first target keeps what it holds in the dual mode's fine pass.
+    /// Draws a step. In the dual mode's fine pass the first target keeps its content.
     void draw(const Step& step, const std::vector<Target>& targets, const InputSettings& settings,
               GLuint previous);
-    /// `first`, and one for each of the step's signals.
+    /// The targets of a step: `first`, and one for each of its signals.
     std::vector<Target> targets_of(const Step& step, GLuint first);
     void process(const Step& step, GLuint target, const InputSettings& settings);
     void upsample(GLuint coarse, int scale);
-    /// A one-channel texture of the picture's size.
+    /// Reads a one-channel texture of the picture's size.
     ImageF read(GLuint texture) const;
     void write(GLuint texture, const ImageF& image) const;
 
     const GBuffer* gbuffer_;
     InputTextures inputs_;
-    gl::VertexArray empty_vertices_;  // a core context draws nothing without one
+    gl::VertexArray empty_vertices_;  // a core context cannot draw without one
     std::map<std::string, PassProgram> programs_;
     std::map<std::string, ShaderProgram> upsampling_;
     std::set<std::string> checked_inputs_;

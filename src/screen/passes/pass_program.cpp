@@ -81,7 +81,8 @@ Kernel resolved(const Kernel& kernel, const PassBuild& build) {
     return result;
 }
 
-// In the uniform form an array has its largest size, so that one program serves every setting.
+// The declared size of a kernel's array, which in the uniform form is the largest, so that one program serves
+// every setting.
 std::size_t declared_size(const Kernel& kernel, const PassBuild& build) {
     if (!kernel.size.starts_with('@')) return std::stoul(kernel.size);
     return static_cast<std::size_t>(build.method->find_parameter(kernel.size.substr(1))->highest);
@@ -131,8 +132,8 @@ std::string output_block(const PassBuild& build) {
 void add_body(ShaderSource& source, const PassBuild& build, const Pass& pass) {
     source.add_block(fmt::format("({}: parameters)", build.method->id), parameter_block(build));
     source.add_block(fmt::format("({}: kernels)", build.method->id), kernel_block(build));
-    // Over all depths of a texel, what is written out would be as many times as long: minutes for the
-    // compiler.
+    // Loops over all depths of a texel would multiply the length of unrolled code, and take the compiler
+    // minutes.
     if (!build.uniform_form && !build.method->depth_layers) {
         std::map<std::string, int> counts;
         for (const Parameter& p : build.method->parameters) {
@@ -220,7 +221,7 @@ PassProgram::PassProgram(const PassBuild& build, const Pass& pass, const ShaderS
         if (contract_uniforms().contains(name)) continue;
         if (is_sampler(uniform.type)) {
             const std::string input = name.starts_with("u_") ? name.substr(2) : name;
-            // What a resolution mode reads for itself is the program's, not the method's.
+            // Inputs that only a resolution mode reads belong to the program, not to the method.
             if ((build.dual && input == "coarser") || (build.half_taps && input == "half_depth")) {
                 samplers_.push_back(input);
                 continue;
@@ -264,7 +265,7 @@ void PassProgram::set_parameters(const PassBuild& build) const {
     }
     for (const Kernel& kernel : build.method->kernels) {
         const auto points = generate_kernel(resolved(kernel, build), build.seed);
-        // A uniform array may have been shortened by the compiler to what it can reach.
+        // The compiler may have shortened a uniform array to the elements in use.
         const auto found = program_.uniforms().find("k_" + kernel.id);
         if (found == program_.uniforms().end()) continue;
         const GLsizei count = std::min(static_cast<GLsizei>(points.size()), found->second.size);

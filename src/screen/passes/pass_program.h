@@ -11,21 +11,21 @@
 
 namespace aoscore {
 
-/// Everything that decides which shader is built for a pass.
+/// Everything that decides the shader of a pass.
 struct PassBuild {
     const MethodDescriptor* method = nullptr;
     const ParameterValues* parameters = nullptr;  ///< complete
     std::uint64_t seed = 1;
     bool orthographic = false;
-    bool border_far = true;      ///< what taps outside of the picture read
-    int scale = 1;               ///< of the pass: a pixel of it stands for scale x scale of the picture
-    int coarser_scale = 1;       ///< of the pass before it
+    bool border_far = true;      ///< whether taps outside of the picture read the far plane
+    int scale = 1;               ///< the pass's: its pixel stands for scale x scale of the picture
+    int coarser_scale = 1;       ///< the scale of the pass before it
     bool half_taps = false;      ///< taps read a G-buffer of half the resolution
     bool dual = false;           ///< shades only where the coarse result varies
     bool uniform_form = false;   ///< parameters and kernels as uniforms, not constants
     bool count_fetches = false;  ///< with the second output o_fetches
     Mirror mirror = Mirror::none;
-    std::vector<std::string> signals;  ///< beside visibility, written as o_<id>
+    std::vector<std::string> signals;  ///< signals beside visibility, written as o_<id>
 };
 
 /// The macros that a pass is compiled with, by name.
@@ -38,7 +38,7 @@ std::string mirror_macros(Mirror mirror);
 ShaderSource screen_vertex();
 /// The fragment shader of a pass: macros, parameters, kernels, then the method's own file.
 ShaderSource pass_source(const PassBuild& build, const Pass& pass);
-/// The same without the macros, for those who put in their own.
+/// The fragment shader without the macros, for programs that add their own.
 ShaderSource pass_source_without_macros(const PassBuild& build, const Pass& pass);
 
 /// A pass's program, checked against its descriptor.
@@ -49,10 +49,10 @@ class PassProgram {
     PassProgram(const PassBuild& build, const Pass& pass, const ShaderSource& fragment);
 
     const ShaderProgram& program() const { return program_; }
-    /// The inputs that are really sampled; sampler `u_<input>` reads texture unit [index].
+    /// The inputs that are actually sampled; sampler `u_<input>` reads texture unit [index].
     const std::vector<std::string>& samplers() const { return samplers_; }
 
-    /// Uniform form: sets parameters and kernels. The program must be in use.
+    /// Sets parameters and kernels in the uniform form. The program must be in use.
     void set_parameters(const PassBuild& build) const;
 
   private:

@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// std::regex recurses over what it matches: a longer line could overflow the stack.
+// The longest line that may be an include: std::regex recurses over matched text, and a longer line could
+// overflow the stack.
 constexpr std::size_t kLongestInclude = 4096;
 
 std::vector<std::string> lines_of(std::string_view text) {
@@ -79,8 +80,8 @@ void ShaderSource::add_line(std::size_t part, std::size_t index) {
     add_text(parts_[part].lines[index], {part, index + 1});
 }
 
-// The loop that begins at this line, as often as it runs; returns the line after it, or `index` where the
-// loop is none of those that can be written out.
+// Writes out the loop that begins at this line, as often as it runs; returns the line after it, or `index`
+// where the loop cannot be written out.
 std::size_t ShaderSource::add_unrolled(std::size_t part, std::size_t index) {
     static const std::regex head(R"rx(^(\s*)for \(int (\w+) = 0; \2 < (\w+); \+\+\2\) \{$)rx");
     const std::vector<std::string>& lines = parts_[part].lines;

@@ -9,11 +9,11 @@
 
 namespace aoscore {
 
-/// The text of one shader, put together from files and generated blocks. Every part keeps its name and its
+/// The text of one shader, assembled from files and generated blocks. Every part keeps its name and its
 /// own line numbers, so that a compiler's message can be shown beside the line that it means.
 class ShaderSource {
   public:
-    /// Begins with `#version 330 core`.
+    /// Begins the text with `#version 330 core`.
     ShaderSource();
 
     /// From here on, loops that follow a line `#pragma unroll` and count from 0 to one of these names are
@@ -54,7 +54,7 @@ class ShaderSource {
     std::string text_;
     std::map<std::string, int> loop_counts_;
     std::vector<Part> parts_;
-    std::vector<Origin> origins_;  // of each line of text_ after the first
+    std::vector<Origin> origins_;  // origin of each line of text_ after the first
     std::set<std::filesystem::path> entered_;
 };
 
