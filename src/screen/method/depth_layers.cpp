@@ -12,8 +12,6 @@
 namespace aoscore {
 namespace {
 
-using nlohmann::json;
-
 /// The members with their accepted values; a missing member has its default.
 const std::vector<Parameter>& members() {
     static const std::vector<Parameter> all = [] {
@@ -38,20 +36,20 @@ bool fits(const Parameter& parameter, const Parameter& member) {
     return parameter.type == member.type && within && known;
 }
 
-bool is_reference(const json& value) {
-    return value.is_string() && value.get<std::string>().starts_with('@');
+bool is_reference(const ParameterValue& value) {
+    return value.is_word() && value.word().starts_with('@');
 }
 
-void check_member(const Parameter& member, const json& value, const MethodDescriptor& method,
+void check_member(const Parameter& member, const ParameterValue& value, const MethodDescriptor& method,
                   const std::string& where) {
     const std::string valid = fmt::format("{}; or @ and a parameter that takes nothing else", member.valid());
     if (!is_reference(value)) {
-        if (!member.accepts(value)) throw file_error(fmt::format("is {}", value.dump()), where, valid);
+        if (!member.accepts(value)) throw file_error(fmt::format("is {}", value.quoted()), where, valid);
         return;
     }
-    const Parameter* parameter = method.find_parameter(value.get<std::string>().substr(1));
+    const Parameter* parameter = method.find_parameter(value.word().substr(1));
     if (parameter == nullptr || !fits(*parameter, member))
-        throw file_error(fmt::format("is {}", value.dump()), where, valid);
+        throw file_error(fmt::format("is {}", value.quoted()), where, valid);
 }
 
 }  // namespace
@@ -72,8 +70,10 @@ const std::vector<DepthSampling>& depth_samplings() {
 DepthLayersDescriptor parse_depth_layers(const MethodDescriptor& method, StrictObject object) {
     DepthLayersDescriptor descriptor;
     for (const Parameter& member : members()) {
-        const json value = object.has(member.id) ? object.raw(member.id) : member.default_value;
-        check_member(member, value, method, object.where(member.id));
+        const std::string where = object.where(member.id);
+        const ParameterValue value =
+            object.has(member.id) ? parameter_value(object.raw(member.id), where) : member.default_value;
+        check_member(member, value, method, where);
         descriptor.members[member.id] = value;
     }
     object.finish();
@@ -81,7 +81,7 @@ DepthLayersDescriptor parse_depth_layers(const MethodDescriptor& method, StrictO
 }
 
 bool names_parameter(const DepthLayersDescriptor& descriptor, std::string_view parameter) {
-    const json reference = fmt::format("@{}", parameter);
+    const ParameterValue reference(fmt::format("@{}", parameter));
     return std::ranges::any_of(descriptor.members,
                                [&](const auto& member) { return member.second == reference; });
 }
@@ -89,15 +89,15 @@ bool names_parameter(const DepthLayersDescriptor& descriptor, std::string_view p
 DepthLayers asked_depth_layers(const DepthLayersDescriptor& descriptor, const ParameterValues& parameters,
                                std::uint64_t run_seed) {
     const auto value = [&](const char* member) {
-        const json& given = descriptor.members.at(member);
-        return is_reference(given) ? parameters.at(given.get<std::string>().substr(1)) : given;
+        const ParameterValue& given = descriptor.members.at(member);
+        return is_reference(given) ? parameters.at(given.word().substr(1)) : given;
     };
     DepthLayers layers;
-    layers.samples = static_cast<int>(value("samples").get<double>());
-    layers.alpha = value("alpha").get<double>();
-    layers.sampling = value("sampling").get<std::string>();
-    layers.per_sample = value("per_sample").get<bool>();
-    const auto own_seed = static_cast<std::uint32_t>(value("seed").get<double>());
+    layers.samples = static_cast<int>(value("samples").number());
+    layers.alpha = value("alpha").number();
+    layers.sampling = value("sampling").word();
+    layers.per_sample = value("per_sample").boolean();
+    const auto own_seed = static_cast<std::uint32_t>(value("seed").number());
     layers.seed = own_seed == 0 ? static_cast<std::uint32_t>(run_seed) : own_seed;
     return layers;
 }
