@@ -94,7 +94,7 @@ void compare_ssim(const MadeUpPair& pair, const MetricInput& input, const std::s
     table.add("SSIM by scikit-image, single", 1000 * theirs->in_single.processor_s, kProcessorMs, name);
 }
 
-/// What one more image of a view costs, against a truth of two halves.
+/// The cost of one more image of a view, against a truth of two halves.
 void score_halves(const MadeUpPair& pair, const Mask& valid, std::uint64_t seed, RatioTable& table) {
     const PreparedImage whole(pair.truth, valid), first(pair.first_half, valid),
         second(pair.second_half, valid);

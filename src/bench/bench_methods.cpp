@@ -46,7 +46,7 @@ std::vector<MethodDescriptor> chosen_methods(const MethodsBenchmark& benchmark) 
     return chosen;
 }
 
-// What the program itself computes has no shader to specialise.
+// A pass that the program itself computes has no shader to specialise.
 bool has_shaders(const MethodDescriptor& method) {
     return std::all_of(method.passes.begin(), method.passes.end(),
                        [](const Pass& pass) { return pass.processor.empty(); });

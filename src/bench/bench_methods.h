@@ -19,7 +19,7 @@ struct MethodsBenchmark {
     std::filesystem::path methods_dir;  ///< of the user's own methods; empty: none
 };
 
-/// What specialising a shader is worth: every method and preset as it runs (parameters and kernels compiled
+/// The gain of specialising a shader: every method and preset as it runs (parameters and kernels compiled
 /// in, loops written out) beside the plain form of the same shader (all of them uniforms), in turn on one
 /// G-buffer. Prints processor milliseconds of both, the median ratio with its quartiles, how far the two
 /// pictures differ, and the median over the methods that have kernel tables. Leaves in `table` what a method

@@ -10,7 +10,7 @@ namespace aoscore {
 
 inline constexpr char kProcessorMs[] = "processor ms";  ///< the unit
 
-/// What some work took: seconds by the wall clock and of all processors, which other programs hardly touch.
+/// The cost of some work: seconds by the wall clock and of all processors, which other programs hardly touch.
 struct Cost {
     double wall_s = std::numeric_limits<double>::infinity(), processor_s = wall_s;
     double peak_memory_mib = 0;  ///< of a process; 0 where it was not measured

@@ -18,8 +18,8 @@
 namespace aoscore {
 namespace {
 
-/// What noise leaves falls with the rays N to about this power at best, as errors of scrambled points do: a
-/// goal that is out of reach at this rate is out of reach, and no other is refused.
+/// The error that noise leaves falls with the rays N to about this power at best, as errors of scrambled
+/// points do: a goal that is out of reach at this rate is out of reach, and no other is refused.
 constexpr double kSlope = -0.75;
 constexpr double kDay_s = 86400;
 /// Beyond this a doubling was never seen to be enough, and its scores are spared.
@@ -174,8 +174,10 @@ class GoalSearch {
         outcome_ = std::move(outcome);
         const ScoreState state = score_state(outcome_.cells, goal_);
         const double own_excess = outcome_.own_noise / goal_.error;
-        if (!state.reached) {
+        // A first answer may stand where the goal itself is out of reach: then nobody is kept waiting for it.
+        if (state.excess > 1)
             require_in_reach(goal_, state.excess, rays_.ranked, outcome_.view.truth_seconds, run_.work.key);
+        if (!state.reached) {
             rays_.ranked = more_rays(rays_.ranked, state.excess, run_.work.key);
         }
         if (own_excess > 1)

@@ -51,7 +51,7 @@ double longest_radius(const std::vector<TruthQuery>& queries) {
     return radius_m;
 }
 
-/// What all threads share while they trace one truth.
+/// The state that all threads share while they trace one truth.
 struct TraceWork {
     TraceWork(const ReachableScene& within_reach, const CameraFrame& f, const std::vector<TruthQuery>& q,
               const TruthSettings& s)

@@ -50,13 +50,13 @@ inline constexpr std::size_t kCauses = 4;
 /// Their names in files and results, in the order of Cause.
 inline constexpr std::array<std::string_view, kCauses> kCauseIds{"outside", "hidden", "grazing", "visible"};
 
-/// What else to gather from the rays, for the first query.
+/// Further sums to gather from the rays, for the first query.
 struct TruthExtras {
     bool causes = false;
     /// Occlusion by rays that meet any visible surface within the radius, be it behind a hidden one: no
     /// method that knows one depth layer can find more. Costs further rays.
     bool one_layer_bound = false;
-    /// What is open, with directions weighted alike: costs a second set of rays, as many as the first and
+    /// Bent normals, with directions weighted alike: they cost a second set of rays, as many as the first and
     /// uniform over the hemisphere, since cosine-distributed ones weighted by 1 / (2 cos) vary without bound.
     bool bent_normals = false;
     TruthExtras& operator|=(const TruthExtras& other) {
@@ -118,7 +118,7 @@ inline constexpr float kProvenError = 0x1p-24f;
 /// No pixel gets more rays than this, whatever its error.
 inline constexpr int kMostSamples = 1 << 20;
 
-/// What each pixel centre sees: the same quantities as the rasterised G-buffer, for the camera contract.
+/// The surface at each pixel centre: the same quantities as the rasterised G-buffer, for the camera contract.
 struct PrimaryHits {
     Mask surface;             ///< 1 where a surface lies between the near and far plane
     ImageF depth;             ///< view depth -z, metres; 0 without surface

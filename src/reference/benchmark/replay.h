@@ -20,10 +20,10 @@ struct ReplayRates {
     std::uint64_t rays = 0;
 };
 
-/// What of a ray is asked.
+/// The question that is asked of a ray.
 enum class RayQuestion {
     occlusion,  ///< whether anything is hit: rtcOccluded1 and rtcOccluded16, one binary truth
-    distance,   ///< what is hit first: rtcIntersect1 and rtcIntersect16, a truth of each falloff that has no
+    distance,   ///< of the first hit: rtcIntersect1 and rtcIntersect16, a truth of each falloff that has no
                 ///< parameter
 };
 

@@ -15,7 +15,7 @@ constexpr double kSharedPart = 0.3;
 
 /// Squared errors of agreement, times N^2: a x^b + c x^2.
 constexpr double kFewMissed = 0.2, kFewMissedPower = 0.75, kManyMissed = 0.09;
-/// What is believed of a tile before it is seen, as pixels of it: half a one of two agrees.
+/// The prior of a tile, as pixels of it: half a pixel of two agrees.
 constexpr double kPriorAgreeing = 0.5, kPriorAlike = 2;
 /// Thin occluders are missed so much more often.
 constexpr double kMissedThin = 1.9;

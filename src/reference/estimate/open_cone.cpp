@@ -55,7 +55,7 @@ struct Residuals {
 
 /// How residuals vary over a tile.
 struct TileScale {
-    double ratio = 0;  ///< what doubling the rays leaves of a variance: as for what is open
+    double ratio = 0;  ///< by which doubling the rays lowers a variance: as of the openness
     double scale = 0;  ///< variance of a block over its shape, in the mean
 };
 
@@ -93,7 +93,7 @@ OpenCone cone_of(const Residuals& pixel, const TileScale& tile) {
     OpenCone cone{pixel.bent_normal, kUnknown_rad, cone_angle_rad(pixel.bent_normal), kUnknown_rad};
     if (length == 0) return cone;
     cone.bent_error_rad = std::min(std::sqrt(across) / length, kUnknown_rad);
-    // What lies across makes a mean direction longer than it is, in the second order.
+    // The error across lengthens a mean direction, in the second order.
     const double length_error = std::sqrt(along + squared(across / (2 * length)));
     cone.cone_error_rad = std::min(std::numbers::pi * length_error, kUnknown_rad);
     return cone;

@@ -9,7 +9,7 @@ namespace aoscore {
 /// Pairs of blocks, pairs of such pairs, and so on: log2(kBlocks) levels.
 inline constexpr std::size_t kLevels = 3;
 
-/// What the blocks of one pixel's samples say by themselves. Level l compares means of 2^l blocks with their
+/// The spread of the blocks of one pixel's samples. Level l compares means of 2^l blocks with their
 /// siblings, the next 2^l blocks, as nested scrambling pairs them.
 struct PixelSpread {
     double visibility = 1;

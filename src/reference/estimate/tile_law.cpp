@@ -17,8 +17,8 @@ constexpr double kLeastScale = 0.7;
 /// The usual scale counts like so many of a tile's pixels.
 constexpr double kPriorPixels = 1;
 
-/// What doubling leaves among hairs: the slowest fall seen. Both laws state the same at so many rays, from
-/// where on the scale of hairs grows against the usual one.
+/// The part of a variance that doubling leaves among hairs: the slowest fall seen. Both laws state the same
+/// at so many rays, from where on the scale of hairs grows against the usual one.
 constexpr double kSlowRatio = 0.477;
 constexpr double kMeetingSamples = 3.2;
 /// Below so many rays the laws cannot be told apart.

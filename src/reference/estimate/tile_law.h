@@ -10,7 +10,7 @@ namespace aoscore {
 /// of n of them varies by scale * block_shape().
 struct TileLaw {
     double scale = 0;
-    double ratio = 0;  ///< what doubling the rays leaves of the variance
+    double ratio = 0;  ///< by which doubling the rays lowers the variance
     /// From 0 to 1: how surely the occluders are so thin, against the distance of pixels, that strata hardly
     /// help.
     double thinness = 0;
@@ -18,7 +18,7 @@ struct TileLaw {
     double mean_shape = 0;
 };
 
-/// What decides how a tile's law is taken from its pixels.
+/// How a tile's law is taken from its pixels.
 struct TileLawRules {
     /// The rays were counted out by earlier estimates: the variance is taken to fall slowly, since tracing
     /// stops where it came out too steep.

@@ -16,7 +16,7 @@
 
 namespace aoscore {
 
-/// What is seen through the centre of pixel (x, y); false for background.
+/// Finds the surface at the centre of pixel (x, y); false for background.
 bool see(const RayTracer& scene, const CameraFrame& frame, int x, int y, SurfaceHit& hit);
 
 /// Looks through the centre of pixel (x, y) and notes in `hits` what is there; false for background.

@@ -37,7 +37,8 @@ std::vector<Estimate> stated_estimates(std::span<const int> samples, const Truth
                                        const TruthSettings& settings,
                                        const std::function<std::span<const double>(std::size_t)>& sums);
 
-/// What a tile was traced for, and which of its queries are wanted: truth.queries[i] is number which[i].
+/// The queries that a tile was traced for, and which of its queries are wanted: truth.queries[i] is number
+/// which[i].
 struct ResolveRequest {
     std::size_t queries;
     std::span<const std::size_t> which;

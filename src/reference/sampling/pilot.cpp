@@ -15,7 +15,7 @@ constexpr std::size_t kLeastTiles = 256;
 /// Error falls about as N^-3/4.
 constexpr double kSamplesPerError = 4.0 / 3;
 
-/// What another ray a pixel gains at a step; it falls from step to step.
+/// The gain of another ray a pixel at a step; it falls from step to step.
 double gain_of(const ErrorStep& step, const TileConvergence& convergence) {
     return step.error_sum / static_cast<double>(convergence.traced) / step.samples;
 }

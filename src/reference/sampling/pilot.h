@@ -8,7 +8,7 @@
 
 namespace aoscore {
 
-/// What a tile's pixels together err at some count of rays a pixel.
+/// The error of a tile's pixels together at some count of rays a pixel.
 struct ErrorStep {
     int samples;
     double error_sum;  ///< of the standard errors of its traced pixels

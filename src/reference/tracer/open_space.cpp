@@ -40,7 +40,7 @@ std::vector<char> OpenSpace::prove(const std::vector<UpwardPoint>& points, doubl
         return open;
     std::size_t last_blocker = 0;
     for (std::size_t p = 0; p < points.size(); ++p) {
-        // What blocks one point mostly blocks the next.
+        // The triangle that blocks one point mostly blocks the next.
         bool blocked = last_blocker < nearby_.size() && blocks(last_blocker, points[p], reach_m);
         for (std::size_t t = 0; t < nearby_.size() && !blocked; ++t) {
             blocked = blocks(t, points[p], reach_m);

@@ -16,7 +16,7 @@ struct alignas(64) RayPacket {
     float reach_m[kPacket];
 };
 
-/// What the rays of a packet met. Lanes that met nothing hold what they will.
+/// The hits of a packet's rays. Lanes that met nothing hold what they will.
 struct alignas(64) HitPacket {
     float distance_m[kPacket];
     float normal_x[kPacket], normal_y[kPacket], normal_z[kPacket];  ///< as RayTracer::normal() takes them

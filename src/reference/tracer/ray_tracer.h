@@ -25,7 +25,7 @@ struct SurfaceHit {
     double offset_m = 0;
 };
 
-/// What rays may be blocked by. Packets are asked about one at a time, so that a call costs nothing beside
+/// Triangles that may block rays. Packets are asked about one at a time, so that a call costs nothing beside
 /// the sixteen rays.
 class Occluders {
   public:
@@ -53,14 +53,14 @@ class RayTracer : public Occluders {
     virtual std::size_t triangle_count() const = 0;  ///< of all instances, whether built or not
     virtual std::size_t peak_bytes() const = 0;
 
-    /// What the ray (scene space, unnormalised: t is view depth) meets first with t in [near, far].
+    /// Finds the first hit of the ray (scene space, unnormalised: t is view depth) with t in [near, far].
     virtual bool first_hit(const CameraFrame::Ray& ray, double near, double far, SurfaceHit& hit) const = 0;
 
     virtual bool occluded(const TraceRay& ray) const = 0;
-    /// What the ray meets first; false where it meets nothing.
+    /// Finds the ray's first hit; false where it meets nothing.
     virtual bool nearest(const TraceRay& ray, TraceHit& hit) const = 0;
 
-    /// What each of the first `lanes` rays meets first: one bit for each that meets something.
+    /// Finds the first hits of the first `lanes` rays: one bit for each that meets something.
     virtual std::uint32_t nearest(const RayPacket& packet, std::size_t lanes, HitPacket& hits) const = 0;
     /// The unit normal, trace space, of a lane that met something; 0 of a degenerate triangle. Not made for
     /// every lane, because most truths need none.

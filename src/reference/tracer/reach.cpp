@@ -7,9 +7,9 @@
 namespace aoscore {
 namespace {
 
-/// What is left out is this much farther away than it need be, as a part of all lengths that the rounding of
-/// points and rays to float32 is a part of. Twice the part of its depth by which a seen point may lie off the
-/// triangle that the ray met, which is far more than rounding does.
+/// Triangles that are left out lie this much farther away than they need, as a part of all lengths that the
+/// rounding of points and rays to float32 is a part of. Twice the part of its depth by which a seen point may
+/// lie off the triangle that the ray met, which is far more than rounding does.
 constexpr double kMarginPart = 2e-4;
 
 /// The half space in front of or behind a plane: points of it have dot(outwards, p) + offset <= 0.

@@ -12,7 +12,7 @@
 
 namespace aoscore {
 
-/// What the rays of one picture are traced in.
+/// The trees that the rays of one picture are traced in.
 struct ReachableScene {
     const RayTracer& tracer;         ///< has all that is within reach, and maybe more
     std::vector<char> within_reach;  ///< one flag an instance of the whole scene, see Reach

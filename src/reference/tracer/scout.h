@@ -11,13 +11,13 @@
 
 namespace aoscore {
 
-/// What a ray meets first.
+/// The first hit of a ray.
 struct Sight {
     double distance_m = std::numeric_limits<double>::infinity();  ///< infinity where it meets nothing
     bool front = false;  ///< seen from the side that the winding of its triangle calls the front (glTF 2.0)
 };
 
-/// What a camera sees, from few rays: enough to choose cameras by, not to measure with.
+/// The surfaces that a camera sees, from few rays: enough to choose cameras by, not to measure with.
 struct Glance {
     struct Point {
         glm::dvec3 position;    ///< scene space

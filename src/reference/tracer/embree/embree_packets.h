@@ -15,7 +15,7 @@ RTCIntersectContext context_of_packets(bool coherent);
 std::uint32_t occluded_in(RTCScene scene, RTCIntersectContext context, const RayPacket& packet,
                           std::size_t lanes);
 
-/// What each of the first `lanes` rays meets first in this scene, one bit for each that meets something.
+/// The first hits of the first `lanes` rays in this scene, one bit for each that meets something.
 std::uint32_t nearest_in(RTCScene scene, RTCIntersectContext context, const RayPacket& packet,
                          std::size_t lanes, HitPacket& hits);
 
