@@ -40,13 +40,13 @@ TEST(FarRays, FindWallsOnlyInScenesWithManyMoreTriangles) {
     EXPECT_EQ(new_ray_tracer(testing::still_life(), {})->large_triangles(), nullptr);
 }
 
-TEST(FarRays, StopAskingWallsThatTheyPass) {
+TEST(FarRays, StopTryingLargeTrianglesThatTheyPass) {
     EarlyOutPredictor predictor;
-    EXPECT_TRUE(predictor_.worth_it()) << "nothing is known yet";
-    predictor_.learn(1000, 950);
-    EXPECT_TRUE(predictor_.worth_it());
-    predictor_.learn(1000, 100);
-    EXPECT_FALSE(predictor_.worth_it());
+    EXPECT_TRUE(predictor.worth_it()) << "nothing is known yet";
+    predictor.learn(1000, 950);
+    EXPECT_TRUE(predictor.worth_it());
+    predictor.learn(1000, 100);
+    EXPECT_FALSE(predictor.worth_it());
 }
 
 }  // namespace

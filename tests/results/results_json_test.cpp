@@ -27,6 +27,11 @@ struct Filler {
         number = static_cast<T>(1000000 + ++count);
     }
     void operator()(const char*, double& number) { number = ++count / 7.0; }
+    void operator()(const char*, ParameterValue& value) {
+        const ParameterValue kinds[] = {0.1 * ++count, count, count % 2 == 0,
+                                        "word " + std::to_string(count)};
+        value = kinds[count % 4];
+    }
     void operator()(const char*, json& value) { value = {{"rows", {1, 0.1, "x", nullptr}}, {"n", ++count}}; }
     template <class T>
     void operator()(const char* key, std::optional<T>& value) {
