@@ -1,4 +1,5 @@
 #include "bench/bench_compare.h"
+#include "bench/bench_layers.h"
 #include "bench/bench_main.h"
 #include "bench/bench_methods.h"
 #include "cli/command.h"
@@ -51,6 +52,11 @@ void bench_methods(const BenchOptions& options, const GlobalOptions& global, Rat
     bench_methods(scene, one_view(scene, options.view, {}), benchmark, table);
 }
 
+void bench_layers(const BenchOptions& options, const GlobalOptions& global, RatioTable& table) {
+    const Scene scene = load_with_warnings(options.scene, options.view.load);
+    bench_layers(scene, one_view(scene, options.view, {}), global.seed, table);
+}
+
 void write_changed_page(const std::filesystem::path& staged, const std::filesystem::path& folder) {
     const std::string key = page_key(read_results(staged), std::string(code_digest("page")));
     if (!is_page_of(folder / "index.html", key)) write_page(staged, false, key);
@@ -79,6 +85,7 @@ using Bench = void (*)(const BenchOptions&, const GlobalOptions&, RatioTable&);
 
 const std::map<std::string, Bench>& benches() {
     static const std::map<std::string, Bench> table{{"compare", bench_compare},
+                                                    {"layers", bench_layers},
                                                     {"main", bench_main},
                                                     {"methods", bench_methods},
                                                     {"reference", bench_reference}};
@@ -106,11 +113,13 @@ CommandEntry add_bench_command(CLI::App& program, const GlobalOptions& global) {
     for (const auto& [id, bench] : benches()) names.push_back(id);
     app->add_option("name", options->name,
                     "compare: metrics beside a plain pass and scikit-image, whole compares beside idiff, the "
-                    "page; main: the main job's stages, cold and warm; methods: their shaders beside a pass "
+                    "page; layers: passes of depth layers beside plain ones, and what methods find by them; "
+                    "main: the main job's stages, cold and warm; methods: their shaders beside a pass "
                     "of depth alone; reference: the ray tracer beside bare Embree and plain Monte Carlo")
         ->required()
         ->check(one_of(names));
-    app->add_option("scene", options->scene, "For methods, reference: a scene")->capture_default_str();
+    app->add_option("scene", options->scene, "For layers, methods, reference: a scene")
+        ->capture_default_str();
     add_view_options(*app, options->view);
     app->add_option("--methods", options->methods, "For methods: only these [all]")
         ->delimiter(',')
