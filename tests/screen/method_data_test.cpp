@@ -32,7 +32,7 @@ TEST(MethodData, HasEveryParameterAndCompletePresets) {
         ASSERT_EQ(data["parameters"].size(), of_visibility) << method.id;
         for (const auto& [preset, values] : data["presets"].items()) {
             for (const Parameter& p : method.parameters)
-                EXPECT_TRUE(!p.signal.empty() || p.accepts(values.at(p.id)))
+                EXPECT_TRUE(!p.signal.empty() || p.accepts(parameter_value(values.at(p.id), p.id)))
                     << method.id << " " << preset << " " << p.id;
         }
         EXPECT_EQ(data["presets"]["default"], json(visibility_values(method, method.values("default"))))
