@@ -17,6 +17,12 @@ export async function openLive(page) {
   return shown(page);
 }
 
+// Why the page does not run a method, as it says itself; empty where it does.
+export function refusal({ processor, passes }) {
+  if (processor) return `computed on the processor (${processor})`;
+  return passes.some(({ inputs }) => inputs.includes('depth_layers')) ? 'reads the input depth_layers' : '';
+}
+
 // Chooses the method with the settings of a measured cell.
 export async function startFrom(page, cell) {
   await page.locator('#live-method').selectOption(cell.method);

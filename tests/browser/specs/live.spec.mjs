@@ -4,7 +4,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
 import { folder, open, require, results, screenshot } from './browser.mjs';
-import { openLive, shown, startFrom } from './live.mjs';
+import { openLive, refusal, shown, startFrom } from './live.mjs';
 
 const index = JSON.parse(fs.readFileSync(path.join(folder, 'values.json'), 'utf8'));
 const exr = (name) => {
@@ -75,8 +75,8 @@ test('every method and every preset runs', async () => {
   const live = JSON.parse(fs.readFileSync(path.join(folder, 'measured/live.json'), 'utf8'));
   const registry = live.methods;
   const lengths = live.views[await page.locator('#live-view').inputValue()].method_lengths;
-  assert.deepEqual(methods, registry.filter(({ processor }) => !processor).map(({ id }) => id));
-  for (const method of registry.filter(({ processor }) => !processor)) {
+  assert.deepEqual(methods, registry.filter((method) => !refusal(method)).map(({ id }) => id));
+  for (const method of registry.filter((method) => !refusal(method))) {
     await page.locator('#live-method').selectOption(method.id);
     for (const preset of Object.keys(method.presets)) {
       await page.locator('#live-preset').selectOption(preset);
