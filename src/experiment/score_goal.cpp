@@ -55,12 +55,12 @@ bool order_is_decided(std::vector<Ranked> values) {
     return true;
 }
 
-double largest_excess(std::span<const CellRecord> cells, const ScoreGoal& goal) {
+double largest_excess(std::span<const CellRecord> cells, const ScoreGoal& goal, bool every_metric) {
     double excess = 0;
     for (const CellRecord& cell : cells) {
         if (!cell.analysis) continue;
         for (const auto& [metric, half_width] : cell.analysis->truth_noise) {
-            if (metric != kRankingMetric && !goal.every_metric) continue;
+            if (metric != kRankingMetric && !every_metric) continue;
             excess = std::max(excess, half_width / allowed_noise(goal, metric));
         }
     }
@@ -125,7 +125,7 @@ double allowed_noise(const ScoreGoal& goal, std::string_view metric) {
 }
 
 ScoreState score_state(std::span<const CellRecord> cells, const ScoreGoal& goal) {
-    const double excess = largest_excess(cells, goal);
+    const double excess = largest_excess(cells, goal, goal.every_metric);
     const bool decided = !goal.every_metric && order_is_decided(ranked_values(cells));
     return {excess <= 1 || decided, excess};
 }
@@ -174,9 +174,11 @@ class GoalSearch {
         outcome_ = std::move(outcome);
         const ScoreState state = score_state(outcome_.cells, goal_);
         const double own_excess = outcome_.own_noise / goal_.error;
-        // A first answer may stand where the goal itself is out of reach: then nobody is kept waiting for it.
-        if (state.excess > 1)
-            require_in_reach(goal_, state.excess, rays_.ranked, outcome_.view.truth_seconds, run_.work.key);
+        // A first answer asks for less than the answer that follows it: what is out of reach for that is
+        // said before there is a page.
+        const double in_the_end = largest_excess(outcome_.cells, goal_, true);
+        if (in_the_end > 1)
+            require_in_reach(goal_, in_the_end, rays_.ranked, outcome_.view.truth_seconds, run_.work.key);
         if (!state.reached) {
             rays_.ranked = more_rays(rays_.ranked, state.excess, run_.work.key);
         }
