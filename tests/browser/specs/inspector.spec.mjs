@@ -23,6 +23,8 @@ async function inspect(x, y) {
   const [view] = stageData.views;
   await page.mouse.move(box.x + (x + 0.5) / view.width * box.width, box.y + (y + 0.5) / view.height * box.height);
   await page.waitForFunction(([u, v]) => document.querySelector('.pixel-place').textContent === `Pixel ${u}, ${v}`, [x, y]);
+  // The first pixel waits until the images are unpacked.
+  await page.locator('.inspector tbody tr').first().waitFor();
   await page.waitForTimeout(120);
   const rows = await page.locator('.inspector tbody tr').evaluateAll((list) => list.map((row) => [...row.cells].map((cell) => cell.textContent)));
   return new Map(rows.map(([name, ...rest]) => [name, rest]));
