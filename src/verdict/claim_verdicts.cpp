@@ -35,6 +35,8 @@ struct Part {
     int decimals;
 };
 
+constexpr const char* kNotMeasured = "this run did not measure";
+
 const ViewRecord* find_view(const Results& results, const ViewPlan& plan) {
     // Takes the view of the same size if there is one, else of any size.
     const ViewRecord* other_size = nullptr;
@@ -57,7 +59,12 @@ class Judge {
         std::map<std::string, std::vector<std::string>> settings;  // settings by verdict
         for (const ClaimSetting& setting : claim.settings) {
             const std::string verdict = verdict_at(setting, record);
-            if (!record.reason.empty()) return record;
+            if (!record.reason.empty()) {
+                if (claim.settings.size() > 1 && record.reason.starts_with(kNotMeasured))
+                    record.reason = fmt::format("{}: aoscore claims {} judges it at {} settings of them",
+                                                claim.open, claim.id, claim.settings.size());
+                return record;
+            }
             settings[verdict].push_back(setting.about);
         }
         if (settings.size() == 1) {
@@ -114,7 +121,7 @@ class Judge {
                 if (view != nullptr && other.id == view->key + "/" + name) cell = &other;
             }
             if (cell == nullptr) {
-                reason = fmt::format("this run did not measure {} on {}", name, asked.view);
+                reason = fmt::format("{} {} on {}", kNotMeasured, name, asked.view);
                 return std::nullopt;
             }
             if (!cell->error.empty()) {
