@@ -74,7 +74,7 @@ class Judge {
         } else {
             record.reason = claim.open;
             for (const auto& [verdict, where] : settings)
-                record.reason += fmt::format("; it {} at {}", verdict, fmt::join(where, ", at "));
+                record.reason += "; it " + verdict + " at " + settings_text(where, claim.settings.size());
         }
         if (claim.settings.size() > 1 && settings.size() == 1)
             record.note += fmt::format("{}{}: it is the same at all {} settings that were tried.",
@@ -83,6 +83,12 @@ class Judge {
     }
 
   private:
+    static std::string settings_text(const std::vector<std::string>& where, std::size_t all) {
+        constexpr std::size_t kMostNamed = 3;
+        const std::string count = fmt::format("{} of {} settings", where.size(), all);
+        return where.size() > kMostNamed ? count : fmt::format("{} ({})", count, fmt::join(where, "; "));
+    }
+
     /// The verdict at one setting: it fails when one part does, and holds when all do.
     std::string verdict_at(const ClaimSetting& setting, ClaimRecord& record) {
         std::set<std::string> outcomes;

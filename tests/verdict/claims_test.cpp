@@ -144,7 +144,8 @@ TEST_F(Claims, AreDecidedOnlyWhereAllValuesOfAnOpenConstantAgree) {
     EXPECT_EQ(judged(four, four).verdict, ClaimRecord::kFails);
     const ClaimRecord turns = judged(four, kSix);
     EXPECT_EQ(turns.verdict, ClaimRecord::kCannotTell);
-    for (const char* part : {"nobody prints the samples", "holds at 8 samples", "does not hold at 4 samples"})
+    for (const char* part : {"nobody prints the samples", "it holds at 1 of 2 settings (8 samples)",
+                             "it does not hold at 1 of 2 settings (4 samples)"})
         EXPECT_THAT(turns.reason, HasSubstr(part));
 }
 
