@@ -14,6 +14,7 @@
 #include "page/page.h"
 #include "reference/benchmark/benchmark.h"
 #include "results/results.h"
+#include "results/results_folder.h"
 #include "store/code_digest.h"
 
 #include <fmt/format.h>
@@ -69,8 +70,7 @@ void bench_main(const BenchOptions&, const GlobalOptions& global, RatioTable& ta
 void bench_compare(const BenchOptions& options, const GlobalOptions& global, RatioTable& table) {
     bench_compare_files(global.seed, table);  // First, while little memory is in use.
     bench_compare(global.seed, table);
-    const std::filesystem::path folder =
-        options.results.empty() ? home_dir() / "reports" / "out" / "main" : options.results;
+    const std::filesystem::path folder = results_folder(options.results, "main");
     if (!std::filesystem::exists(folder / "results.json")) {
         print_result("no page: there are no results in {}; aoscore run makes them\n", folder.string());
         return;

@@ -8,6 +8,14 @@
 #include <algorithm>
 
 namespace aoscore {
+namespace {
+
+// A bound is never rounded to nothing.
+std::string bound_text(double half_width) {
+    return fixed_text(std::max(half_width, 0.0001), 4);
+}
+
+}  // namespace
 
 std::string truth_noise_text(const Results& results, const ViewRecord& view) {
     if (!view.halves) return "";
@@ -21,9 +29,8 @@ std::string truth_noise_text(const Results& results, const ViewRecord& view) {
     }
     return fmt::format(
         "The truth of {} has {} rays a pixel in two independent halves: with 95 % confidence its noise moves "
-        "no "
-        "debiased RMSE by more than {} and no MAE, bias, SSIM, MS-SSIM or FLIP by more than {}.",
-        view.key, view.samples, fixed_text(ranking, 4), fixed_text(others, 4));
+        "no debiased RMSE by more than {} and no MAE, bias, SSIM, MS-SSIM or FLIP by more than {}.",
+        view.key, view.samples, bound_text(ranking), bound_text(others));
 }
 
 std::string first_answer_text(const Results& results) {
@@ -31,8 +38,7 @@ std::string first_answer_text(const Results& results) {
     return "This page is the first answer of a run that goes on. The debiased RMSE and the order of the "
            "ranking are final within their intervals. All other numbers become more exact with more rays. "
            "Those that few rays do not tell, such as SSIM, methods' errors against their own truths, and "
-           "costs "
-           "are not measured yet; the run then writes this page again.";
+           "costs are not measured yet; the run then writes this page again.";
 }
 
 }  // namespace aoscore
