@@ -10,7 +10,6 @@
 #include "core/ratio_table.h"
 #include "core/stopwatch.h"
 #include "core/threads.h"
-#include "page/document/page_key.h"
 #include "page/page.h"
 #include "reference/benchmark/benchmark.h"
 #include "results/results.h"
@@ -59,8 +58,7 @@ void bench_layers(const BenchOptions& options, const GlobalOptions& global, Rati
 }
 
 void write_changed_page(const std::filesystem::path& staged, const std::filesystem::path& folder) {
-    const std::string key = page_key(read_results(staged), std::string(code_digest("page")));
-    if (!is_page_of(folder / "index.html", key)) write_page(staged, false, key);
+    write_page_unless_shown(staged, folder / "index.html", std::string(code_digest("page")));
 }
 
 void bench_main(const BenchOptions&, const GlobalOptions& global, RatioTable& table) {

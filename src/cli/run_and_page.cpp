@@ -4,7 +4,6 @@
 #include "core/temporary_folder.h"
 #include "experiment/experiment.h"
 #include "experiment/job_list.h"
-#include "page/document/page_key.h"
 #include "page/page.h"
 #include "store/code_digest.h"
 
@@ -24,8 +23,7 @@ class Pages {
 
     /// Writes the page, unless it shows these very results already.
     void write(const fs::path& staged) {
-        const std::string key = page_key(read_results(staged), std::string(code_digest("page")));
-        if (!is_page_of(folder_ / kName, key)) write_page(staged, false, key);
+        write_page_unless_shown(staged, folder_ / kName, std::string(code_digest("page")));
         made_ = true;
     }
     void announce() {

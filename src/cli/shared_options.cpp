@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/known_names.h"
 #include "core/text.h"
+#include "jobs/truth_channels.h"
 #include "plan/scene_views.h"
 #include "reference/sampling/sample_plan.h"
 #include "scene/scene_frame.h"
@@ -141,16 +142,12 @@ void add_cache_option(CLI::App& app, std::filesystem::path& folder) {
 }
 
 void add_extras_options(CLI::App& app, TruthExtras& extras) {
-    app.add_flag("--causes", extras.causes,
-                 "Also the occlusion of the first radius by cause: cause.outside.Y, cause.hidden.Y, "
-                 "cause.grazing.Y, cause.visible.Y; they add up to it");
-    app.add_flag(
-        "--one-layer-bound", extras.one_layer_bound,
-        "Also one_layer.Y: the occlusion that a method could find at most which knows one depth layer");
-    app.add_flag(
-        "--bent-normals", extras.bent_normals,
-        "Also bent.X/Y/Z, the mean open direction in view space, and cone.Y, its cone's half angle in "
-        "radians, with their standard errors SE.bent.Y and SE.cone.Y");
+    const auto add = [&](const char* option, bool TruthExtras::*extra) {
+        app.add_flag(option, extras.*extra, "Also, at the first radius: " + channels_gathered_by(extra));
+    };
+    add("--causes", &TruthExtras::causes);
+    add("--one-layer-bound", &TruthExtras::one_layer_bound);
+    add("--bent-normals", &TruthExtras::bent_normals);
 }
 
 namespace {

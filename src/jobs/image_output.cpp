@@ -1,14 +1,14 @@
 #include "jobs/image_output.h"
 
-#include "core/signal.h"
 #include "image/channels.h"
 #include "image/image_file.h"
 #include "jobs/own_truth.h"
-#include "jobs/truth_signals.h"
+#include "jobs/truth_channels.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <array>
 #include <cmath>
 #include <list>
 #include <string_view>
@@ -30,29 +30,13 @@ ImageF component(const Image<glm::vec3>& image, int axis) {
     return result;
 }
 
-void add_vectors(const Image<glm::vec3>& image, const std::vector<std::string_view>& names,
-                 std::vector<ChannelView>& channels, std::list<ImageF>& planes) {
+template <class Names>
+void add_vectors(const Image<glm::vec3>& image, const Names& names, std::vector<ChannelView>& channels,
+                 std::list<ImageF>& planes) {
     if (image.empty()) return;
     for (int axis = 0; axis < 3; ++axis) {
         planes.push_back(component(image, axis));
         channels.push_back({std::string(names[static_cast<std::size_t>(axis)]), &planes.back()});
-    }
-}
-
-// Adds the planes that were asked for beside visibility.
-void add_extras(const Truth& truth, std::vector<ChannelView>& channels, std::list<ImageF>& planes) {
-    for (std::size_t c = 0; c < kCauses; ++c) {
-        const ImageF& occlusion = truth.occlusion_by_cause[c];
-        if (!occlusion.empty()) channels.push_back({cause_channel(c), &occlusion});
-    }
-    if (!truth.one_layer_bound.empty()) channels.push_back({kOneLayerChannel, &truth.one_layer_bound});
-    for (const std::string& id : held_signals(truth)) {
-        TruthSignal held = truth_signal(truth, id);
-        for (std::size_t i = 0; i < held.image.size(); ++i) {
-            planes.push_back(std::move(held.image[i]));
-            channels.push_back({std::string(signal(id).channels[i]), &planes.back()});
-        }
-        channels.push_back({std::string(signal(id).error_channel), held.standard_error_rad});
     }
 }
 
@@ -68,28 +52,27 @@ std::string row_vector_matrix(const glm::dmat4& matrix) {
 
 }  // namespace
 
-std::string cause_channel(std::size_t cause) {
-    return fmt::format("cause.{}.Y", kCauseIds[cause]);
-}
-
 void write_truth(const std::filesystem::path& path, const Truth& truth, const Mask& valid,
                  std::map<std::string, std::string> attributes) {
     const ImageF mask = as_float(valid);
-    std::vector<ChannelView> channels{
-        {"Y", &truth.visibility[0]}, {"SE.Y", &truth.standard_error[0]}, {"mask.Y", &mask}};
+    std::vector<ChannelView> channels{{std::string(kMaskChannel), &mask}};
+    std::list<ImageF> planes;  // a list: its elements stay where they are
+    for (const TruthChannel& channel : truth_channels()) {
+        if (channel.number && channel.held_by(truth))
+            channels.push_back({channel.exr_names[0], &channel.number(truth)});
+        if (channel.direction) add_vectors(channel.direction(truth), channel.exr_names, channels, planes);
+    }
     for (std::size_t q = 0; q < truth.queries.size(); ++q) {
         const TruthQuery& query = truth.queries[q];
+        channels.push_back({query_channel(q), &truth.visibility[q]});
+        channels.push_back({query_error_channel(q), &truth.standard_error[q]});
         const std::string id = fmt::format("V{}", q);
-        channels.push_back({id + ".Y", &truth.visibility[q]});
-        channels.push_back({fmt::format("SE{}.Y", q), &truth.standard_error[q]});
         attributes["aoscore:" + id + ".falloff"] = falloff_name(query.falloff);
         attributes["aoscore:" + id + ".radius_m"] =
             std::isfinite(query.radius_m) ? fmt::format("{}", query.radius_m) : "infinite";
         if (query.falloff == Falloff::alchemy)
             attributes["aoscore:" + id + ".u_m"] = fmt::format("{}", query.u_m);
     }
-    std::list<ImageF> planes;  // a list: its elements stay where they are
-    add_extras(truth, channels, planes);
     attributes["aoscore:samples"] = fmt::format("{}", truth.samples);
     write_exr(path, channels, attributes);
 }
@@ -124,14 +107,14 @@ void write_gbuffer(const std::filesystem::path& path, const GBufferImages& gbuff
                    const Image<glm::vec3>& positions_m,
                    const std::map<std::string, std::string>& attributes) {
     const ImageF mask = as_float(gbuffer.surface);
-    std::vector<ChannelView> channels{{"Y", &gbuffer.linear_depth()}, {"mask.Y", &mask}};
+    std::vector<ChannelView> channels{{"Y", &gbuffer.linear_depth()}, {std::string(kMaskChannel), &mask}};
     std::list<ImageF> planes;  // a list: its elements stay where they are
     for (const Channel& channel : gbuffer_channels()) {
         const ImageF& number = gbuffer.number(channel.id);
         if (!number.empty()) channels.push_back({std::string(channel.exr_names[0]), &number});
         add_vectors(gbuffer.vector(channel.id), channel.exr_names, channels, planes);
     }
-    add_vectors(positions_m, {"P.X", "P.Y", "P.Z"}, channels, planes);
+    add_vectors(positions_m, std::array{"P.X", "P.Y", "P.Z"}, channels, planes);
     write_exr(path, channels, attributes);
 }
 

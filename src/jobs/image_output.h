@@ -10,16 +10,9 @@
 
 namespace aoscore {
 
-/// The channel of a truth file that holds the occlusion by Cause number `cause`: "cause.outside.Y".
-std::string cause_channel(std::size_t cause);
-/// The channel that holds Truth::one_layer_bound.
-inline constexpr const char* kOneLayerChannel = "one_layer.Y";
-
-/// Writes a truth as EXR: `Y` and `V0.Y`, `V1.Y`, … the visibility of each query (Y is the first), `SE.Y` and
-/// `SE0.Y`, … the standard errors, `mask.Y` 1 where `valid` says so; radii, falloffs, samples and
-/// `attributes` in the header. Where they were traced, it also has the first query's occlusion by cause
-/// (cause_channel()), the one-layer bound, `bent.X/Y/Z` the bent normal in view space and `cone.Y` its cone's
-/// half angle in radians, with the standard errors `SE.bent.Y` and `SE.cone.Y` of their angles.
+/// Writes a truth as EXR: what of truth_channels() it holds (of its first query), `V0.Y`, `V1.Y`, … and
+/// `SE0.Y`, … the visibility of each query and its standard error, `mask.Y` 1 where `valid` says so; radii,
+/// falloffs, samples and `attributes` in the header.
 void write_truth(const std::filesystem::path& path, const Truth& truth, const Mask& valid,
                  std::map<std::string, std::string> attributes);
 

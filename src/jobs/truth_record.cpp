@@ -1,8 +1,8 @@
 #include "jobs/truth_record.h"
 
-#include "jobs/image_output.h"
 #include "jobs/masked_mean.h"
 #include "jobs/own_truth.h"
+#include "jobs/truth_channels.h"
 #include "jobs/truth_signals.h"
 #include "metrics/measures/noise.h"
 #include "reference/integrator/tile.h"
@@ -74,16 +74,17 @@ void record_truth(const Truth& truth, const Mask& valid, ViewRecord& view) {
     for (std::size_t q = 0; q < truth.queries.size(); ++q) {
         TruthRecord& record = view.truths.emplace_back(query_record(truth, q, valid));
         if (q == 0) record.id = kRankedTruth;
-        record.channel = fmt::format("V{}.Y", q);
-        record.se_channel = fmt::format("SE{}.Y", q);
+        record.channel = query_channel(q);
+        record.se_channel = query_error_channel(q);
     }
     for (std::size_t c = 0; c < kCauses; ++c) {
         const ImageF& occlusion = truth.occlusion_by_cause[c];
         if (occlusion.empty()) continue;
-        view.causes.push_back({std::string(kCauseIds[c]), cause_channel(c), mean_over(occlusion, valid)});
+        view.causes.push_back({std::string(kCauseIds[c]), truth_channel(cause_channel_id(c)).exr_names[0],
+                               mean_over(occlusion, valid)});
     }
     view.signals = recorded_signals(truth, valid);
-    if (!truth.one_layer_bound.empty()) view.one_layer_channel = kOneLayerChannel;
+    if (!truth.one_layer_bound.empty()) view.one_layer_channel = truth_channel(kOneLayerId).exr_names[0];
 }
 
 }  // namespace aoscore

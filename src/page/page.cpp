@@ -68,4 +68,9 @@ fs::path write_page(const fs::path& results_folder, bool everything, const std::
     return path;
 }
 
+void write_page_unless_shown(const fs::path& results_folder, const fs::path& shown, const std::string& code) {
+    const std::string key = page_key(read_results(results_folder), code);
+    if (!is_page_of(shown, key)) write_page(results_folder, false, key);
+}
+
 }  // namespace aoscore

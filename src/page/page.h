@@ -15,4 +15,9 @@ void require_page_parts();
 std::filesystem::path write_page(const std::filesystem::path& results_folder, bool everything = false,
                                  const std::string& key = {});
 
+/// Writes the page of these results with their key, unless `shown`, a page that exists or not, shows these
+/// very results made by the same `code` (see page_key()).
+void write_page_unless_shown(const std::filesystem::path& results_folder, const std::filesystem::path& shown,
+                             const std::string& code);
+
 }  // namespace aoscore

@@ -15,6 +15,13 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
+/// Points in the hemisphere's volume, whose occluders count less the farther they lie in depth.
+double fading_point_test(const Field& f, const Point& p) {
+    return point_test(
+        f, p, [](Random& r) { return in_volume(oracle::hemisphere_direction(r), r); },
+        [&](const dvec3&, double z) { return smooth_step(0, 1, kRadius / std::abs(p.p.z - z)); });
+}
+
 }  // namespace
 
 void PrintTo(const Case& c, std::ostream* out) {
@@ -60,26 +67,8 @@ const std::vector<Case>& cases() {
          },
          0.02,
          16},
-        {"ssao",
-         "ssao",
-         {{"samples", 256}, {"radius", kRadius}},
-         [](const Field& f, const Point& p) {
-             return point_test(
-                 f, p, [](Random& r) { return in_volume(oracle::hemisphere_direction(r), r); },
-                 [&](const dvec3&, double z) { return smooth_step(0, 1, kRadius / std::abs(p.p.z - z)); });
-         },
-         0.02,
-         16},
-        {"sd_ssao",
-         "sd-ssao",
-         {{"samples", 256}, {"radius", kRadius}},
-         [](const Field& f, const Point& p) {
-             return point_test(
-                 f, p, [](Random& r) { return in_volume(oracle::hemisphere_direction(r), r); },
-                 [&](const dvec3&, double z) { return smooth_step(0, 1, kRadius / std::abs(p.p.z - z)); });
-         },
-         0.02,
-         16},
+        {"ssao", "ssao", {{"samples", 256}, {"radius", kRadius}}, fading_point_test, 0.02, 16},
+        {"sd_ssao", "sd-ssao", {{"samples", 256}, {"radius", kRadius}}, fading_point_test, 0.02, 16},
         {"hemisphere",
          "hemisphere-ssao",
          {{"samples", 256}, {"radius", kRadius}},

@@ -26,13 +26,6 @@ MeshBuilder screen(int boards) {
     return mesh;
 }
 
-MeshBuilder crates() {
-    MeshBuilder mesh;
-    add_bevelled_box(mesh, {-0.5, -0.05, -0.05}, {0.5, 0.84, 0.75}, 0.02);
-    add_bevelled_box(mesh, {-0.44, 0.8, -0.04}, {0.44, 1.5, 0.62}, 0.02);
-    return mesh;
-}
-
 }  // namespace
 
 /// Occlusion from behind many layers of depth, after the scenario of figure 9.7 in Vermeer, Stochastic-Depth
@@ -60,7 +53,9 @@ Scene generate_layers() {
     add_arched_wall(arch, stilted(semicircular_arch(1.5, 1.1, 12), 2.0), kBayWidth_m / 2, kWallHeight_m, 0.2,
                     Underside::open);
     const int arches = scene.mesh(arch, stone);
-    const int hidden = scene.mesh(crates(), wood);
+    MeshBuilder crates;
+    add_crates(crates, 2);
+    const int hidden = scene.mesh(crates, wood);
     for (int i = 0; i < bays; ++i) {
         const double x = kBayWidth_m * (i - (bays - 1) / 2.0);
         scene.place(arches, translation(x, 0, 1.6));

@@ -18,6 +18,10 @@ inline constexpr double kCrease_rad = 40.0 * std::numbers::pi / 180.0;
 class MeshBuilder {
   public:
     using Point = glm::dvec3;
+    struct Corner {
+        Point position;
+        glm::vec2 uv{0};
+    };
 
     void triangle(const Point& a, const Point& b, const Point& c);
     void triangle(const Point& a, const Point& b, const Point& c, const glm::vec2& uv_a,
@@ -31,10 +35,6 @@ class MeshBuilder {
     Mesh finish(int material, double crease_rad = kCrease_rad, bool with_texcoords = false) const;
 
   private:
-    struct Corner {
-        Point position;
-        glm::vec2 uv{0};
-    };
     std::vector<Corner> corners_;  // three corners a triangle
 };
 

@@ -38,11 +38,9 @@ Scene generate_pillar() {
     const int pillars = scene.mesh(pillar(), stone);
     for (const int i : {-1, 0, 1}) scene.place(pillars, translation(kPillarSpacing_m * i, 0, kPillarZ_m));
 
-    MeshBuilder crate;
-    add_bevelled_box(crate, {-0.5, -0.05, -0.05}, {0.5, 0.84, 0.75}, 0.02);
-    add_bevelled_box(crate, {-0.44, 0.8, -0.04}, {0.44, 1.5, 0.62}, 0.02);
-    add_bevelled_box(crate, {-0.38, 1.45, -0.03}, {0.38, 2.0, 0.5}, 0.02);
-    const int crates = scene.mesh(crate, wood);
+    MeshBuilder stack;
+    add_crates(stack, 3);
+    const int crates = scene.mesh(stack, wood);
     for (const int i : {-1, 0, 1}) scene.place(crates, translation(kPillarSpacing_m * i, 0, 0));
     return scene.take();
 }

@@ -78,6 +78,13 @@ void add_bevelled_box(MeshBuilder& mesh, const dvec3& low, const dvec3& high, do
     }
 }
 
+void add_crates(MeshBuilder& mesh, int count) {
+    constexpr double kBevel_m = 0.02;
+    if (count > 0) add_bevelled_box(mesh, {-0.5, -0.05, -0.05}, {0.5, 0.84, 0.75}, kBevel_m);
+    if (count > 1) add_bevelled_box(mesh, {-0.44, 0.8, -0.04}, {0.44, 1.5, 0.62}, kBevel_m);
+    if (count > 2) add_bevelled_box(mesh, {-0.38, 1.45, -0.03}, {0.38, 2.0, 0.5}, kBevel_m);
+}
+
 void add_raised_block(MeshBuilder& mesh, const dvec3& low, const dvec3& high, double bevel_m) {
     const auto loop = [&](double inset, double z) {
         return std::array<dvec3, 4>{{{low.x + inset, low.y + inset, z},

@@ -22,6 +22,9 @@ void add_box(MeshBuilder& mesh, const glm::dvec3& low, const glm::dvec3& high);
 /// A box whose edges are cut at 45 degrees, `bevel_m` wide along each face.
 void add_bevelled_box(MeshBuilder& mesh, const glm::dvec3& low, const glm::dvec3& high, double bevel_m);
 
+/// Up to three crates stacked against a wall at z = 0, 0.84 m, 1.5 m and 2 m high.
+void add_crates(MeshBuilder& mesh, int count);
+
 /// A bevelled block that stands out of a surface: without its low z face, which belongs inside another solid.
 void add_raised_block(MeshBuilder& mesh, const glm::dvec3& low, const glm::dvec3& high, double bevel_m);
 
