@@ -50,8 +50,8 @@ TEST(TruthChannels, AreWrittenWhereTheirExtraWasAskedForAndNowhereElse) {
             for (std::size_t i = 0; i < channel.exr_names.size(); ++i) {
                 const ImageF* plane = file.channel(channel.exr_names[i]);
                 ASSERT_EQ(plane != nullptr, expected) << channel.exr_names[i];
-                if (expected)
-                    EXPECT_EQ(plane->pixels, channel.planes(truth)[i].pixels) << channel.exr_names[i];
+                if (!expected) continue;
+                EXPECT_EQ(plane->pixels, channel.planes(truth)[i].pixels) << channel.exr_names[i];
             }
         }
     }
