@@ -2,10 +2,11 @@
 #
 #   aoscore_code_digests(<kind>=<source under src/>…): for each kind of artifact the source of the function that
 #   makes it. Its link closure is what GNU ld takes from the rooms' archives for this source's object; the headers
-#   are followed from there (see code_digest.cmake).
+#   are followed from there, and libraries that are loaded (see code_digest.cmake).
 function(aoscore_code_digests)
     find_program(AOSCORE_LD NAMES ld.bfd ld REQUIRED)
     get_property(rooms GLOBAL PROPERTY AOSCORE_ROOMS)
+    get_property(loaded GLOBAL PROPERTY AOSCORE_LOADED)
     set(entries "")
     foreach(entry IN LISTS ARGN)
         string(REGEX MATCH "^([a-z_]+)=(([a-z]+)/(.+))$" matched ${entry})
@@ -15,7 +16,7 @@ function(aoscore_code_digests)
     list(TRANSFORM rooms REPLACE "(.+)" "$<TARGET_FILE:aoscore_\\1>" OUTPUT_VARIABLE archives)
     list(TRANSFORM rooms PREPEND aoscore_ OUTPUT_VARIABLE targets)
     set(inputs ${CMAKE_BINARY_DIR}/code/inputs.cmake)
-    file(GENERATE OUTPUT ${inputs} CONTENT "set(entries \"${entries}\")\nset(archives \"${archives}\")\nset(source_dir ${CMAKE_SOURCE_DIR}/src)\nset(object_dir ${CMAKE_BINARY_DIR}/src)\nset(linker ${AOSCORE_LD})\nset(folder ${CMAKE_BINARY_DIR}/code)\n")
+    file(GENERATE OUTPUT ${inputs} CONTENT "set(entries \"${entries}\")\nset(loaded \"${loaded}\")\nset(archives \"${archives}\")\nset(source_dir ${CMAKE_SOURCE_DIR}/src)\nset(object_dir ${CMAKE_BINARY_DIR}/src)\nset(linker ${AOSCORE_LD})\nset(folder ${CMAKE_BINARY_DIR}/code)\n")
     set(output ${CMAKE_BINARY_DIR}/code/code_digest.cpp)
     add_custom_command(OUTPUT ${output}
         COMMAND ${CMAKE_COMMAND} -D INPUTS=${inputs} -P ${CMAKE_SOURCE_DIR}/cmake/code_digest.cmake

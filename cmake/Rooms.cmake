@@ -30,6 +30,22 @@ function(aoscore_room name)
     target_link_libraries(aoscore_${name} PUBLIC aoscore_options ${ROOM_ROOMS} ${ROOM_LIBRARIES})
 endfunction()
 
+# aoscore_library(<name> LOADED_BY <source of a room> ROOMS … LIBRARIES …): all sources of this folder in aoscore-<name>.so
+# beside the programs, which the source named loads when it is first needed. Where a digest of code counts that source, it
+# counts these, too. The rooms must come before it.
+function(aoscore_library name)
+    cmake_parse_arguments(LIBRARY "" "LOADED_BY" "ROOMS;LIBRARIES" ${ARGN})
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    add_library(aoscore_${name} MODULE ${sources})
+    set_target_properties(aoscore_${name} PROPERTIES PREFIX "" OUTPUT_NAME aoscore-${name} CXX_VISIBILITY_PRESET hidden
+                          LIBRARY_OUTPUT_DIRECTORY ${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
+    set_property(GLOBAL APPEND PROPERTY AOSCORE_LIBRARIES aoscore_${name})
+    set_property(GLOBAL APPEND PROPERTY AOSCORE_LOADED "${LIBRARY_LOADED_BY}=${name}")
+    list(TRANSFORM LIBRARY_ROOMS PREPEND aoscore_)
+    set_target_properties(${LIBRARY_ROOMS} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_link_libraries(aoscore_${name} PRIVATE aoscore_options ${LIBRARY_ROOMS} ${LIBRARY_LIBRARIES})
+endfunction()
+
 # aoscore_compile_together(target folder… [APART file…]): gives the compiler the sources of each folder (. for the
 # target's own) twelve at a time, so that it reads headers and fills in templates once for the twelve. That is most of what
 # a cold build does. A digest of code then counts all twelve (code_digest.cmake): name folders that artifacts use as a whole
@@ -86,6 +102,14 @@ function(aoscore_link_code target)
     endwhile()
 endfunction()
 
+# Has what a program may load built with it.
+function(aoscore_build_libraries target)
+    get_property(libraries GLOBAL PROPERTY AOSCORE_LIBRARIES)
+    if(libraries)
+        add_dependencies(${target} ${libraries})
+    endif()
+endfunction()
+
 #   aoscore_program(<name> ROOMS <rooms it may include>… LIBRARIES <external targets>…): all sources of this folder in one
 #   program.
 function(aoscore_program name)
@@ -95,6 +119,7 @@ function(aoscore_program name)
     list(TRANSFORM PROGRAM_ROOMS PREPEND aoscore_)
     target_link_libraries(${name} PRIVATE aoscore_options ${PROGRAM_ROOMS} ${PROGRAM_LIBRARIES})
     aoscore_link_code(${name} ${PROGRAM_ROOMS})
+    aoscore_build_libraries(${name})
 endfunction()
 
 #   aoscore_test(<name> ROOMS <rooms under test>… LIBRARIES <external targets>…): all of tests/<name>/*.cpp in
@@ -107,6 +132,7 @@ function(aoscore_test name)
     target_link_libraries(test_${name} PRIVATE aoscore_test_support ${TEST_ROOMS} ${TEST_LIBRARIES}
                           GTest::gtest_main GTest::gmock)
     aoscore_link_code(test_${name} ${TEST_ROOMS})
+    aoscore_build_libraries(test_${name})
     aoscore_compile_quickly(test_${name})
     gtest_discover_tests(test_${name} TEST_PREFIX "${name}: " DISCOVERY_MODE PRE_TEST
                          DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600 LABELS ${name})

@@ -1,5 +1,5 @@
 # Writes code_digest.cpp, and for every kind of artifact a list of its sources. INPUTS sets `entries`
-# (kind=source=object), `archives`, `source_dir`, `object_dir`, `linker` and `folder`.
+# (kind=source=object), `loaded` (source=folder of the library that it loads), `archives`, `source_dir`, `object_dir`, `linker` and `folder`.
 cmake_minimum_required(VERSION 3.25)
 include(${INPUTS})
 
@@ -57,6 +57,19 @@ function(add_headers list)
     set(${list} ${all} PARENT_SCOPE)
 endfunction()
 
+# add_loaded(list): adds the sources of the libraries that these load.
+function(add_loaded list)
+    set(all ${${list}})
+    foreach(pair IN LISTS loaded)
+        string(REGEX MATCH "^(.+)=(.+)$" matched ${pair})
+        if(CMAKE_MATCH_1 IN_LIST all)
+            file(GLOB_RECURSE sources RELATIVE ${source_dir} ${source_dir}/${CMAKE_MATCH_2}/*.cpp)
+            list(APPEND all ${sources})
+        endif()
+    endforeach()
+    set(${list} ${all} PARENT_SCOPE)
+endfunction()
+
 set(rows "")
 foreach(entry IN LISTS entries)
     string(REPLACE "=" ";" entry ${entry})
@@ -65,6 +78,7 @@ foreach(entry IN LISTS entries)
     list(GET entry 2 object)
     taken_sources(${object} files)
     list(APPEND files ${source})
+    add_loaded(files)
     add_headers(files)
     list(REMOVE_DUPLICATES files)
     list(SORT files)

@@ -3,6 +3,7 @@
 #include "bench/made_up_pair.h"
 #include "core/error.h"
 #include "core/output.h"
+#include "core/program_path.h"
 #include "core/temporary_folder.h"
 #include "image/image_file.h"
 
@@ -35,7 +36,7 @@ std::pair<std::string, std::string> written_pair(const std::filesystem::path& fo
 void bench_compare_files(std::uint64_t seed, RatioTable& table) {
     const TemporaryFolder folder;
     const auto [truth, test] = written_pair(folder.path(), seed);
-    const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
+    const std::string self = program_path().string();
     Cost ours, theirs;
     bool has_idiff = true;
     for (int run = 0; run < kFileRuns; ++run) {

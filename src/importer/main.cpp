@@ -3,6 +3,7 @@
 // them crash or hang.
 
 #include "core/error.h"
+#include "image/image_formats.h"
 #include "importer/assimp_reader.h"
 #include "importer/confinement.h"
 #include "importer/obj_reader.h"
@@ -75,6 +76,8 @@ int main(int argc, char** argv) {
         file, importer::SceneFolder(file), argc > 2 && std::string_view(argv[2]) == "--albedo", {}};
     std::error_code ec;
     const std::uintmax_t bytes = std::filesystem::file_size(file, ec);
+    // Once it is confined it does not see the libraries that read textures.
+    if (*format != imported::Format::stl) image_formats();
     importer::confine(job.folder.path(), ec ? 0 : static_cast<std::size_t>(bytes));
     importer::read(job, *format);
     imported::write_plain_scene(

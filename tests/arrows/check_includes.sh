@@ -47,7 +47,7 @@ only GL/osmesa screen/gl/osmesa_context
 only GL/ screen/
 only Imf image/
 only OpenEXR image/
-only OpenImageIO image/
+only OpenImageIO formats/
 only png.h image/
 only tiny_gltf scene/
 only assimp/ importer/

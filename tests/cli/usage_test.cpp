@@ -164,6 +164,20 @@ TEST(Usage, OutputThatCannotBeWrittenExitsWith4) {
     EXPECT_EQ(run.exit_code, 4) << run.err;
 }
 
+// OpenImageIO brings some 250 libraries; the dynamic linker tells with LD_DEBUG which it loads.
+TEST(Usage, OpenImageIoIsLoadedByCommandsThatReadAnImageAlone) {
+    const auto folder = output_dir();
+    const auto loads_it = [&](const char* command) {
+        const ProgramRun run = run_aoscore(command, folder, "env LD_DEBUG=files");
+        EXPECT_EQ(run.exit_code, 0) << command;
+        return run.err.find("libOpenImageIO.so") != std::string::npos;
+    };
+    EXPECT_FALSE(loads_it("--version"));
+    EXPECT_FALSE(loads_it("list methods"));
+    EXPECT_FALSE(loads_it("reference plane --view facing --size 16x16 --samples 4 --out t.exr"));
+    EXPECT_TRUE(loads_it("compare t.exr t.exr"));
+}
+
 TEST(Usage, CtrlCEndsTheRunWith130AndLeavesNothing) {
     const auto folder = output_dir();
     const ProgramRun run =

@@ -2,6 +2,7 @@
 
 #include "core/child_process.h"
 #include "core/error.h"
+#include "core/program_path.h"
 #include "scene/gltf/place.h"
 #include "scene/mesh_repair.h"
 
@@ -19,13 +20,6 @@ namespace aoscore::imported {
 namespace fs = std::filesystem;
 
 namespace {
-
-fs::path importing_program() {
-    const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "aoscore-import";
-    if (!fs::exists(program))
-        throw internal_error("is not there: build it beside this program", program.string());
-    return program;
-}
 
 /// The error that says why the program ended without a whole scene.
 Error failure(const ChildProcess::End& end, const std::string& where) {
@@ -45,7 +39,7 @@ Error failure(const ChildProcess::End& end, const std::string& where) {
 PlainScene read_in_child(const fs::path& file, bool albedo_textures) {
     std::vector<std::string> arguments{fs::absolute(file).string()};
     if (albedo_textures) arguments.emplace_back("--albedo");
-    ChildProcess child(importing_program(), arguments);
+    ChildProcess child(beside_program("aoscore-import"), arguments);
     std::optional<PlainScene> plain =
         read_plain_scene([&child](void* to, std::size_t size) { return child.read(to, size); });
     if (!plain) throw failure(child.wait(), gltf::printable(file.string()));

@@ -3,20 +3,14 @@
 #include "core/child_process.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "core/program_path.h"
 #include "core/temporary_folder.h"
 
 #include <csignal>
 
 namespace aoscore {
-namespace {
 
 namespace fs = std::filesystem;
-
-fs::path trial_program() {
-    return fs::read_symlink("/proc/self/exe").parent_path() / "aoscore-shader-trial";
-}
-
-}  // namespace
 
 void try_shader(const ShaderSource& vertex, const ShaderSource& fragment, const std::string& name) {
     const TemporaryFolder folder;
@@ -24,7 +18,8 @@ void try_shader(const ShaderSource& vertex, const ShaderSource& fragment, const 
                    fragment_file = folder.path() / "fragment.glsl";
     fill_file(vertex_file, vertex.text(), vertex_file);
     fill_file(fragment_file, fragment.text(), fragment_file);
-    ChildProcess trial(trial_program(), {vertex_file.string(), fragment_file.string()});
+    ChildProcess trial(beside_program("aoscore-shader-trial"),
+                       {vertex_file.string(), fragment_file.string()});
     for (char unused = 0; trial.read(&unused, 1) > 0;) {
     }
     const ChildProcess::End end = trial.wait();

@@ -1,9 +1,10 @@
 #include "core/error.h"
+#include "formats/image_strips.h"
+#include "formats/readers.h"
 #include "image/exr_header.h"
 #include "image/image_file.h"
 #include "image/image_frame.h"
 #include "image/image_limits.h"
-#include "image/image_strips.h"
 #include "image/subsampled_exr.h"
 
 #include <OpenImageIO/imageio.h>
@@ -148,23 +149,8 @@ ImageFile read_all_parts(OIIO::ImageInput& input, const fs::path& path) {
 
 }  // namespace
 
-std::optional<std::size_t> ImageFile::index(const std::string& name) const {
-    const auto found = std::ranges::find(channel_names, name);
-    if (found == channel_names.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - channel_names.begin());
-}
-
-const ImageF* ImageFile::channel(const std::string& name) const {
-    const auto found = index(name);
-    return found ? &channels[*found] : nullptr;
-}
-
-ImageFile read_image(const fs::path& path) {
+ImageFile read_picture(const fs::path& path) {
     const std::string where = path.string();
-    std::error_code ec;
-    const fs::file_status status = fs::status(path, ec);
-    if (!fs::exists(status)) throw file_error("no such file", where);
-    if (!fs::is_regular_file(status)) throw file_error("not a regular file", where);
     OIIO::ImageSpec as_stored;
     as_stored["oiio:UnassociatedAlpha"] = 1;  // Colour must not be multiplied by alpha.
     try {

@@ -1,4 +1,4 @@
-#include "image/image_strips.h"
+#include "formats/image_strips.h"
 
 #include "image/image_limits.h"
 
