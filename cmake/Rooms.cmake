@@ -46,36 +46,49 @@ function(aoscore_library name)
     target_link_libraries(aoscore_${name} PRIVATE aoscore_options ${LIBRARY_ROOMS} ${LIBRARY_LIBRARIES})
 endfunction()
 
-# aoscore_compile_together(target folder… [APART file…]): gives the compiler the sources of each folder (. for the
-# target's own) twelve at a time, so that it reads headers and fills in templates once for the twelve. That is most of what
-# a cold build does. A digest of code then counts all twelve (code_digest.cmake): name folders that artifacts use as a whole
-# or not at all, and keep the files of which that is not true APART. CMake's own unity builds write the source tree's path
-# into what is compiled, and no compiler cache could serve two trees.
+# aoscore_compile_together(target folder… [APART file…]): gives the compiler the sources of each folder (. for the target's
+# own) twelve at a time, so that it reads headers and fills in templates once for the twelve. That is most of what a cold
+# build does. A digest of code then counts all twelve (code_digest.cmake): name folders that artifacts use as a whole or not
+# at all, keep APART the files of which that is not true and those that aoscore_code_digests names, and gather files that
+# the same artifacts use by aoscore_compile_group. code/ in the build folder lists the sources of each kind. Names in a
+# unit's anonymous namespaces must differ. CMake's own unity builds write the source tree's path into what is compiled, and
+# no compiler cache could serve two trees.
 function(aoscore_compile_together target)
-    cmake_parse_arguments(TOGETHER "" "" "APART" ${ARGN})
     if(NOT AOSCORE_TOGETHER)
         return()
     endif()
+    cmake_parse_arguments(TOGETHER "" "" "APART" ${ARGN})
     list(TRANSFORM TOGETHER_APART PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
-    get_target_property(all ${target} SOURCES)
     foreach(folder IN LISTS TOGETHER_UNPARSED_ARGUMENTS)
         cmake_path(ABSOLUTE_PATH folder NORMALIZE OUTPUT_VARIABLE path)
         string(REGEX REPLACE "/$" "" path ${path})
         file(GLOB sources ${path}/*.cpp)
         list(REMOVE_ITEM sources ${TOGETHER_APART})
-        list(REMOVE_ITEM all ${sources})
-        list(TRANSFORM sources REPLACE "^${CMAKE_SOURCE_DIR}/src/(.+)$" "#include \"\\1\"\n")
         cmake_path(GET path FILENAME name)
-        while(NOT sources STREQUAL "")
-            list(LENGTH sources count)
-            list(SUBLIST sources 0 12 twelve)
-            list(REMOVE_ITEM sources ${twelve})
-            set(unit ${CMAKE_CURRENT_BINARY_DIR}/together_${name}_${count}.cpp)
-            string(JOIN "" content ${twelve})
-            file(CONFIGURE OUTPUT ${unit} CONTENT "${content}" @ONLY)
-            list(APPEND all ${unit})
-        endwhile()
+        aoscore_compile_group(${target} ${name} ${sources})
     endforeach()
+endfunction()
+
+# aoscore_compile_group(target name file…): does the same for these files of one folder or several; `name` is that of the
+# units.
+function(aoscore_compile_group target name)
+    if(NOT AOSCORE_TOGETHER)
+        return()
+    endif()
+    set(sources ${ARGN})
+    list(TRANSFORM sources REPLACE "^([^/].*)$" "${CMAKE_CURRENT_SOURCE_DIR}/\\1")
+    get_target_property(all ${target} SOURCES)
+    list(REMOVE_ITEM all ${sources})
+    list(TRANSFORM sources REPLACE "^${CMAKE_SOURCE_DIR}/src/(.+)$" "#include \"\\1\"\n")
+    while(NOT sources STREQUAL "")
+        list(LENGTH sources count)
+        list(SUBLIST sources 0 12 twelve)
+        list(REMOVE_ITEM sources ${twelve})
+        set(unit ${CMAKE_CURRENT_BINARY_DIR}/together_${name}_${count}.cpp)
+        string(JOIN "" content ${twelve})
+        file(CONFIGURE OUTPUT ${unit} CONTENT "${content}" @ONLY)
+        list(APPEND all ${unit})
+    endwhile()
     set_target_properties(${target} PROPERTIES SOURCES "${all}")
 endfunction()
 

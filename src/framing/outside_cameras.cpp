@@ -10,7 +10,7 @@
 namespace aoscore {
 namespace {
 
-constexpr double kFovy_deg = 45;
+constexpr double kOutsideFovy_deg = 45;
 constexpr double kMargin = 0.04;
 constexpr double kAzimuths_deg[] = {35, -35, 55, -55, 125, -125, 145, -145};  // from +z to +x
 constexpr double kElevations_deg[] = {20, 35, 50};
@@ -71,7 +71,7 @@ std::vector<Candidate> outside_cameras(const Trial& trial, Around around, std::s
     std::vector<Candidate> candidates;
     for (const Direction& d : left) {
         candidates.push_back(
-            {fit_outline(points, -d.to_camera, {0, 1, 0}, glm::radians(kFovy_deg), trial.aspect, kMargin),
+            {fit_outline(points, -d.to_camera, {0, 1, 0}, glm::radians(kOutsideFovy_deg), trial.aspect, kMargin),
              0,
              {}});
     }

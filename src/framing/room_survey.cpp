@@ -10,7 +10,7 @@ namespace aoscore {
 namespace {
 
 constexpr std::size_t kPlaces = 400;
-constexpr int kRays = 40;
+constexpr int kSurveyRays = 40;
 constexpr double kRoomFronts = 0.7, kHollowHits = 0.95, kHollowFronts = 0.2, kSolidFronts = 0.05;
 constexpr double kEyeHeight = 1.0 / 3;  // of the room's height
 /// A place lies in a surface where surfaces all around are nearer than this share of the box's diagonal, as
@@ -25,10 +25,10 @@ struct Surroundings {
 Surroundings look_around(const Scout& scout, const glm::dvec3& from) {
     Surroundings around;
     std::vector<double> distances;
-    for (int i = 0; i < kRays; ++i) {
-        const Sight sight = scout.first_surface(from, spread_direction({0, 1, 0}, -1, i, kRays));
-        around.hits += std::isfinite(sight.distance_m) / static_cast<double>(kRays);
-        around.fronts += sight.front / static_cast<double>(kRays);
+    for (int i = 0; i < kSurveyRays; ++i) {
+        const Sight sight = scout.first_surface(from, spread_direction({0, 1, 0}, -1, i, kSurveyRays));
+        around.hits += std::isfinite(sight.distance_m) / static_cast<double>(kSurveyRays);
+        around.fronts += sight.front / static_cast<double>(kSurveyRays);
         distances.push_back(sight.distance_m);
     }
     std::ranges::sort(distances);

@@ -18,7 +18,7 @@ constexpr int kNearest_px = kTile_px - 2, kFarthest_px = kTile_px + 2;
 constexpr std::size_t kDistances = kFarthest_px - kNearest_px + 1;
 
 /// A row of errors, 0 where a pixel is not valid, and 1 where it is.
-struct ErrorRow {
+struct PaddedErrorRow {
     std::vector<double> errors, valid;
 
     void read(const MetricInput& input, int y) {
@@ -77,20 +77,20 @@ void add_pairs(const double* a, const double* a_valid, const double* b, const do
 SumsByDistance sums_of_rows(const MetricInput& input, int first_row, int rows) {
     constexpr std::size_t kKept = kFarthest_px + 1;
     const int height = input.valid.height;
-    std::array<ErrorRow, kKept> kept;
-    const auto row = [&](int y) -> ErrorRow& { return kept[static_cast<std::size_t>(y) % kKept]; };
+    std::array<PaddedErrorRow, kKept> kept;
+    const auto row = [&](int y) -> PaddedErrorRow& { return kept[static_cast<std::size_t>(y) % kKept]; };
     SumsByDistance sums;
     for (int y = first_row; y < std::min(first_row + kFarthest_px, height); ++y) row(y).read(input, y);
     for (int y = first_row; y < first_row + rows; ++y) {
         if (y + kFarthest_px < height) row(y + kFarthest_px).read(input, y + kFarthest_px);
-        const ErrorRow& here = row(y);
+        const PaddedErrorRow& here = row(y);
         for (std::size_t d = 0; d < kDistances; ++d) {
             const std::size_t distance = kNearest_px + d, width = here.errors.size();
             if (distance < width)
                 add_pairs(here.errors.data(), here.valid.data(), here.errors.data() + distance,
                           here.valid.data() + distance, width - distance, sums[d]);
             if (y + static_cast<int>(distance) >= height) continue;
-            const ErrorRow& below = row(y + static_cast<int>(distance));
+            const PaddedErrorRow& below = row(y + static_cast<int>(distance));
             add_pairs(here.errors.data(), here.valid.data(), below.errors.data(), below.valid.data(), width,
                       sums[d]);
         }
