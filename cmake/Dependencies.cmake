@@ -18,6 +18,8 @@ find_package(TBB REQUIRED)
 find_package(PNG REQUIRED)
 find_package(pugixml REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(Boost REQUIRED)  # headers alone: the quantiles of Student's distribution
+pkg_check_modules(nlopt REQUIRED IMPORTED_TARGET nlopt)
 pkg_check_modules(osmesa REQUIRED IMPORTED_TARGET osmesa)
 pkg_check_modules(tinyobjloader REQUIRED IMPORTED_TARGET tinyobjloader_double)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)

@@ -73,7 +73,8 @@ void add_signals_option(CLI::App& app, std::vector<std::string>& signals) {
 
 void add_method_options(CLI::App& app, MethodOptions& options) {
     app.add_option("--preset", options.preset,
-                   "Which preset of each method [those it is scored with, mostly default]");
+                   "Which preset of each method, or a file of presets for one, as tune writes it [those it "
+                   "is scored with, mostly default]");
     app.add_option("--filter", options.filter, "A filter (see list methods), or none [the preset's own]");
     app.add_option(
            "--set", options.assignments,
@@ -96,16 +97,30 @@ void add_method_options(CLI::App& app, MethodOptions& options) {
     }
 }
 
-std::vector<CellPlan> plan_cells(const std::vector<MethodDescriptor>& methods,
+std::vector<std::filesystem::path> MethodOptions::preset_files() const {
+    if (!preset.ends_with(".json")) return {};
+    return {preset};
+}
+
+std::vector<CellPlan> plan_cells(std::vector<MethodDescriptor>& methods,
                                  const std::vector<MethodDescriptor>& filters, const MethodOptions& options,
                                  std::vector<std::string>& warnings) {
+    std::map<std::string, std::vector<std::string>> added;
+    for (const std::filesystem::path& file : options.preset_files()) {
+        AddedPresets presets = add_presets(methods, file);
+        added[presets.method] = std::move(presets.presets);
+    }
     std::vector<CellPlan> cells;
     for (const MethodDescriptor& method : methods) {
         std::vector<CellPlan> scored = scored_cells(method);
-        if (!options.preset.empty()) {
-            scored.resize(1);
-            scored.front().preset = options.preset;
+        std::vector<std::string> presets;
+        if (added.contains(method.id)) {
+            presets = added.at(method.id);
+        } else if (added.empty() && !options.preset.empty()) {
+            presets = {options.preset};
         }
+        if (!presets.empty()) scored.assign(presets.size(), scored.front());
+        for (std::size_t i = 0; i < presets.size(); ++i) scored[i].preset = presets[i];
         RunModes modes = scored.front().modes;
         choose_modes(method, options, modes, warnings);
         for (CellPlan& cell : scored) {

@@ -78,8 +78,9 @@ ExitCode run(const ScoreOptions& options, const GlobalOptions& global) {
     view.own_parameters = options.method_options.own_parameters;
     view.score_goal = score_goal(options.effort);
     if (!options.radii.empty()) view.radius_m = options.radii[0];
-    view.cells = plan_cells(chosen_methods(options, plan.warnings), load_filters(), options.method_options,
-                            plan.warnings);
+    std::vector<MethodDescriptor> methods = chosen_methods(options, plan.warnings);
+    plan.preset_files = options.method_options.preset_files();
+    view.cells = plan_cells(methods, load_filters(), options.method_options, plan.warnings);
     view.extras |= extras_for(options.method_options.signals);
     if (!options.contestants.empty()) add_folders(options, plan, view);
     for (const std::string& id : planned_views(options.choice.view)) {

@@ -192,6 +192,7 @@ PlannedRuns::PlannedRuns(const ExperimentPlan& plan, const ArtifactStore& store)
     : plan_(plan), store_(store) {
     std::vector<std::string> left_out;  // unused: the plan names none of them
     registry_ = load_registry(plan.methods_dir, {}, left_out);
+    for (const auto& file : plan.preset_files) add_presets(registry_.methods, file);
     registry_.folders = plan.folders;
     prepared_ = prepare(plan, registry_, store);
     name_views(prepared_);

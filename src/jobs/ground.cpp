@@ -1,5 +1,9 @@
 #include "jobs/ground.h"
 
+#include "core/error.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -9,6 +13,18 @@ Ground find_ground(const CameraFrame& frame, const Truth& truth, const GBufferIm
                    const Bounds& scene_bounds) {
     const double extent = glm::max(glm::length(scene_bounds.low), glm::length(scene_bounds.high));
     return {check_camera_contract(frame, truth.hits, gbuffer, extent), pixel_facts(frame, truth)};
+}
+
+void require_comparable(const Ground& ground) {
+    const CameraContract& contract = ground.contract;
+    if (!contract.kept()) {
+        throw internal_error(
+            fmt::format("ray tracer and rasteriser disagree on {:.2f} % of the pixels away from "
+                        "edges, more than {:.1f} %",
+                        100 * contract.disagreeing_share(), 100 * CameraContract::kTolerated));
+    }
+    if (contract.valid_count == 0)
+        throw Error(ExitCode::gate_failed, emptiness(contract.surface, contract.valid_count));
 }
 
 void record_ground(const Ground& ground, const CameraFrame& frame, const Truth& truth, double radius_m,

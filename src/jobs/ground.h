@@ -17,6 +17,10 @@ struct Ground {
 Ground find_ground(const CameraFrame& frame, const Truth& truth, const GBufferImages& gbuffer,
                    const Bounds& scene_bounds);
 
+/// Throws internal_error where ray tracer and rasteriser disagree, and gate_failed where no pixel can be
+/// compared.
+void require_comparable(const Ground& ground);
+
 /// Records the ground in the results, and the AO radius in pixels at its median depth.
 void record_ground(const Ground& ground, const CameraFrame& frame, const Truth& truth, double radius_m,
                    ViewRecord& view);

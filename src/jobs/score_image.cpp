@@ -79,17 +79,6 @@ MetricMap raw_metrics(const Truth& truth, const Ground& ground, const TruthSide&
     return measured(Comparison(truth, side, raw, valid).input(), settings, unranked_metrics());
 }
 
-void require_ground(const CameraContract& contract) {
-    if (!contract.kept()) {
-        throw internal_error(
-            fmt::format("ray tracer and rasteriser disagree on {:.2f} % of the pixels away from "
-                        "edges, more than {:.1f} %",
-                        100 * contract.disagreeing_share(), 100 * CameraContract::kTolerated));
-    }
-    if (contract.valid_count == 0)
-        throw Error(ExitCode::gate_failed, emptiness(contract.surface, contract.valid_count));
-}
-
 }  // namespace
 
 std::string Score::error() const {
@@ -98,7 +87,7 @@ std::string Score::error() const {
 
 Score score_image(const Truth& truth, const Ground& ground, const TruthSide& side, const MethodOutput& image,
                   const ScoreSettings& settings) {
-    require_ground(ground.contract);
+    require_comparable(ground);
     Score score;
     const Mask valid =
         finite_pixels(truth.visibility[0], image.visibility, ground.contract.valid, score.nonfinite);

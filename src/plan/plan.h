@@ -107,8 +107,9 @@ struct ExperimentPlan {
     std::vector<std::string> claim_ids;  ///< claims to be judged by this run
     double claim_scale = 1;              ///< scale of the claims' views
     std::uint64_t seed = 1;
-    std::filesystem::path methods_dir;  ///< folder of the user's own methods; empty: none
-    std::vector<ImageFolder> folders;   ///< images of other programs that cells name
+    std::filesystem::path methods_dir;                ///< folder of the user's own methods; empty: none
+    std::vector<std::filesystem::path> preset_files;  ///< presets beside the descriptors', see add_presets()
+    std::vector<ImageFolder> folders;                 ///< images of other programs that cells name
     std::filesystem::path truth_cache;  ///< folder for truths and measurements; empty: none are kept
     bool keep_gbuffer = true;           ///< write the G-buffer beside the results
     /// Only the first answer is measured: goals are without ScoreGoal::every_metric, and nothing is timed.

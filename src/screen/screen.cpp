@@ -8,6 +8,8 @@
 
 #include <chrono>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace aoscore {
 namespace {
@@ -40,8 +42,17 @@ struct ScreenRenderer::Impl {
     GBuffer gbuffer;
     std::optional<MethodRunner> runner;
     std::uint64_t gbuffers_drawn = 0;
+    std::vector<GBuffer> kept;         ///< the current one's place is empty
+    std::optional<std::size_t> place;  ///< of the current G-buffer among the kept ones
 
     Impl() { runner.emplace(gbuffer); }
+
+    /// Leaves the current G-buffer, which stays where it is kept.
+    void leave_gbuffer() {
+        if (place) kept[*place] = std::exchange(gbuffer, GBuffer());
+        place.reset();
+        runner->forget_derived();
+    }
 
     MethodRunner& ready_runner() {
         context->make_current();
@@ -77,12 +88,30 @@ void ScreenRenderer::set_scene(const Scene& scene) {
 double ScreenRenderer::draw_gbuffer(const Capture& capture) {
     impl_->context->make_current();
     if (!impl_->geometry) throw internal_error("no scene was set", "ScreenRenderer");
-    impl_->runner->forget_derived();
+    impl_->leave_gbuffer();
     ++impl_->gbuffers_drawn;
     const Clock clock;
     impl_->gbuffer.draw(*impl_->geometry, capture);
     gl::Finish();
     return clock.milliseconds();
+}
+
+std::size_t ScreenRenderer::keep_gbuffer() {
+    impl_->ready_runner();
+    if (!impl_->place) {
+        impl_->place = impl_->kept.size();
+        impl_->kept.emplace_back();
+    }
+    return *impl_->place;
+}
+
+void ScreenRenderer::use_gbuffer(std::size_t kept) {
+    impl_->context->make_current();
+    if (kept >= impl_->kept.size()) throw internal_error("no G-buffer was kept so", std::to_string(kept));
+    if (impl_->place == kept) return;
+    impl_->leave_gbuffer();
+    impl_->gbuffer = std::move(impl_->kept[kept]);
+    impl_->place = kept;
 }
 
 double ScreenRenderer::time_gbuffer() {

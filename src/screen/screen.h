@@ -113,6 +113,12 @@ class ScreenRenderer {
     double draw_gbuffer(const CameraFrame& frame, const std::set<std::string>& channels) {
         return draw_gbuffer(Capture(frame, channels));
     }
+    /// Keeps the current G-buffer beside those that are drawn after it, and returns a number for
+    /// use_gbuffer(). It serves methods over one layer of depth, also after set_scene().
+    std::size_t keep_gbuffer();
+    /// Makes a G-buffer that was kept the current one again, without drawing it. Throws internal_error for
+    /// another number.
+    void use_gbuffer(std::size_t kept);
     /// Draws the last G-buffer again for the clock. Returns milliseconds to glFinish.
     double time_gbuffer();
     /// Reads one picture of the G-buffer.

@@ -153,6 +153,15 @@ std::vector<MethodDescriptor> load_methods(const std::filesystem::path& extra_di
 std::vector<MethodDescriptor> load_asked_methods(const std::filesystem::path& extra_dir,
                                                  const std::vector<std::string>& asked,
                                                  std::vector<std::string>& warnings);
+/// The presets that a file adds to a method.
+struct AddedPresets {
+    std::string method;
+    std::vector<std::string> presets;
+};
+/// Adds the presets of a file to the method of `methods` that it names: `method`, and `presets`,
+/// `preset_filters` and `absolute_presets` as in a descriptor. Throws file_error for another form, an unknown
+/// method, and a preset that the method has already.
+AddedPresets add_presets(std::vector<MethodDescriptor>& methods, const std::filesystem::path& file);
 /// Loads all filters of shaders/filters/. "none" is not among them.
 std::vector<MethodDescriptor> load_filters();
 /// Loads the pass that costs are related to: sixteen neighbouring depth fetches a pixel, over the whole

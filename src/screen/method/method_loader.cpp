@@ -263,6 +263,15 @@ PresetFilter parse_preset_filter(const json& value, const std::string& where) {
     return parsed;
 }
 
+void parse_preset_filters(StrictObject& top, MethodDescriptor& method) {
+    if (!top.has("preset_filters")) return;
+    StrictObject filters = top.object("preset_filters");
+    for (const auto& [preset, filter] : filters.members()) {
+        if (!method.presets.contains(preset)) throw file_error("is no preset", filters.where(preset));
+        method.preset_filters[preset] = parse_preset_filter(filter, filters.where(preset));
+    }
+}
+
 std::map<std::string, std::string> parse_absolute_presets(const MethodDescriptor& method,
                                                           StrictObject presets) {
     std::map<std::string, std::string> absolute;
@@ -386,13 +395,7 @@ MethodDescriptor load_descriptor(const fs::path& folder, const std::set<std::str
     }
     if (top.has("presets")) method.presets = parse_presets(method, top.object("presets"));
     method.presets.try_emplace("default");
-    if (!is_filter && top.has("preset_filters")) {
-        StrictObject filters = top.object("preset_filters");
-        for (const auto& [preset, filter] : filters.members()) {
-            if (!method.presets.contains(preset)) throw file_error("is no preset", filters.where(preset));
-            method.preset_filters[preset] = parse_preset_filter(filter, filters.where(preset));
-        }
-    }
+    if (!is_filter) parse_preset_filters(top, method);
     method.reference_radius = parse_reference_radius(method, top);
     if (!is_filter && top.has("absolute_presets"))
         method.absolute_presets = parse_absolute_presets(method, top.object("absolute_presets"));
@@ -484,6 +487,26 @@ std::vector<MethodDescriptor> load_asked_methods(const fs::path& extra_dir,
     }
     std::ranges::move(added, std::back_inserter(all));
     return sorted_unique(std::move(all));
+}
+
+AddedPresets add_presets(std::vector<MethodDescriptor>& methods, const fs::path& file) {
+    const json parsed = parse_json_file(file);
+    StrictObject top = StrictObject::of_file(parsed, file.string());
+    AddedPresets added{top.text("method"), {}};
+    if (!has_id(methods, added.method))
+        throw unknown_name_in_file(added.method, ids_of(methods), top.where("method"));
+    MethodDescriptor& method =
+        *std::ranges::find_if(methods, [&](const MethodDescriptor& m) { return m.id == added.method; });
+    for (auto& [preset, values] : parse_presets(method, top.object("presets"))) {
+        if (!method.presets.emplace(preset, std::move(values)).second)
+            throw file_error("exists already", top.where("presets") + "." + preset, "a name of its own");
+        added.presets.push_back(preset);
+    }
+    parse_preset_filters(top, method);
+    if (top.has("absolute_presets"))
+        method.absolute_presets.merge(parse_absolute_presets(method, top.object("absolute_presets")));
+    top.finish();
+    return added;
 }
 
 std::vector<MethodDescriptor> load_filters() {

@@ -1,0 +1,112 @@
+#include "cli/command.h"
+#include "cli/method_options.h"
+#include "cli/shared_options.h"
+#include "core/known_names.h"
+#include "core/output.h"
+#include "metrics/metric.h"
+#include "results/results_folder.h"
+#include "tuning/tuning_run.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+
+namespace aoscore {
+namespace {
+
+struct TuneOptions {
+    std::vector<std::string> scenes, methods;
+    ViewChoice view;
+    MethodOptions method_options;
+    ImageSize size{640, 360};
+    std::vector<double> radii;
+    TuningPlan plan;
+    std::filesystem::path out;
+};
+
+ExitCode run(const TuneOptions& options, const GlobalOptions& global) {
+    if (options.radii.size() > 1 || (!options.radii.empty() && !std::isfinite(options.radii[0])))
+        throw usage_error("settings are tuned at one finite radius", "--radius", "one length in metres");
+    if (options.scenes.size() > 1 && (options.view.load.camera || !options.view.load.view_file.empty()))
+        throw usage_error("several scenes", "--views, --eye", "one scene: a camera is a place in it");
+    TuningPlan plan = options.plan;
+    plan.seed = global.seed;
+    plan.command = global.command_line;
+    plan.width = options.size.width;
+    plan.height = options.size.height;
+    if (!options.radii.empty()) plan.radius_m = options.radii[0];
+    for (const std::string& scene : options.scenes)
+        plan.scenes.push_back({scene, options.view.load, planned_views(options.view)});
+    std::vector<std::string> warnings;
+    const Registry registry = load_registry(plan.methods_dir, options.methods, warnings);
+    std::vector<MethodDescriptor> methods;
+    for (const std::string& id : options.methods) methods.push_back(find_method(registry.methods, id));
+    plan.cells = plan_cells(methods, registry.filters, options.method_options, warnings);
+    std::vector<std::string> stems;
+    for (const std::string& scene : options.scenes)
+        stems.push_back(std::filesystem::path(scene).stem().string());
+    const std::filesystem::path folder =
+        results_folder(options.out, fmt::format("tune-{}", fmt::join(stems, "-")));
+    const TuningResults results = tune(plan);
+    write_tuning(results, plan, folder);
+    print_tuning(results, plan);
+    print_path(folder / "tune.json");
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+CommandEntry add_tune_command(CLI::App& program, const GlobalOptions& global) {
+    CLI::App* app = program.add_subcommand(
+        "tune",
+        "Find the parameters of methods that come closest to the truth, and what they are worth on "
+        "views that they were not tuned on; prints the path of tune.json");
+    const auto options = std::make_shared<TuneOptions>();
+    app->add_option("scene", options->scenes, "Built-in scenes (see list scenes), or files of scenes")
+        ->required();
+    add_view_options(*app, options->view);
+    app->add_option("--methods", options->methods, "Methods to tune (see list methods)")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->required();
+    app->add_option(
+           "--parameters", options->plan.parameters,
+           "Parameters to tune [real numbers that affect visibility; with --max-fetches integers too]")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    app->add_option("--metric", options->plan.metric, "The metric that decides")
+        ->capture_default_str()
+        ->check(one_of(ids_of(metrics())));
+    app->add_option("--max-fetches", options->plan.most_fetches,
+                    "Texture fetches a pixel that settings may cost; several are tuned one by one [any]")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(CLI::PositiveNumber);
+    app->add_option("--evaluations", options->plan.effort.global, "Settings that the global search tries")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 100000));
+    app->add_option("--refinements", options->plan.effort.local, "Settings that the local search tries")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 100000));
+    app->add_flag("--in-sample", options->plan.in_sample,
+                  "Tune on a single view: nobody knows then how the settings do on others");
+    add_method_options(*app, options->method_options);
+    add_size_option(*app, options->size);
+    add_radii_option(*app, options->radii);
+    app->add_option("--samples", options->plan.samples, "Rays a pixel of the truth, an even number")
+        ->capture_default_str()
+        ->check(CLI::Range(2, kMostSamples) & CLI::Validator(
+                                                  [](const std::string& text) {
+                                                      return std::stoll(text) % 2 == 0 ? std::string()
+                                                                                       : text + " is odd";
+                                                  },
+                                                  "", "even"));
+    app->add_option("--methods-dir", options->plan.methods_dir, "A folder of methods of your own");
+    add_cache_option(*app, options->plan.truth_cache);
+    app->add_option("--out", options->out,
+                    "Folder of tune.json and of the presets METHOD.tuned.json [reports/out/tune-SCENE]");
+    return {app, [options, &global] { return run(*options, global); }};
+}
+
+}  // namespace aoscore

@@ -1,0 +1,153 @@
+#include "core/files.h"
+#include "core/output.h"
+#include "metrics/evaluate.h"
+#include "tuning/tuning_run.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+
+namespace aoscore {
+namespace {
+
+using nlohmann::json;
+
+std::string_view verdict_id(HeldOut::Verdict verdict) {
+    switch (verdict) {
+        case HeldOut::Verdict::closer:
+            return "closer";
+        case HeldOut::Verdict::farther:
+            return "farther";
+        case HeldOut::Verdict::tie:
+            break;
+    }
+    return "tie";
+}
+
+json values_json(const std::vector<SearchAxis>& axes, const Settings& settings) {
+    json values = json::object();
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        if (axes[i].whole)
+            values[axes[i].parameter] = static_cast<std::int64_t>(settings[i]);
+        else
+            values[axes[i].parameter] = settings[i];
+    }
+    return values;
+}
+
+json budget_json(const MethodTuning& tuning, const TunedMethod& t) {
+    json held_out = json::array(), worth = json::array();
+    for (const HeldOut& h : t.held_out) {
+        held_out.push_back({{"left_out", h.groups},
+                            {"loss", h.loss},
+                            {"less_published", h.gain},
+                            {"less_published_95", {h.low, h.high}},
+                            {"verdict", verdict_id(h.verdict())}});
+    }
+    for (const ParameterWorth& w : t.worth) {
+        worth.push_back({{"parameter", w.parameter},
+                         {"published", w.published},
+                         {"tuned", w.tuned},
+                         {"loss_alone", w.alone},
+                         {"loss_without", w.without}});
+    }
+    return {{"most_fetches", t.most_fetches ? json(*t.most_fetches) : json()},
+            {"settings", values_json(tuning.axes, t.settings)},
+            {"published",
+             {{"loss", t.published_loss},
+              {"fetches", t.published_fetches},
+              {"loss_by_view", t.published_by_view}}},
+            {"tuned", {{"loss", t.fitted_loss}, {"fetches", t.fetches}, {"loss_by_view", t.fitted_by_view}}},
+            {"held_out", std::move(held_out)},
+            {"worth", std::move(worth)}};
+}
+
+/// The id of the preset that was tuned from one, for a budget: "tuned", "nvidia-tuned-24".
+std::string preset_id(const std::string& from, const TunedMethod& t) {
+    return fmt::format("{}tuned{}", from == "default" ? "" : from + "-",
+                       t.most_fetches ? fmt::format("-{:g}", *t.most_fetches) : "");
+}
+
+json filter_json(const PresetFilter& filter) {
+    if (filter.preset == "default") return filter.filter;
+    return {{"filter", filter.filter}, {"preset", filter.preset}};
+}
+
+/// Adds the presets of a tuning to a method's file, in the form of its descriptor's.
+void add_presets_of(const MethodTuning& tuning, const MethodDescriptor& method, json& file) {
+    for (const TunedMethod& t : tuning.budgets) {
+        const std::string id = preset_id(tuning.cell.preset, t);
+        json values = method.presets.at(tuning.cell.preset);
+        values.update(values_json(tuning.axes, t.settings));
+        file["presets"][id] = std::move(values);
+        file["preset_filters"][id] = filter_json(filter_of(tuning.cell, method));
+        const auto absolute = method.absolute_presets.find(tuning.cell.preset);
+        if (absolute != method.absolute_presets.end()) file["absolute_presets"][id] = absolute->second;
+    }
+}
+
+/// The files of presets by method, which a run takes by --preset.
+std::map<std::string, json> preset_files(const TuningResults& results, const TuningPlan& plan) {
+    std::vector<std::string> warnings;
+    const Registry registry = load_registry(plan.methods_dir, {}, warnings);
+    std::map<std::string, json> files;
+    for (const MethodTuning& tuning : results.methods) {
+        json& file = files[tuning.cell.method];
+        file["method"] = tuning.cell.method;
+        add_presets_of(tuning, find_method(registry.methods, tuning.cell.method), file);
+    }
+    return files;
+}
+
+void print_budget(const MethodTuning& tuning, const TunedMethod& t) {
+    print_result("\n{}{}: {:.4f} as {} ({:.1f} fetches), {:.4f} tuned ({:.1f} fetches)\n", tuning.label,
+                 t.most_fetches ? fmt::format(", at most {:g} fetches", *t.most_fetches) : "",
+                 t.published_loss, tuning.cell.preset, t.published_fetches, t.fitted_loss, t.fetches);
+    for (const HeldOut& h : t.held_out) {
+        print_result(
+            "  {:.4f} on a {} that it was not tuned on: {:+.4f} against {} ({:+.4f} to {:+.4f}): {}\n",
+            h.loss, h.groups, h.gain, tuning.cell.preset, h.low, h.high,
+            h.verdict() == HeldOut::Verdict::tie ? "a tie" : verdict_id(h.verdict()));
+    }
+    print_result("  {:<22} {:>12} {:>12} {:>14} {:>16}\n", "parameter", "published", "tuned", "tuned alone",
+                 "all tuned but it");
+    for (const ParameterWorth& w : t.worth) {
+        print_result("  {:<22} {:>12.5g} {:>12.5g} {:>14.4f} {:>16.4f}\n", w.parameter, w.published, w.tuned,
+                     w.alone, w.without);
+    }
+}
+
+}  // namespace
+
+void write_tuning(const TuningResults& results, const TuningPlan& plan, const std::filesystem::path& folder) {
+    json views = json::array(), methods = json::array();
+    for (std::size_t v = 0; v < results.views.size(); ++v)
+        views.push_back({{"view", results.views[v]}, {"radius_m", results.radii_m[v]}});
+    for (const MethodTuning& tuning : results.methods) {
+        json budgets = json::array();
+        for (const TunedMethod& t : tuning.budgets) budgets.push_back(budget_json(tuning, t));
+        methods.push_back({{"method", tuning.cell.method},
+                           {"preset", tuning.cell.preset},
+                           {"drawn", tuning.drawn},
+                           {"reused", tuning.reused},
+                           {"budgets", std::move(budgets)}});
+    }
+    const json file = {
+        {"schema_version", 1},       {"program_version", version()},      {"command", plan.command},
+        {"metric", plan.metric},     {"size", {plan.width, plan.height}}, {"rays_a_pixel", plan.samples},
+        {"views", std::move(views)}, {"methods", std::move(methods)}};
+    for (const auto& [method, presets] : preset_files(results, plan))
+        write_atomically(folder / (method + ".tuned.json"), presets.dump(2) + "\n");
+    write_atomically(folder / "tune.json", file.dump(2) + "\n");
+}
+
+void print_tuning(const TuningResults& results, const TuningPlan& plan) {
+    print_result("{} over {} views, truth of {} rays a pixel\n", metric(plan.metric).label,
+                 results.views.size(), plan.samples);
+    for (const MethodTuning& tuning : results.methods) {
+        for (const TunedMethod& t : tuning.budgets) print_budget(tuning, t);
+    }
+}
+
+}  // namespace aoscore

@@ -1,0 +1,109 @@
+#include "tuning/tuning_run.h"
+
+#include "core/error.h"
+#include "core/log.h"
+#include "plan/scene_views.h"
+#include "store/artifact_store.h"
+
+#include <fmt/format.h>
+
+#include <list>
+#include <utility>
+
+namespace aoscore {
+namespace {
+
+/// The inputs that any of the methods reads.
+std::set<std::string> inputs_of(const std::vector<CellPlan>& cells, const Registry& registry,
+                                std::uint64_t seed) {
+    std::set<std::string> inputs;
+    for (const CellPlan& cell : cells) {
+        const ResolvedCell resolved = resolve(cell, registry, seed, std::nullopt);
+        if (resolved.request.method->depth_layers) {
+            throw usage_error(cell.method + " reads several layers of depth, which no search keeps",
+                              "tune --methods", "methods over one layer");
+        }
+        inputs.merge(needed_gbuffer_inputs(resolved.request));
+    }
+    return inputs;
+}
+
+/// All views, ready for every method.
+class ReadyViews {
+  public:
+    ReadyViews(const TuningPlan& plan, const std::set<std::string>& inputs, const ArtifactStore& store) {
+        for (const TuningPlan::OnScene& on : plan.scenes) {
+            scenes_.push_back(load_scene(on.scene, on.load));
+            const Scene& scene = scenes_.back();
+            for (const std::string& warning : scene.warnings) log_warning(warning);
+            tools_.choose(scene);
+            const double aspect = static_cast<double>(plan.width) / plan.height;
+            for (const std::string& choice : on.views) {
+                for (const View& view : wanted_views(scene, on.load, choice, aspect, store)) {
+                    views_.push_back(ready_view(
+                        {&scene, view, plan.width, plan.height, plan.samples, plan.radius_m},
+                        tools_.reference(), tools_.ready_renderer(), inputs, plan.truth_cache, plan.command));
+                }
+            }
+        }
+    }
+
+    const std::vector<std::unique_ptr<TuningView>>& views() const { return views_; }
+    ScreenRenderer& renderer() { return tools_.renderer(); }
+
+  private:
+    std::list<Scene> scenes_;  // a list: its elements stay where they are
+    SceneTools tools_;
+    std::vector<std::unique_ptr<TuningView>> views_;
+};
+
+void require_several(const TuningPlan& plan, std::size_t views) {
+    if (views > 1 || plan.in_sample) return;
+    throw usage_error("one view is left: nothing could be left out to see how the settings do elsewhere",
+                      "tune", "several views or scenes, or --in-sample");
+}
+
+}  // namespace
+
+TuningResults tune(const TuningPlan& plan) {
+    std::vector<std::string> warnings;
+    std::vector<std::string> asked;
+    for (const CellPlan& cell : plan.cells) asked.push_back(cell.method);
+    const Registry registry = load_registry(plan.methods_dir, asked, warnings);
+    for (const std::string& warning : warnings) log_warning(warning);
+    std::vector<TuningSubject> subjects;
+    for (const CellPlan& cell : plan.cells) {
+        const MethodDescriptor& method = find_method(registry.methods, cell.method);
+        subjects.push_back({cell,
+                            search_axes(method, cell.preset, plan.parameters, !plan.most_fetches.empty()),
+                            plan.metric, plan.seed});
+    }
+    const ArtifactStore store(ArtifactStore::folder_in(plan.truth_cache));
+    ReadyViews ready(plan, inputs_of(plan.cells, registry, plan.seed), store);
+    require_several(plan, ready.views().size());
+
+    TuningResults results;
+    for (const auto& view : ready.views()) {
+        results.views.push_back(view->key);
+        results.radii_m.push_back(view->radius.metres);
+    }
+    for (const TuningSubject& subject : subjects) {
+        log_info(fmt::format("tuning {} ({} parameters) on {} views", subject.cell.method,
+                             subject.axes.size(), ready.views().size()));
+        Objective objective(subject, registry, ready.views(), ready.renderer(), store);
+        MethodTuning& tuning = results.methods.emplace_back();
+        tuning.cell = subject.cell;
+        tuning.label = find_method(registry.methods, subject.cell.method).shown_label();
+        tuning.axes = subject.axes;
+        if (plan.most_fetches.empty()) {
+            tuning.budgets.push_back(tuned(subject, objective, ready.views(), std::nullopt, plan.effort));
+        }
+        for (const double most : plan.most_fetches)
+            tuning.budgets.push_back(tuned(subject, objective, ready.views(), most, plan.effort));
+        tuning.drawn = objective.drawn();
+        tuning.reused = objective.reused();
+    }
+    return results;
+}
+
+}  // namespace aoscore

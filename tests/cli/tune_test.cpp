@@ -1,0 +1,94 @@
+// `aoscore tune`: what it finds is closer to the truth when it is scored apart, and what it cannot do it
+// says.
+#include "results/results.h"
+#include "support/support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <fstream>
+
+namespace aoscore {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::output_dir;
+using testing::ProgramRun;
+using testing::run_aoscore;
+
+constexpr const char* kTune =
+    "tune pillar --methods hbao-plus --parameters strength,exponent --size 96x54 --samples 64 "
+    "--evaluations 20 --refinements 20 --out tuned";
+
+nlohmann::json tuned_in(const std::filesystem::path& folder) {
+    return nlohmann::json::parse(std::ifstream(folder / "tuned" / "tune.json"));
+}
+
+/// The debiased RMSE of the cell that has this preset.
+double scored(const std::string& preset, const std::string& id, const std::filesystem::path& folder) {
+    const ProgramRun run =
+        run_aoscore("score pillar --view main --methods hbao-plus --size 96x54 --samples 256 --preset " +
+                        preset + " --out scored",
+                    folder);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const Results results = read_results(folder / "scored");
+    for (const CellRecord& cell : results.cells) {
+        if (cell.preset == id) return *cell.ranked.at("rmse_debiased").value;
+    }
+    ADD_FAILURE() << "no cell of preset " << id;
+    return 0;
+}
+
+// The score draws the method with constants and judges it by a truth of its own.
+TEST(Tune, FindsSettingsThatAScoreByThePresetFileConfirms) {
+    const auto folder = output_dir();
+    const ProgramRun run = run_aoscore(kTune, folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const nlohmann::json budget = tuned_in(folder).at("methods").at(0).at("budgets").at(0);
+    const double by_score = scored("tuned/hbao-plus.tuned.json", "tuned", folder);
+    EXPECT_NEAR(by_score, budget.at("tuned").at("loss_by_view").at(0).get<double>(), 0.003);
+    EXPECT_LT(by_score, scored("default", "default", folder) - 0.02);
+    scored("tuned/hbao-plus.tuned.json", "nvidia-tuned", folder);
+    EXPECT_EQ(budget.at("held_out").at(0).at("left_out"), "view");
+}
+
+TEST(Tune, GoesOnFromWhatWasMeasuredBeforeToTheSameAnswer) {
+    const auto folder = output_dir();
+    ASSERT_EQ(run_aoscore(kTune, folder).exit_code, 0);
+    nlohmann::json first = tuned_in(folder).at("methods").at(0);
+    ASSERT_EQ(run_aoscore(kTune, folder).exit_code, 0);
+    nlohmann::json again = tuned_in(folder).at("methods").at(0);
+    EXPECT_GT(first.at("drawn"), 0);
+    EXPECT_EQ(again.at("drawn"), 0);
+    EXPECT_EQ(again.at("budgets"), first.at("budgets"));
+}
+
+TEST(Tune, RefusesWhatItCannotDoInWords) {
+    const auto folder = output_dir();
+    const std::pair<const char*, const char*> refused[] = {
+        {"tune pillar --view main --methods gtao --size 64x36", "--in-sample"},
+        {"tune pillar --methods gtao --parameters nonsense --size 64x36", "nonsense does not exist"},
+        {"tune pillar --methods gtao --parameters steps --max-fetches 0.5 --size 64x36", "a larger budget"},
+        {"tune pillar --methods gtao --metric nonsense --size 64x36", "--metric"},
+        {"tune pillar --methods sd-gtao --size 64x36", "several layers of depth"}};
+    for (const auto& [arguments, words] : refused) {
+        const ProgramRun run = run_aoscore(std::string(arguments) + " --samples 4 --out o", folder);
+        EXPECT_EQ(run.exit_code, 64) << arguments << "\n" << run.err;
+        EXPECT_THAT(run.err, HasSubstr(words)) << arguments;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "o"));
+}
+
+TEST(Tune, APresetFileOfNoMethodThatIsScoredIsRefused) {
+    const auto folder = output_dir();
+    std::ofstream(folder / "input.json") << R"({"method": "nonsense", "presets": {"a": {}}})";
+    const ProgramRun run =
+        run_aoscore("score plane --methods gtao --size 16x16 --preset input.json --out o", folder);
+    EXPECT_EQ(run.exit_code, 4) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("nonsense"));
+}
+
+}  // namespace
+}  // namespace aoscore
