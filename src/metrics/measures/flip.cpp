@@ -2,12 +2,12 @@
 #include "metrics/intervals/block_errors.h"
 #include "metrics/intervals/block_grid.h"
 #include "metrics/measures.h"
-#include "metrics/measures/convolution.h"
 #include "metrics/measures/flip_area.h"
 #include "metrics/measures/flip_colour.h"
 #include "metrics/measures/mean_error.h"
 #include "metrics/measures/power.h"
 #include "metrics/measures/seen_rows.h"
+#include "metrics/measures/wide_lanes.h"
 #include "metrics/prepared_image.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 namespace aoscore {
 namespace {
 
-constexpr int kWidth_px = 256, kHeight_px = 128;
+constexpr int kWidth_px = 256, kHeight_px = 256;
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 #include "metrics/measures/power.h"
 
-#include "metrics/measures/convolution.h"
+#include "metrics/measures/wide_lanes.h"
 
 #include <bit>
 #include <cassert>

@@ -35,8 +35,7 @@ class ValidRows {
     const Mask& valid_;
     const FlipArea& area_;
     std::optional<FlipFilter> filter_;
-    std::vector<double> row_;  ///< with margins
-    int next_ = 0;             ///< the row whose responses come next
+    int next_ = 0;  ///< the row whose responses come next
 };
 
 /// FLIP's features of an image within an area, row by row.
@@ -56,15 +55,13 @@ class FilteredRows final : public SeenRows {
 
   private:
     void push(int y);
+    /// Removes the invalid pixels from the responses: a mean is over the valid ones alone.
     void without_invalid(const FlipFilter& valid);
-    void find_lengths(std::vector<double>& lengths, FlipFilter::Response in_x,
-                      FlipFilter::Response in_y) const;
 
     const ImageF& image_;
     ValidRows& valid_;
     FlipFilter filter_;
-    std::vector<double> row_;  ///< with margins
-    std::vector<double> lightness_, edges_, points_;
+    std::vector<double> edges_, points_;
     int next_;
 };
 

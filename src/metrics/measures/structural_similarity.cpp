@@ -1,6 +1,7 @@
 #include "metrics/measures/structural_similarity.h"
 
 #include "metrics/measures/convolution.h"
+#include "metrics/measures/wide_lanes.h"
 
 #include <cstddef>
 #include <numeric>

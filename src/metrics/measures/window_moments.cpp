@@ -1,6 +1,7 @@
 #include "metrics/measures/window_moments.h"
 
 #include "metrics/measures/convolution.h"
+#include "metrics/measures/wide_lanes.h"
 
 #include <algorithm>
 
