@@ -18,7 +18,7 @@ constexpr int kMargin_px = FlipFilter::kMargin_px;
 /// Fills an area's row and its margins: read(row, first_x) fills the part within the image, and beyond the
 /// image its outermost pixels are repeated.
 template <class Read>
-void fill_row(std::span<double> row, const FlipArea& area, int image_width, Read read) {
+void fill_row(std::span<double> row, const ImageArea& area, int image_width, Read read) {
     const int first_x = area.left - kMargin_px;
     const auto begin = static_cast<std::size_t>(std::max(-first_x, 0));
     const std::size_t end = std::min(row.size(), static_cast<std::size_t>(image_width - first_x));
@@ -61,14 +61,14 @@ void divide_by_weights(double* sums, const double* weights, std::size_t count) {
 
 /// Calls push(row) until the filter has the rows that it needs for row `y`.
 template <class Push>
-void push_until(int y, const FlipArea& area, int image_height, Push push) {
+void push_until(int y, const ImageArea& area, int image_height, Push push) {
     const int first = y == area.top ? y - kMargin_px : y + kMargin_px;
     for (int row = first; row <= y + kMargin_px; ++row) push(std::clamp(row, 0, image_height - 1));
 }
 
 }  // namespace
 
-ValidRows::ValidRows(const Mask& valid, const FlipArea& area) : valid_(valid), area_(area), next_(area.top) {
+ValidRows::ValidRows(const Mask& valid, const ImageArea& area) : valid_(valid), area_(area), next_(area.top) {
     if (has_invalid()) filter_.emplace(static_cast<std::size_t>(area.width));
 }
 
