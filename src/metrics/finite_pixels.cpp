@@ -26,7 +26,7 @@ std::size_t nonfinite_of_row(const ImageF& truth, const ImageF& test, const Mask
 }
 
 std::size_t nonfinite_of_rows(const ImageF& truth, const ImageF& test, const Mask& candidate, Mask* finite) {
-    require_one_size({truth, test, candidate});
+    require_one_size(MetricInput{truth, test, candidate});
     std::vector<std::size_t> rows(static_cast<std::size_t>(candidate.height));
     parallel_for(rows.size(), [&](std::size_t y) {
         rows[y] = nonfinite_of_row(truth, test, candidate, static_cast<int>(y), finite);
