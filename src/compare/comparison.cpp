@@ -2,12 +2,16 @@
 
 #include "compare/picture_doubts.h"
 #include "core/error.h"
+#include "core/threads.h"
 #include "image/image_frame.h"
 #include "metrics/evaluate.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <iterator>
 #include <utility>
 
 namespace aoscore {
@@ -57,11 +61,26 @@ struct Pair {
     bool in_whole;   ///< whether both images are their files' whole frames
 };
 
+/// Reads both files at once. Where neither can be read, it is the truth's error that is thrown.
+Pair read_files(const ComparisonRequest& request) {
+    Pair pair{{}, {}, {}, true};
+    std::exception_ptr errors[2];
+    parallel_for(std::size(errors), [&](std::size_t i) {
+        try {
+            (i == 0 ? pair.truth : pair.test) = i == 0 ? read_visibility(request.truth, request.truth_reading)
+                                                       : read_visibility(request.test, request.test_reading);
+        } catch (...) {
+            errors[i] = std::current_exception();
+        }
+    });
+    for (const std::exception_ptr& error : errors) {
+        if (error) std::rethrow_exception(error);
+    }
+    return pair;
+}
+
 Pair read_pair(const ComparisonRequest& request) {
-    Pair pair{read_visibility(request.truth, request.truth_reading),
-              read_visibility(request.test, request.test_reading),
-              {},
-              true};
+    Pair pair = read_files(request);
     Mask mask;
     if (!request.mask.empty()) {
         mask = read_mask(request.mask, request.mask_channel);
@@ -125,11 +144,13 @@ Comparison compare_images(const ComparisonRequest& request) {
     result.truth_channel_why = pair.truth.why;
     result.test_channel_why = pair.test.why;
     result.warnings = warnings_of(pair, request);
+    pair.truth.mask = pair.test.mask = {};
     result.truth = std::move(pair.truth.visibility);
     result.test = std::move(pair.test.visibility);
     result.width = result.truth.width;
     result.height = result.truth.height;
     result.valid = finite_pixels(result.truth, result.test, pair.candidate, result.nonfinite);
+    pair.candidate = {};
     for (const auto pixel : result.valid.pixels) result.valid_pixels += pixel;
     MapSums maps;
     const MetricInput input{result.truth, result.test, result.valid,

@@ -1,16 +1,14 @@
 #include "compare/picture_doubts.h"
 
-#include "core/threads.h"
-#include "image/image_frame.h"
-#include "metrics/analysis/likeness.h"
+#include "compare/tried_readings.h"
+#include "metrics/measures/convolution.h"
 #include "metrics/measures/srgb_values.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <optional>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -29,11 +27,25 @@ constexpr double kTurnedGain = 0.95, kCodedGain = 0.7;
 // four of one method came below.
 constexpr double kHardlyAlike = 0.1;
 
-/// A way to read the test that may be the right one.
-struct Variant {
-    ImageF test;
-    Mask valid;
-    std::optional<Likeness> likeness;
+/// The numbers of values that no visibility has.
+struct RangeCounts {
+    std::size_t below = 0, above = 0, count = 0;
+    float least = 0, most = 1;
+
+    void add(float value) {
+        ++count;
+        below += value < -kBeyondNoise ? 1 : 0;
+        above += value > 1 + kBeyondNoise ? 1 : 0;
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    void add(const RangeCounts& other) {
+        below += other.below;
+        above += other.above;
+        count += other.count;
+        least = std::min(least, other.least);
+        most = std::max(most, other.most);
+    }
 };
 
 class Doubts {
@@ -43,26 +55,28 @@ class Doubts {
         : truth_(truth), test_(test), valid_(valid), reading_(reading) {}
 
     void add_range(const ImageF& image, const char* name) {
-        std::size_t below = 0, above = 0, count = 0;
-        float least = 0, most = 1;
-        for (std::size_t i = 0; i < image.size(); ++i) {
-            const float value = image.pixels[i];
-            if (valid_.pixels[i] == 0 || !std::isfinite(value)) continue;
-            ++count;
-            below += value < -kBeyondNoise ? 1 : 0;
-            above += value > 1 + kBeyondNoise ? 1 : 0;
-            least = std::min(least, value);
-            most = std::max(most, value);
-        }
-        if (below + above == 0) return;
+        std::vector<RangeCounts> bands(band_count(image.height));
+        for_each_band(image.height, [&](std::size_t band, int first_row, int rows) {
+            const std::size_t first = image.index(0, first_row);
+            const std::size_t end =
+                first + static_cast<std::size_t>(rows) * static_cast<std::size_t>(image.width);
+            RangeCounts counts;
+            for (std::size_t i = first; i < end; ++i) {
+                const float value = image.pixels[i];
+                if (valid_.pixels[i] != 0 && std::isfinite(value)) counts.add(value);
+            }
+            bands[band] = counts;
+        });
+        RangeCounts all;
+        for (const RangeCounts& band : bands) all.add(band);
+        if (all.below + all.above == 0) return;
         say("{}: of {} pixels {} are below 0 and {} above 1 (from {:.4g} to {:.4g}), which no visibility is",
-            name, count, below, above, least, most);
+            name, all.count, all.below, all.above, all.least, all.most);
     }
 
     void add_readings(bool turned_in_whole) {
-        const Variant given = variant(test_.visibility, valid_);
-        if (!given.likeness) return;
-        const Variant best = turned_in_whole ? best_orientation(given) : given;
+        const Tried best = best_orientation(turned_in_whole);
+        if (!best.likeness) return;
         const bool inverted = best.likeness->correlation < -kHardlyAlike;
         if (inverted) {
             say("the picture runs against the truth (correlation {:.2f}): it may hold {}; {} --invert",
@@ -74,8 +88,10 @@ class Doubts {
                 "same view?",
                 best.likeness->correlation);
         } else {
-            const bool holds_occlusion = reading_.invert != inverted;
-            add_coding(inverted ? variant(inverted_of(best.test), best.valid) : best, holds_occlusion);
+            Reading reading = best.reading;
+            reading.inverted = inverted;
+            reading.curve_of_occlusion = reading_.invert != inverted;
+            add_coding(reading);
         }
     }
 
@@ -87,77 +103,49 @@ class Doubts {
         said.push_back(fmt::format(text, std::forward<Parts>(parts)...));
     }
 
-    Variant variant(ImageF test, Mask valid) const {
-        Variant result{std::move(test), std::move(valid), {}};
-        result.likeness = likeness({truth_.visibility, result.test, result.valid});
-        return result;
-    }
-
-    /// Applies `change` to the picture's values, clamped to [0,1], row by row; NaN stays.
-    static ImageF changed(ImageF image, const std::function<void(std::span<double>)>& change) {
-        const auto width = static_cast<std::size_t>(image.width);
-        parallel_for(static_cast<std::size_t>(image.height), [&](std::size_t y) {
-            const std::span<float> row(&image.at(0, static_cast<int>(y)), width);
-            std::vector<double> values(row.begin(), row.end());
-            for (double& value : values) value = std::clamp(value, 0.0, 1.0);
-            change(values);
-            for (std::size_t x = 0; x < width; ++x) {
-                if (!std::isnan(row[x])) row[x] = static_cast<float>(values[x]);
-            }
-        });
-        return image;
-    }
-    static void invert(std::span<double> values) {
-        for (double& value : values) value = 1 - value;
-    }
-    static ImageF inverted_of(ImageF image) { return changed(std::move(image), invert); }
-
-    Variant best_orientation(const Variant& given) {
+    /// The reading as given, or turned where that is better by far; without a likeness where the given one
+    /// has none.
+    Tried best_orientation(bool turned_in_whole) {
         struct Turn {
-            Orientation orientation;
             const char* meaning;
             const char* options;
         };
-        const auto share = [](const Variant& v) {
+        static constexpr Reading kReadings[] = {
+            {}, {{false, false, true}}, {{false, true, false}}, {{false, true, true}}};
+        static constexpr Turn kTurns[] = {{"upside down", "--flip"},
+                                          {"mirrored", "--mirror"},
+                                          {"upside down and mirrored", "--flip and --mirror"}};
+        const auto share = [](const Tried& v) {
             return v.likeness ? 1 - v.likeness->correlation * v.likeness->correlation : 1;
         };
-        Variant best = given;
-        const Turn* found = nullptr;
-        static constexpr Turn kTurns[] = {
-            {{false, false, true}, "upside down", "--flip"},
-            {{false, true, false}, "mirrored", "--mirror"},
-            {{false, true, true}, "upside down and mirrored", "--flip and --mirror"}};
-        for (const Turn& turn : kTurns) {
-            Mask valid = shown(test_.mask, turn.orientation);
-            for (std::size_t i = 0; i < valid.size(); ++i) valid.pixels[i] &= truth_.mask.pixels[i];
-            Variant other = variant(shown(test_.visibility, turn.orientation), std::move(valid));
-            if (share(other) >= share(best) || share(other) > kTurnedGain * share(given)) continue;
-            best = std::move(other);
-            found = &turn;
+        const std::vector<Tried> all =
+            tried_readings(truth_, test_, valid_, std::span(kReadings).first(turned_in_whole ? 4 : 1));
+        const Tried& given = all.front();
+        if (!given.likeness) return given;
+        std::size_t best = 0;
+        for (std::size_t r = 1; r < all.size(); ++r) {
+            if (share(all[r]) < share(all[best]) && share(all[r]) <= kTurnedGain * share(given)) best = r;
         }
-        if (found != nullptr) {
-            say("the picture seems to be {} (correlation {:.2f}, as given {:.2f}): change {}", found->meaning,
-                best.likeness->correlation, given.likeness->correlation, found->options);
+        if (best > 0) {
+            const Turn& turn = kTurns[best - 1];
+            say("the picture seems to be {} (correlation {:.2f}, as given {:.2f}): change {}", turn.meaning,
+                all[best].likeness->correlation, given.likeness->correlation, turn.options);
         }
-        return best;
+        return all[best];
     }
 
     /// Tries whether the file's numbers follow the truth better with the curve of sRGB removed, or applied.
-    void add_coding(const Variant& given, bool holds_occlusion) {
+    void add_coding(const Reading& reading) {
         const bool decoded = reading_.srgb_floats || (test_.integers && reading_.coding == Coding::srgb);
-        const auto with = [&](void (*curve)(std::span<double>)) {
-            const auto change = [&](std::span<double> values) {
-                if (holds_occlusion) invert(values);
-                curve(values);
-                if (holds_occlusion) invert(values);
-            };
-            return variant(changed(given.test, change), given.valid);
-        };
-        const auto better = [&](const Variant& other) {
-            return other.likeness && other.likeness->rmse < given.likeness->rmse &&
+        Reading readings[] = {reading, reading, reading};
+        readings[1].curve = put_srgb_on;
+        readings[2].curve = take_srgb_off;
+        const std::vector<Tried> all = tried_readings(truth_, test_, valid_, readings);
+        const Tried &given = all[0], &brighter = all[1], &darker = all[2];
+        const auto better = [&](const Tried& other) {
+            return given.likeness && other.likeness && other.likeness->rmse < given.likeness->rmse &&
                    other.likeness->unexplained() < kCodedGain * given.likeness->unexplained();
         };
-        const Variant brighter = with(put_srgb_on), darker = with(take_srgb_off);
         if (better(darker)) {
             say("the picture seems to be sRGB-coded{} (correlation {:.3f} with the curve taken off, as read "
                 "{:.3f}): try {}",

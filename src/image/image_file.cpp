@@ -2,8 +2,10 @@
 
 #include "core/error.h"
 #include "image/image_formats.h"
+#include "image/plain_exr.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace aoscore {
 
@@ -25,6 +27,7 @@ ImageFile read_image(const fs::path& path) {
     const fs::file_status status = fs::status(path, ec);
     if (!fs::exists(status)) throw file_error("no such file", path.string());
     if (!fs::is_regular_file(status)) throw file_error("not a regular file", path.string());
+    if (std::optional<ImageFile> plain = read_plain_exr(path)) return *std::move(plain);
     return image_formats().read(path);
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace aoscore {
 namespace {
@@ -19,8 +20,9 @@ Mask above_half(const ImageF& image) {
     return mask;
 }
 
-/// The standard error that belongs to a channel of visibility: SE.Y for Y, SE1.Y for V1.Y.
-ImageF standard_error_of(const ImageFile& file, const std::string& channel) {
+/// Takes the standard error that belongs to a channel of visibility from the file: SE.Y for Y, SE1.Y for
+/// V1.Y.
+ImageF standard_error_of(ImageFile& file, const std::string& channel) {
     std::string name;
     if (channel == "Y" || channel.ends_with(".Y")) {
         const auto begin = channel.rfind('.', channel.size() - 3) + 1;
@@ -29,8 +31,8 @@ ImageF standard_error_of(const ImageFile& file, const std::string& channel) {
         if (layer.starts_with('V') && numbered)
             name = channel.substr(0, begin) + "SE" + layer.substr(1) + ".Y";
     }
-    const ImageF* error = file.channel(name);
-    return error == nullptr ? ImageF() : *error;
+    const std::optional<std::size_t> error = file.index(name);
+    return error ? std::move(file.channels[*error]) : ImageF();
 }
 
 /// 1 where the file has a pixel for the channel, and mask.Y, if there is one, says that it shows a surface.
@@ -68,7 +70,7 @@ void turn(VisibilityFile& file, const Orientation& orientation) {
 }  // namespace
 
 VisibilityFile read_visibility(const std::filesystem::path& path, const VisibilityReading& reading) {
-    const ImageFile file = read_image(path);
+    ImageFile file = read_image(path);
     const VisibilityChannel chosen = find_visibility(file, reading.channel, path.string());
     VisibilityFile result;
     result.channel = file.channel_names[chosen.index];
@@ -80,13 +82,13 @@ VisibilityFile read_visibility(const std::filesystem::path& path, const Visibili
         throw usage_error("holds integers, which may be sRGB-coded or linear", path.string(),
                           "--srgb, as pictures for the screen are, or --linear");
     }
-    result.visibility = file.channels[chosen.index];
+    result.mask = mask_of(file, chosen.index);
+    result.visibility = std::move(file.channels[chosen.index]);
     if (reading.srgb_floats || (file.integers && reading.coding == Coding::srgb))
         decode_srgb(result.visibility);
     if (reading.invert) {
         for (float& value : result.visibility.pixels) value = 1 - value;
     }
-    result.mask = mask_of(file, chosen.index);
     result.standard_error = standard_error_of(file, result.channel);
     turn(result, {.transposed = false, .mirrored = reading.mirror, .turned_over = reading.flip});
     return result;

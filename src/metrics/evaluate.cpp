@@ -2,21 +2,42 @@
 
 #include "core/known_names.h"
 #include "metrics/intervals/extrapolation.h"
+#include "metrics/measures/finest_similarity.h"
 #include "metrics/measures/mean_error.h"
 #include "metrics/prepared_image.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
 
 namespace aoscore {
 namespace {
 
-MetricValue measured(const Metric& row, const MetricInput& input) {
-    const MetricValue whole = row.measure(input);
-    if (input.halves == nullptr || row.noise != Metric::Noise::extrapolated) return whole;
-    return extrapolated(whole, row.measure(against_half(input, 0)), row.measure(against_half(input, 1)));
-}
+/// An image against a truth and against its halves, where it has two.
+class Evaluation {
+  public:
+    explicit Evaluation(const MetricInput& input) {
+        inputs_.push_back(input);
+        if (input.halves != nullptr) {
+            for (const std::size_t half : {0U, 1U}) inputs_.push_back(against_half(input, half));
+        }
+        finest_.resize(inputs_.size());
+        for (std::size_t i = 0; i < inputs_.size(); ++i) inputs_[i].finest = &finest_[i];
+    }
+
+    MetricValue measured(const Metric& row) const {
+        const MetricValue whole = row.measure(inputs_[0]);
+        if (inputs_.size() == 1 || row.noise != Metric::Noise::extrapolated) return whole;
+        return extrapolated(whole, row.measure(inputs_[1]), row.measure(inputs_[2]));
+    }
+
+  private:
+    std::vector<MetricInput> inputs_;
+    std::vector<std::optional<FinestSimilarity>> finest_;
+};
 
 }  // namespace
 
@@ -49,17 +70,17 @@ std::map<std::string, MetricValue> evaluate(const MetricInput& input, std::span<
         for (const Metric& row : metrics()) rows.push_back(&row);
     }
 
-    std::size_t nonfinite = 0;
-    finite_pixels(input.truth, input.test, input.valid, nonfinite);
+    const std::size_t nonfinite = nonfinite_pixels(input.truth, input.test, input.valid);
     const PreparedImage test(input.test, input.valid);
     MetricInput shared = input;
     // Against a single truth each metric reads the image once, so that storing its preparation would only
     // cost memory.
     if (input.halves != nullptr && input.prepared_test == nullptr) shared.prepared_test = &test;
+    const Evaluation evaluation(shared);
     std::map<std::string, MetricValue> values;
     for (const Metric* row : rows) {
         values[std::string(row->id)] =
-            nonfinite == 0 ? measured(*row, shared)
+            nonfinite == 0 ? evaluation.measured(*row)
                            : undefined(fmt::format("{} valid pixels are NaN or infinite", nonfinite));
     }
     return values;

@@ -11,6 +11,7 @@
 namespace aoscore {
 
 class PreparedImage;
+struct FinestSimilarity;
 struct DrawnSums;
 struct MapSums;
 
@@ -35,6 +36,9 @@ struct MetricInput {
     const TruthHalves* halves = nullptr;            ///< the truth's, where it has two
     const PreparedImage* prepared_truth = nullptr;  ///< of `truth` and `valid`, where shared
     const PreparedImage* prepared_test = nullptr;   ///< made of `test` and `valid`
+    /// Receives what SSIM and MS-SSIM of this very pair have in common, if not null, so that the second of
+    /// them need not measure it again. The halves have their own.
+    std::optional<FinestSimilarity>* finest = nullptr;
 };
 
 struct MetricValue {
@@ -77,5 +81,7 @@ const std::vector<Metric>& metrics();
 
 /// The pixels of `candidate` where both images are finite. `nonfinite` receives the number of the others.
 Mask finite_pixels(const ImageF& truth, const ImageF& test, const Mask& candidate, std::size_t& nonfinite);
+/// Only the number of the others. Both throw sizes_differ.
+std::size_t nonfinite_pixels(const ImageF& truth, const ImageF& test, const Mask& candidate);
 
 }  // namespace aoscore

@@ -6,9 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
+#include <random>
+#include <tuple>
+#include <utility>
 
 namespace aoscore {
 namespace {
@@ -83,6 +88,72 @@ TEST(WorstRegions, ListsNoMoreThanItSays) {
     EXPECT_EQ(regions[0].left, 62);
     EXPECT_EQ(regions[0].top, 62);
     EXPECT_EQ(regions[0].cause, "");
+}
+
+/// The pieces of the pixels that are brighter by more than a threshold, each filled from its first pixel.
+std::vector<ErrorRegion> flooded(const Pair& pair, double threshold) {
+    Mask left = pair.valid;
+    const auto error = [&](int x, int y) { return double{pair.test.at(x, y)} - double{pair.truth.at(x, y)}; };
+    std::vector<ErrorRegion> pieces;
+    for (int y = 0; y < left.height; ++y) {
+        for (int x = 0; x < left.width; ++x) {
+            std::vector<std::pair<int, int>> open{{x, y}};
+            ErrorRegion piece;
+            int right = x, bottom = y;
+            piece.left = x;
+            piece.top = y;
+            while (!open.empty()) {
+                const auto [px, py] = open.back();
+                open.pop_back();
+                if (px < 0 || py < 0 || px >= left.width || py >= left.height) continue;
+                if (left.at(px, py) == 0 || error(px, py) <= threshold) continue;
+                left.at(px, py) = 0;
+                ++piece.area_px;
+                piece.mean_error += error(px, py);
+                piece.worst_error = std::max(piece.worst_error, error(px, py));
+                piece.left = std::min(piece.left, px);
+                piece.top = std::min(piece.top, py);
+                right = std::max(right, px);
+                bottom = std::max(bottom, py);
+                for (int i = 0; i < 9; ++i) open.emplace_back(px + i % 3 - 1, py + i / 3 - 1);
+            }
+            if (piece.area_px == 0) continue;
+            piece.width = right - piece.left + 1;
+            piece.height = bottom - piece.top + 1;
+            piece.mean_error /= static_cast<double>(piece.area_px);
+            pieces.push_back(piece);
+        }
+    }
+    std::ranges::stable_sort(pieces, std::ranges::greater(), [](const ErrorRegion& piece) {
+        return piece.mean_error * static_cast<double>(piece.area_px);
+    });
+    return pieces;
+}
+
+TEST(WorstRegions, AreThePiecesThatAFloodFillsWhateverTheirShape) {
+    for (const double share : {0.1, 0.3, 0.4, 0.5, 0.7, 0.95}) {
+        Pair pair = natural_pair(57, 43);
+        std::mt19937 random(3);
+        std::uniform_real_distribution<float> error(0.1F, 0.4F);
+        std::bernoulli_distribution marked(share);
+        for (std::size_t i = 0; i < pair.test.size(); ++i)
+            pair.test.pixels[i] = pair.truth.pixels[i] + (marked(random) ? error(random) : 0.0F);
+        mask_out(pair, 0.9);
+        const std::vector<ErrorRegion> expected = flooded(pair, 0.1);
+        const auto found = worst_regions(occlusion_masks(pair.input(), 0.1), pair.input(), {});
+        ASSERT_EQ(found.size(), std::min(expected.size(), kListedRegions)) << share;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const ErrorRegion &a = found[i], &b = expected[i];
+            EXPECT_EQ(std::tie(a.left, a.top, a.width, a.height, a.area_px),
+                      std::tie(b.left, b.top, b.width, b.height, b.area_px))
+                << share << ", " << i;
+            EXPECT_NEAR(a.mean_error, b.mean_error, 1e-12);
+            EXPECT_EQ(a.worst_error, b.worst_error);
+            EXPECT_EQ(
+                double{pair.test.at(a.worst_x, a.worst_y)} - double{pair.truth.at(a.worst_x, a.worst_y)},
+                b.worst_error);
+        }
+    }
 }
 
 TEST(BestFit, FindsTheStrengthAndExponentThatWereTakenOff) {

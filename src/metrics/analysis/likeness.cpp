@@ -1,47 +1,81 @@
 #include "metrics/analysis/likeness.h"
 
-#include "metrics/measures/mean_error.h"
+#include "metrics/measures/wide_lanes.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace aoscore {
 namespace {
 
-struct Sums {
-    double count = 0, truth = 0, test = 0, truth_squared = 0, test_squared = 0, product = 0;
+// Values of about a half are subtracted, so that flat pictures keep their digits.
+constexpr double kMiddle = 0.5;
 
-    // Values of about a half are subtracted, so that flat pictures keep their digits.
-    void add(double truth_value, double test_value) {
-        const double a = truth_value - 0.5, b = test_value - 0.5;
-        ++count;
-        truth += a;
-        test += b;
-        truth_squared += a * a;
-        test_squared += b * b;
-        product += a * b;
+/// Reads a row less kMiddle, 0 where a pixel does not count or is not finite in both images; `counts` is 1 or
+/// 0.
+AOSCORE_WIDER_WHERE_POSSIBLE
+void read_centred(std::span<const float> truth, std::span<const float> test,
+                  std::span<const std::uint8_t> valid, double* a, double* b, double* counts) {
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        const float of_both = (truth[i] - truth[i]) + (test[i] - test[i]);  // not 0 for NaN and infinity
+        const bool counting = valid[i] != 0 && of_both == 0;
+        a[i] = counting ? double{truth[i]} - kMiddle : 0.0;
+        b[i] = counting ? double{test[i]} - kMiddle : 0.0;
+        counts[i] = counting ? 1.0 : 0.0;
     }
-};
+}
+
+AOSCORE_WIDER_WHERE_POSSIBLE
+double sum_of_products(const double* a, const double* b, std::size_t count) {
+    Lanes sums{};
+    std::size_t i = 0;
+    for (; i + kLanes <= count; i += kLanes) {
+        Lanes x, y;
+        load(x, a + i);
+        load(y, b + i);
+        sums += x * y;
+    }
+    double sum = sum_of(sums);
+    for (; i < count; ++i) sum += a[i] * b[i];
+    return sum;
+}
 
 }  // namespace
 
-std::optional<Likeness> likeness(const MetricInput& input) {
-    require_one_size(input);
-    Sums s;
-    for (std::size_t i = 0; i < input.truth.size(); ++i) {
-        const double truth = static_cast<double>(input.truth.pixels[i]);
-        const double test = static_cast<double>(input.test.pixels[i]);
-        if (input.valid.pixels[i] != 0 && std::isfinite(truth) && std::isfinite(test)) s.add(truth, test);
-    }
-    if (s.count < 2) return std::nullopt;
-    const double of_truth = s.truth_squared - s.truth * s.truth / s.count;
-    const double of_test = s.test_squared - s.test * s.test / s.count;
+void LikenessSums::add(std::span<const float> truth, std::span<const float> test,
+                       std::span<const std::uint8_t> valid) {
+    const std::size_t count = truth.size();
+    std::vector<double> a(count), b(count), counts(count);
+    read_centred(truth, test, valid, a.data(), b.data(), counts.data());
+    count_ += sum_of_products(counts.data(), counts.data(), count);
+    truth_ += sum_of_products(a.data(), counts.data(), count);
+    test_ += sum_of_products(b.data(), counts.data(), count);
+    truth_squared_ += sum_of_products(a.data(), a.data(), count);
+    test_squared_ += sum_of_products(b.data(), b.data(), count);
+    product_ += sum_of_products(a.data(), b.data(), count);
+}
+
+void LikenessSums::add(const LikenessSums& other) {
+    count_ += other.count_;
+    truth_ += other.truth_;
+    test_ += other.test_;
+    truth_squared_ += other.truth_squared_;
+    test_squared_ += other.test_squared_;
+    product_ += other.product_;
+}
+
+std::optional<Likeness> LikenessSums::likeness() const {
+    if (count_ < 2) return std::nullopt;
+    const double of_truth = truth_squared_ - truth_ * truth_ / count_;
+    const double of_test = test_squared_ - test_ * test_ / count_;
     // Rounding gives constant pictures less than this.
-    const double least = 1e-12 * s.count;
+    const double least = 1e-12 * count_;
     if (!(of_truth > least) || !(of_test > least)) return std::nullopt;
-    const double both = s.product - s.truth * s.test / s.count;
+    const double both = product_ - truth_ * test_ / count_;
     return Likeness{both / std::sqrt(of_truth * of_test),
-                    std::sqrt(std::max(s.truth_squared + s.test_squared - 2 * s.product, 0.0) / s.count)};
+                    std::sqrt(std::max(truth_squared_ + test_squared_ - 2 * product_, 0.0) / count_)};
 }
 
 }  // namespace aoscore

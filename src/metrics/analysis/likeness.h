@@ -1,8 +1,8 @@
 #pragma once
 
-#include "metrics/metric.h"
-
+#include <cstdint>
 #include <optional>
+#include <span>
 
 namespace aoscore {
 
@@ -16,8 +16,18 @@ struct Likeness {
     double unexplained() const { return correlation < 0 ? 1 : 1 - correlation * correlation; }
 };
 
-/// Computes it over the valid pixels that are finite in both; empty where fewer than two are, or where either
-/// image is constant. Throws sizes_differ.
-std::optional<Likeness> likeness(const MetricInput& input);
+/// Sums that give the likeness of two images, row by row. The result depends on the order in which rows are
+/// added in its last digits.
+class LikenessSums {
+  public:
+    /// Adds the pixels of a row that count and are finite in both images. The spans have one size.
+    void add(std::span<const float> truth, std::span<const float> test, std::span<const std::uint8_t> valid);
+    void add(const LikenessSums& other);
+    /// Empty where fewer than two pixels were added, or where either image is constant.
+    std::optional<Likeness> likeness() const;
+
+  private:
+    double count_ = 0, truth_ = 0, test_ = 0, truth_squared_ = 0, test_squared_ = 0, product_ = 0;
+};
 
 }  // namespace aoscore

@@ -1,65 +1,130 @@
 #include "metrics/analysis/occlusion_masks.h"
 
+#include "core/threads.h"
+#include "metrics/measures/convolution.h"
 #include "metrics/measures/mean_error.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace aoscore {
 
-OcclusionMasks occlusion_masks(const MetricInput& input, double threshold) {
-    require_one_size(input);
-    OcclusionMasks masks{Mask(input.truth.width, input.truth.height),
-                         Mask(input.truth.width, input.truth.height)};
+namespace {
+
+struct MaskCounts {
     std::size_t valid = 0, missing = 0, false_occlusion = 0;
-    for (std::size_t i = 0; i < input.truth.size(); ++i) {
-        if (input.valid.pixels[i] == 0) continue;
-        ++valid;
+};
+
+MaskCounts mark_row(const MetricInput& input, double threshold, int y, OcclusionMasks& masks) {
+    MaskCounts counts;
+    const std::size_t first = input.valid.index(0, y);
+    for (std::size_t i = first; i < first + static_cast<std::size_t>(input.valid.width); ++i) {
+        const bool valid = input.valid.pixels[i] != 0;
         const double difference = double{input.test.pixels[i]} - double{input.truth.pixels[i]};
         const double noise = input.standard_error != nullptr
                                  ? kMaskStandardErrors * double{input.standard_error->pixels[i]}
                                  : 0.0;
         const double limit = std::max(threshold, noise);
-        missing += masks.missing.pixels[i] = difference > limit ? 1 : 0;
-        false_occlusion += masks.false_occlusion.pixels[i] = difference < -limit ? 1 : 0;
+        const bool missing = valid && difference > limit, false_occlusion = valid && difference < -limit;
+        masks.missing.pixels[i] = missing ? 1 : 0;
+        masks.false_occlusion.pixels[i] = false_occlusion ? 1 : 0;
+        counts.valid += valid ? 1 : 0;
+        counts.missing += missing ? 1 : 0;
+        counts.false_occlusion += false_occlusion ? 1 : 0;
     }
-    const double count = static_cast<double>(std::max<std::size_t>(valid, 1));
-    masks.missing_area = static_cast<double>(missing) / count;
-    masks.false_area = static_cast<double>(false_occlusion) / count;
+    return counts;
+}
+
+/// Sums of weighted errors.
+struct ErrorSums {
+    double weight = 0, error = 0;
+    void add(double w, double e) {
+        weight += w;
+        error += w * e;
+    }
+    void add(const ErrorSums& other) {
+        weight += other.weight;
+        error += other.error;
+    }
+    std::optional<double> mean() const { return weight > 0 ? std::optional(error / weight) : std::nullopt; }
+};
+
+/// The sums over a mask, and over the part of each cause.
+struct MaskSums {
+    double valid = 0;
+    ErrorSums whole;
+    std::vector<ErrorSums> by_cause;
+
+    void add(const MaskSums& other) {
+        valid += other.valid;
+        whole.add(other.whole);
+        for (std::size_t c = 0; c < by_cause.size(); ++c) by_cause[c].add(other.by_cause[c]);
+    }
+};
+
+void add_pixel(const MetricInput& input, const std::vector<PixelFacts::Cause>& causes, std::size_t i,
+               MaskSums& sums) {
+    const double error = std::abs(double{input.test.pixels[i]} - double{input.truth.pixels[i]});
+    sums.whole.add(1, error);
+    double occlusion = 0;
+    for (const PixelFacts::Cause& cause : causes) occlusion += double{cause.occlusion->pixels[i]};
+    if (occlusion <= 0) return;
+    for (std::size_t c = 0; c < causes.size(); ++c)
+        sums.by_cause[c].add(double{causes[c].occlusion->pixels[i]} / occlusion, error);
+}
+
+MaskSums sums_of_mask(const Mask& mask, const MetricInput& input,
+                      const std::vector<PixelFacts::Cause>& causes) {
+    std::vector<MaskSums> bands(band_count(mask.height));
+    for_each_band(mask.height, [&](std::size_t band, int first_row, int rows) {
+        MaskSums sums;
+        sums.by_cause.resize(causes.size());
+        const auto width = static_cast<std::size_t>(mask.width);
+        const std::size_t first = static_cast<std::size_t>(first_row) * width;
+        for (std::size_t i = first; i < first + static_cast<std::size_t>(rows) * width; ++i) {
+            if (input.valid.pixels[i] == 0) continue;
+            ++sums.valid;
+            if (mask.pixels[i] != 0) add_pixel(input, causes, i, sums);
+        }
+        bands[band] = std::move(sums);
+    });
+    MaskSums all;
+    all.by_cause.resize(causes.size());
+    for (const MaskSums& band : bands) all.add(band);
+    return all;
+}
+
+}  // namespace
+
+OcclusionMasks occlusion_masks(const MetricInput& input, double threshold) {
+    require_one_size(input);
+    OcclusionMasks masks{Mask(input.truth.width, input.truth.height),
+                         Mask(input.truth.width, input.truth.height)};
+    std::vector<MaskCounts> rows(static_cast<std::size_t>(input.truth.height));
+    parallel_for(rows.size(),
+                 [&](std::size_t y) { rows[y] = mark_row(input, threshold, static_cast<int>(y), masks); });
+    MaskCounts all;
+    for (const MaskCounts& row : rows) {
+        all.valid += row.valid;
+        all.missing += row.missing;
+        all.false_occlusion += row.false_occlusion;
+    }
+    const double count = static_cast<double>(std::max<std::size_t>(all.valid, 1));
+    masks.missing_area = static_cast<double>(all.missing) / count;
+    masks.false_area = static_cast<double>(all.false_occlusion) / count;
     return masks;
 }
 
 MaskSummary summarize_mask(const Mask& mask, const MetricInput& input,
                            const std::vector<PixelFacts::Cause>& causes) {
-    struct Sums {
-        double weight = 0, error = 0;
-        std::optional<double> mean() const {
-            return weight > 0 ? std::optional(error / weight) : std::nullopt;
-        }
-    };
-    Sums whole;
-    std::vector<Sums> by_cause(causes.size());
-    double valid = 0;
-    for (std::size_t i = 0; i < mask.size(); ++i) {
-        if (input.valid.pixels[i] == 0) continue;
-        ++valid;
-        if (mask.pixels[i] == 0) continue;
-        const double error = std::abs(double{input.test.pixels[i]} - double{input.truth.pixels[i]});
-        whole.weight += 1;
-        whole.error += error;
-        double occlusion = 0;
-        for (const PixelFacts::Cause& cause : causes) occlusion += double{cause.occlusion->pixels[i]};
-        if (occlusion <= 0) continue;
-        for (std::size_t c = 0; c < causes.size(); ++c) {
-            const double part = double{causes[c].occlusion->pixels[i]} / occlusion;
-            by_cause[c].weight += part;
-            by_cause[c].error += part * error;
-        }
-    }
-    const double count = std::max(valid, 1.0);
-    MaskSummary summary{whole.weight / count, whole.mean(), {}};
+    const MaskSums sums = sums_of_mask(mask, input, causes);
+    const double count = std::max(sums.valid, 1.0);
+    MaskSummary summary{sums.whole.weight / count, sums.whole.mean(), {}};
     for (std::size_t c = 0; c < causes.size(); ++c) {
-        summary.causes.push_back({causes[c].name, by_cause[c].weight / count, by_cause[c].mean()});
+        const ErrorSums& of_cause = sums.by_cause[c];
+        summary.causes.push_back({causes[c].name, of_cause.weight / count, of_cause.mean()});
     }
     return summary;
 }

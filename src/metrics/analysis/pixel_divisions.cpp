@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace aoscore {
 namespace {
@@ -71,9 +72,28 @@ PixelDivision by_depth(const Mask& valid, const PixelFacts& facts) {
 }
 
 PixelDivision by_border_distance(const Mask& valid, const PixelFacts&) {
-    return divided(valid, {16, 64, 128, 256}, [&](int x, int y) {
-        return double{1} * std::min({x, y, valid.width - 1 - x, valid.height - 1 - y});
+    const std::vector<double> bounds{16, 64, 128, 256};
+    const auto bin_of = [&](int distance) {
+        return static_cast<std::uint8_t>(std::ranges::upper_bound(bounds, double{1} * distance) -
+                                         bounds.begin());
+    };
+    std::vector<std::uint8_t> by_column(static_cast<std::size_t>(valid.width));
+    for (int x = 0; x < valid.width; ++x)
+        by_column[static_cast<std::size_t>(x)] = bin_of(std::min(x, valid.width - 1 - x));
+    PixelDivision division;
+    division.bins = labels_between(bounds);
+    division.bin_of = Image<std::uint8_t>(valid.width, valid.height);
+    const auto none = static_cast<std::uint8_t>(division.bins.size());
+    parallel_for(static_cast<std::size_t>(valid.height), [&](std::size_t row) {
+        const int y = static_cast<int>(row);
+        // The smaller distance has the lower bin.
+        const std::uint8_t by_row = bin_of(std::min(y, valid.height - 1 - y));
+        const std::uint8_t* counts = &valid.at(0, y);
+        std::uint8_t* bins = &division.bin_of.at(0, y);
+        for (std::size_t x = 0; x < by_column.size(); ++x)
+            bins[x] = counts[x] != 0 ? std::min(by_row, by_column[x]) : none;
     });
+    return division;
 }
 
 /// One way to divide the pixels; without bins where the facts for it are not known.

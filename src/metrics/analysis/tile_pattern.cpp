@@ -2,12 +2,12 @@
 
 #include "metrics/measures/convolution.h"
 #include "metrics/measures/mean_error.h"
+#include "metrics/measures/wide_lanes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -45,11 +45,6 @@ struct PairSum {
 };
 using SumsByDistance = std::array<PairSum, kDistances>;
 
-// The number of sums that the machine adds at once. They are written out, since a compiler must not reorder a
-// sum.
-constexpr std::size_t kLanes = 8;
-typedef double Lanes __attribute__((vector_size(kLanes * sizeof(double))));
-
 /// The sum over the pairs a[i] and b[i].
 AOSCORE_WIDER_WHERE_POSSIBLE
 void add_pairs(const double* a, const double* a_valid, const double* b, const double* b_valid,
@@ -58,10 +53,10 @@ void add_pairs(const double* a, const double* a_valid, const double* b, const do
     std::size_t i = 0;
     for (; i + kLanes <= count; i += kLanes) {
         Lanes x, y, x_valid, y_valid;
-        std::memcpy(&x, a + i, sizeof x);
-        std::memcpy(&y, b + i, sizeof y);
-        std::memcpy(&x_valid, a_valid + i, sizeof x);
-        std::memcpy(&y_valid, b_valid + i, sizeof y);
+        load(x, a + i);
+        load(y, b + i);
+        load(x_valid, a_valid + i);
+        load(y_valid, b_valid + i);
         const Lanes both = x_valid * y_valid;
         squared += both * ((x - y) * (x - y));
         pairs += both;

@@ -1,11 +1,10 @@
 #include "metrics/measures/convolution.h"
 
 #include "core/threads.h"
+#include "metrics/measures/wide_lanes.h"
 
 #include <algorithm>
 #include <cassert>
-#include <cstring>
-#include <vector>
 
 namespace aoscore {
 namespace {
@@ -14,78 +13,61 @@ namespace {
 // planes to stay in cache.
 constexpr int kBandRows = 64;
 
-// The number of doubles side by side. They are written out, because GCC 12 would vectorise over the taps
-// instead.
-constexpr std::size_t kLanes = 8;
-typedef double Lanes __attribute__((vector_size(kLanes * sizeof(double))));
-
-enum class Symmetry { even, odd };
-
-/// Adds a weight times the values at `after`, and the same (or its negative) for `before`.
-template <Symmetry kSymmetry, class Value>
-[[gnu::always_inline]] inline void add_pair(Value& sum, double weight, const double* after,
-                                            const double* before) {
-    Value v, w;
-    std::memcpy(&v, after, sizeof v);
-    std::memcpy(&w, before, sizeof w);
-    sum += weight * (kSymmetry == Symmetry::even ? v + w : v - w);
-}
-
-template <Symmetry kSymmetry, class Value>
-[[gnu::always_inline]] inline void begin_with_middle(Value& sum, double weight, const double* middle) {
-    if (kSymmetry == Symmetry::odd) return;
-    Value v;
-    std::memcpy(&v, middle, sizeof v);
-    sum = weight * v;
-}
-
-template <Symmetry kSymmetry>
-[[gnu::always_inline]] inline void symmetric_sums(double* sums, std::span<const double* const> from,
-                                                  std::span<const double> half, std::size_t count) {
-    assert(from.size() + 1 == 2 * half.size());
-    constexpr std::size_t kBlock = 4 * kLanes;  // the number of sums that stay in registers
-    const double* const* middle = &from[half.size() - 1];
-    std::size_t i = 0;
-    for (; i + kBlock <= count; i += kBlock) {
-        Lanes a{}, b{}, c{}, d{};
-        begin_with_middle<kSymmetry>(a, half[0], middle[0] + i);
-        begin_with_middle<kSymmetry>(b, half[0], middle[0] + i + kLanes);
-        begin_with_middle<kSymmetry>(c, half[0], middle[0] + i + 2 * kLanes);
-        begin_with_middle<kSymmetry>(d, half[0], middle[0] + i + 3 * kLanes);
-        for (std::size_t k = 1; k < half.size(); ++k) {
-            const double weight = half[k];
-            const double *after = middle[k] + i, *before = *(middle - k) + i;
-            add_pair<kSymmetry>(a, weight, after, before);
-            add_pair<kSymmetry>(b, weight, after + kLanes, before + kLanes);
-            add_pair<kSymmetry>(c, weight, after + 2 * kLanes, before + 2 * kLanes);
-            add_pair<kSymmetry>(d, weight, after + 3 * kLanes, before + 3 * kLanes);
+/// The sums of `kBlock` neighbouring Values, beginning with the value at `i`. They stay in registers.
+template <class Value, std::size_t kBlock, std::size_t kOdd, std::size_t kEven>
+[[gnu::always_inline]] inline void sums_at(std::size_t i, const double* const* middle, std::size_t reach,
+                                           const HalfFilter* odd, const HalfFilter* even) {
+    constexpr std::size_t kWidth = sizeof(Value) / sizeof(double);
+    Value odd_sums[kOdd + 1][kBlock]{}, even_sums[kEven][kBlock];
+    for (std::size_t b = 0; b < kBlock; ++b) {
+        Value value;
+        load(value, middle[0] + i + b * kWidth);
+        for (std::size_t f = 0; f < kEven; ++f) even_sums[f][b] = even[f].half[0] * value;
+    }
+    for (std::size_t k = 1; k <= reach; ++k) {
+        for (std::size_t b = 0; b < kBlock; ++b) {
+            Value after, before;
+            load(after, middle[k] + i + b * kWidth);
+            load(before, *(middle - k) + i + b * kWidth);
+            for (std::size_t f = 0; f < kOdd; ++f) odd_sums[f][b] += odd[f].half[k] * (after - before);
+            for (std::size_t f = 0; f < kEven; ++f) even_sums[f][b] += even[f].half[k] * (after + before);
         }
-        std::memcpy(sums + i, &a, sizeof a);
-        std::memcpy(sums + i + kLanes, &b, sizeof b);
-        std::memcpy(sums + i + 2 * kLanes, &c, sizeof c);
-        std::memcpy(sums + i + 3 * kLanes, &d, sizeof d);
     }
-    for (; i < count; ++i) {
-        double sum = 0;
-        begin_with_middle<kSymmetry>(sum, half[0], middle[0] + i);
-        for (std::size_t k = 1; k < half.size(); ++k)
-            add_pair<kSymmetry>(sum, half[k], middle[k] + i, *(middle - k) + i);
-        sums[i] = sum;
+    for (std::size_t b = 0; b < kBlock; ++b) {
+        for (std::size_t f = 0; f < kOdd; ++f) store(odd[f].sums + i + b * kWidth, odd_sums[f][b]);
+        for (std::size_t f = 0; f < kEven; ++f) store(even[f].sums + i + b * kWidth, even_sums[f][b]);
     }
+}
+
+template <std::size_t kBlock, std::size_t kOdd, std::size_t kEven>
+[[gnu::always_inline]] inline void all_sums(std::span<const double* const> from, std::size_t count,
+                                            const HalfFilter* odd, const HalfFilter* even) {
+    assert(from.size() % 2 == 1);
+    const std::size_t reach = from.size() / 2;
+    const double* const* middle = &from[reach];
+    std::size_t i = 0;
+    for (; i + kBlock * kLanes <= count; i += kBlock * kLanes)
+        sums_at<Lanes, kBlock, kOdd, kEven>(i, middle, reach, odd, even);
+    for (; i < count; ++i) sums_at<double, 1, kOdd, kEven>(i, middle, reach, odd, even);
 }
 
 }  // namespace
 
 AOSCORE_WIDER_WHERE_POSSIBLE
-void even_sums(double* sums, std::span<const double* const> from, std::span<const double> half,
-               std::size_t count) {
-    symmetric_sums<Symmetry::even>(sums, from, half, count);
+void even_sums(std::span<const double* const> from, std::size_t count, HalfFilter even) {
+    all_sums<4, 0, 1>(from, count, nullptr, &even);
 }
 
 AOSCORE_WIDER_WHERE_POSSIBLE
-void odd_sums(double* sums, std::span<const double* const> from, std::span<const double> half,
-              std::size_t count) {
-    symmetric_sums<Symmetry::odd>(sums, from, half, count);
+void odd_and_even_sums(std::span<const double* const> from, std::size_t count, HalfFilter odd,
+                       HalfFilter even) {
+    all_sums<2, 1, 1>(from, count, &odd, &even);
+}
+
+AOSCORE_WIDER_WHERE_POSSIBLE
+void odd_and_even_sums(std::span<const double* const> from, std::size_t count, HalfFilter odd,
+                       const HalfFilter (&even)[3]) {
+    all_sums<2, 1, 3>(from, count, &odd, even);
 }
 
 std::size_t band_count(int height) {

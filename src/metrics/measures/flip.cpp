@@ -2,12 +2,12 @@
 #include "metrics/intervals/block_errors.h"
 #include "metrics/intervals/block_grid.h"
 #include "metrics/measures.h"
-#include "metrics/measures/convolution.h"
-#include "metrics/measures/flip_area.h"
 #include "metrics/measures/flip_colour.h"
+#include "metrics/measures/image_area.h"
 #include "metrics/measures/mean_error.h"
 #include "metrics/measures/power.h"
 #include "metrics/measures/seen_rows.h"
+#include "metrics/measures/wide_lanes.h"
 #include "metrics/prepared_image.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ std::unique_ptr<SeenRows> rows_of(const ImageF& image, const PreparedImage* prep
 }
 
 /// Adds FLIP's map over the valid pixels of an area, by block.
-void add_area(const MetricInput& input, const FlipArea& area, std::vector<double>& sums,
+void add_area(const MetricInput& input, const ImageArea& area, std::vector<double>& sums,
               const BlockGrid& grid) {
     ValidRows valid_rows(input.valid, area);
     const auto truth_rows = rows_of(input.truth, input.prepared_truth, valid_rows);
@@ -74,7 +74,7 @@ MetricValue measure::flip(const MetricInput& input) {
         if (prepared != nullptr) prepared->seen();
     }
     const BlockGrid grid(input.truth.width, input.truth.height);
-    const std::vector<FlipArea> areas = flip_areas(input.truth.width, input.truth.height);
+    const std::vector<ImageArea> areas = image_areas(input.truth.width, input.truth.height);
     std::vector<std::vector<double>> of_areas(areas.size(), std::vector<double>(grid.size()));
     parallel_for(areas.size(), [&](std::size_t i) { add_area(input, areas[i], of_areas[i], grid); });
     std::vector<double> sums;

@@ -74,36 +74,37 @@ const Kernels& kernels() {
 }  // namespace
 
 FlipFilter::FlipFilter(std::size_t width)
-    : width_(width), kept_(kKept * kRows * width), responses_(kResponses * width) {}
+    : width_(width),
+      with_margins_(width + 2 * kMargin_px),
+      kept_(kRows * with_margins_),
+      down_(kDowns * with_margins_),
+      responses_(kResponses * width) {}
 
-void FlipFilter::push(std::span<const double> row) {
-    assert(row.size() == width_ + 2 * kMargin_px);
-    std::array<const double*, kRows> from{};
-    for (std::size_t k = 0; k < kRows; ++k) from[k] = row.data() + k;
-    const Kernels& k = kernels();
-    std::copy_n(row.data() + kMargin_px, width_, kept(kRow, pushed_));
-    even_sums(kept(kContrast, pushed_), from, k.contrast, width_);
-    even_sums(kept(kSmooth, pushed_), from, k.smooth, width_);
-    odd_sums(kept(kEdge, pushed_), from, k.edge, width_);
-    even_sums(kept(kPoint, pushed_), from, k.point, width_);
-    ++pushed_;
+std::span<double> FlipFilter::push() {
+    return {&kept_[pushed_++ % kRows * with_margins_], with_margins_};
 }
 
-std::array<const double*, FlipFilter::kRows> FlipFilter::rows_of(Kept what) {
-    std::array<const double*, kRows> rows{};
-    for (std::size_t k = 0; k < kRows; ++k) rows[k] = kept(what, pushed_ + k);
-    return rows;
+std::array<const double*, FlipFilter::kRows> FlipFilter::around(Down what) {
+    std::array<const double*, kRows> shifted{};
+    for (std::size_t k = 0; k < kRows; ++k) shifted[k] = down(what) + k;
+    return shifted;
 }
 
 void FlipFilter::respond() {
     assert(pushed_ >= kRows);
+    const auto half = [](const HalfKernel& kernel) { return kernel.data(); };
+    const auto to = [this](Response response) { return (*this)[response].data(); };
     const Kernels& k = kernels();
-    std::copy_n(rows_of(kRow)[kMargin_px], width_, (*this)[kSelf].data());
-    even_sums((*this)[kSeen].data(), rows_of(kContrast), k.contrast, width_);
-    even_sums((*this)[kEdgeX].data(), rows_of(kEdge), k.smooth, width_);
-    odd_sums((*this)[kEdgeY].data(), rows_of(kSmooth), k.edge, width_);
-    even_sums((*this)[kPointX].data(), rows_of(kPoint), k.smooth, width_);
-    even_sums((*this)[kPointY].data(), rows_of(kSmooth), k.point, width_);
+    std::array<const double*, kRows> rows{};
+    for (std::size_t i = 0; i < kRows; ++i) rows[i] = row(pushed_ + i);
+    odd_and_even_sums(rows, with_margins_, {down(kEdge), half(k.edge)},
+                      {{down(kContrast), half(k.contrast)},
+                       {down(kSmooth), half(k.smooth)},
+                       {down(kPoint), half(k.point)}});
+    even_sums(around(kContrast), width_, {to(kSeen), half(k.contrast)});
+    odd_and_even_sums(around(kSmooth), width_, {to(kEdgeX), half(k.edge)}, {to(kPointX), half(k.point)});
+    even_sums(around(kEdge), width_, {to(kEdgeY), half(k.smooth)});
+    even_sums(around(kPoint), width_, {to(kPointY), half(k.smooth)});
 }
 
 }  // namespace aoscore

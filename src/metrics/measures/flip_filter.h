@@ -7,25 +7,26 @@
 
 namespace aoscore {
 
-/// The spatial filters of FLIP at 67.02 pixels per degree, row by row: a pushed row is filtered across at
-/// once, and down when enough rows are there, so that only the last rows are kept. Pontus Andersson, Jim
-/// Nilsson, Tomas Akenine-Möller, Magnus Oskarsson, Kalle Åström, Mark Fairchild, "FLIP: A Difference
-/// Evaluator for Alternating Images", 2020, sections 4.1.1 and 4.2.1.
+/// The spatial filters of FLIP at 67.02 pixels per degree, row by row: only the last rows that were pushed
+/// are kept, and are filtered down and then across when the responses in the middle one are asked for. Pontus
+/// Andersson, Jim Nilsson, Tomas Akenine-Möller, Magnus Oskarsson, Kalle Åström, Mark Fairchild, "FLIP: A
+/// Difference Evaluator for Alternating Images", 2020, sections 4.1.1 and 4.2.1.
 class FlipFilter {
   public:
     /// The number of pixels read on each side of a pixel.
     static constexpr int kMargin_px = 9;
     static constexpr std::size_t kRows = 2 * kMargin_px + 1;
 
-    /// The responses in a row: its own values, the values as the eye smooths them at that distance, and the
-    /// first (edge) and second (point) derivatives in x and y.
-    enum Response : std::size_t { kSelf, kSeen, kEdgeX, kEdgeY, kPointX, kPointY, kResponses };
+    /// The responses in a row: the values as the eye smooths them at that distance, and the first (edge) and
+    /// second (point) derivatives in x and y.
+    enum Response : std::size_t { kSeen, kEdgeX, kEdgeY, kPointX, kPointY, kResponses };
 
     /// Makes a filter for rows of `width` pixels.
     explicit FlipFilter(std::size_t width);
 
-    /// Pushes the next row from above, with the margin on both sides: width + 2 * kMargin_px values.
-    void push(std::span<const double> row);
+    /// Gives the place of the next row from above, to be filled with its values and a margin on both sides:
+    /// width + 2 * kMargin_px in all.
+    std::span<double> push();
     /// Computes the responses in the row that was pushed kMargin_px rows before the last; kRows must have
     /// been pushed.
     void respond();
@@ -35,16 +36,19 @@ class FlipFilter {
     std::span<const double> operator[](Response response) const {
         return std::span(responses_).subspan(response * width_, width_);
     }
+    /// The values of the row with the responses.
+    std::span<const double> middle() const { return {row(pushed_ + kMargin_px) + kMargin_px, width_}; }
 
   private:
-    /// The values kept of a pushed row.
-    enum Kept : std::size_t { kRow, kContrast, kSmooth, kEdge, kPoint, kKept };
+    /// A row filtered down, with its margins.
+    enum Down : std::size_t { kContrast, kSmooth, kEdge, kPoint, kDowns };
 
-    double* kept(Kept what, std::size_t row) { return &kept_[(what * kRows + row % kRows) * width_]; }
-    std::array<const double*, kRows> rows_of(Kept what);
+    const double* row(std::size_t pushed) const { return &kept_[pushed % kRows * with_margins_]; }
+    double* down(Down what) { return &down_[what * with_margins_]; }
+    std::array<const double*, kRows> around(Down what);
 
-    std::size_t width_, pushed_ = 0;
-    std::vector<double> kept_, responses_;
+    std::size_t width_, with_margins_, pushed_ = 0;
+    std::vector<double> kept_, down_, responses_;
 };
 
 }  // namespace aoscore

@@ -1,7 +1,7 @@
 #include "metrics/intervals/block_errors.h"
 #include "metrics/measures.h"
+#include "metrics/measures/finest_similarity.h"
 #include "metrics/measures/mean_error.h"
-#include "metrics/measures/structural_similarity.h"
 #include "metrics/prepared_image.h"
 
 #include <fmt/format.h>
@@ -17,8 +17,7 @@ namespace aoscore {
 namespace {
 
 // The exponents of the paper's section 3.2, finest scale first.
-constexpr std::array<double, 5> kExponents = {0.0448, 0.2856, 0.3001, 0.2363, 0.1333};
-constexpr int kSmallestSide_px = (2 * kSsimBorder_px + 1) << (kExponents.size() - 1);
+constexpr std::array<double, kSimilarityScales> kExponents = {0.0448, 0.2856, 0.3001, 0.2363, 0.1333};
 constexpr std::size_t kFewestSquares = 15;  ///< least number for an interval
 
 /// Adds the influence of each block on exponent * log(mean of a factor).
@@ -38,8 +37,7 @@ MetricValue measure::ms_ssim(const MetricInput& input) {
     if (std::min(input.truth.width, input.truth.height) < kSmallestSide_px) {
         return undefined(fmt::format("the image is smaller than {0}x{0} px", kSmallestSide_px));
     }
-    // Squares are as wide as the coarsest window: smaller ones would not be independent.
-    const BlockGrid grid(input.truth.width, input.truth.height, input.truth.width / kSmallestSide_px);
+    const BlockGrid grid = similarity_squares(input.valid);
     std::vector<double> influences;
     double product = 1;
     bool anticorrelated = false;
@@ -51,8 +49,9 @@ MetricValue measure::ms_ssim(const MetricInput& input) {
             test.halve(weights);
             weights = weights.halved();
         }
-        const SsimSums sums =
-            structural_similarity(truth.windowed(), test.windowed(), weights, grid, static_cast<int>(scale));
+        const SsimSums sums = scale == 0 ? finest_similarity(input).by_square
+                                         : structural_similarity(truth.windowed(), test.windowed(), weights,
+                                                                 {&grid, 1}, static_cast<int>(scale))[0];
         const std::optional<SsimMeans> means = sums.means();
         if (!means)
             return undefined(fmt::format("no valid pixel {} px inside the border at 1/{} size",

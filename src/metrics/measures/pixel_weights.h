@@ -17,8 +17,8 @@ class PixelWeights {
     int height() const { return height_; }
     /// Whether all pixels count fully.
     bool all_one() const { return all_one_; }
-    /// Reads the weights of row `y`, as many as the image is wide.
-    void read_row(int y, std::span<double> weights) const;
+    /// Reads the weights of row `y` from `x` on, as many as the span holds.
+    void read_row(int x, int y, std::span<double> weights) const;
 
     /// The weights of the image at half its size; an odd last row or column is dropped.
     PixelWeights halved() const;

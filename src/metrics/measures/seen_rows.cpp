@@ -2,44 +2,74 @@
 
 #include "metrics/measures/flip_colour.h"
 #include "metrics/measures/srgb_values.h"
+#include "metrics/measures/wide_lanes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace aoscore {
 namespace {
 
 constexpr int kMargin_px = FlipFilter::kMargin_px;
 
-std::size_t with_margins(const FlipArea& area) {
-    return static_cast<std::size_t>(area.width + 2 * kMargin_px);
+/// Fills an area's row and its margins: read(row, first_x) fills the part within the image, and beyond the
+/// image its outermost pixels are repeated.
+template <class Read>
+void fill_row(std::span<double> row, const ImageArea& area, int image_width, Read read) {
+    const int first_x = area.left - kMargin_px;
+    const auto begin = static_cast<std::size_t>(std::max(-first_x, 0));
+    const std::size_t end = std::min(row.size(), static_cast<std::size_t>(image_width - first_x));
+    read(row.subspan(begin, end - begin), first_x + static_cast<int>(begin));
+    std::ranges::fill(row.first(begin), row[begin]);
+    std::ranges::fill(row.subspan(end), row[end - 1]);
 }
 
-/// An image's row with a margin: beyond the image its outermost pixels are repeated.
-template <class F>
-void read_row(std::vector<double>& row, const FlipArea& area, int image_width, F value_at) {
-    const int first = area.left - kMargin_px, count = static_cast<int>(row.size());
-    const int within = std::clamp(-first, 0, count), end = std::min(count, image_width - first);
-    for (int i = 0; i < within; ++i) row[static_cast<std::size_t>(i)] = value_at(0);
-    for (int i = within; i < end; ++i) row[static_cast<std::size_t>(i)] = value_at(first + i);
-    for (int i = end; i < count; ++i) row[static_cast<std::size_t>(i)] = value_at(image_width - 1);
+AOSCORE_WIDER_WHERE_POSSIBLE
+void read_valid(const std::uint8_t* valid, double* row, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) row[i] = valid[i] == 0 ? 0 : 1;
+}
+
+/// Reads values, clamped to [0,1]; where they are invalid, they may be NaN, and are read as 0.
+AOSCORE_WIDER_WHERE_POSSIBLE
+void read_clamped(const float* values, const std::uint8_t* valid, double* row, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const float clamped = std::min(std::max(values[i], 0.0F), 1.0F);
+        row[i] = valid[i] == 0 ? 0.0 : double{clamped};
+    }
+}
+
+AOSCORE_WIDER_WHERE_POSSIBLE
+void find_lengths(const double* x, const double* y, double* lengths, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) lengths[i] = std::sqrt(x[i] * x[i] + y[i] * y[i]);
+}
+
+/// Replaces invalid pixels, which were filtered as 0, by the value of the pixel itself: in a derivative they
+/// then have no effect.
+AOSCORE_WIDER_WHERE_POSSIBLE
+void add_own_value(double* derivative, const double* of_valid, const double* own, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) derivative[i] -= own[i] * of_valid[i];
+}
+
+/// Divides sums over valid pixels by their weights; 0 stays where there is none.
+AOSCORE_WIDER_WHERE_POSSIBLE
+void divide_by_weights(double* sums, const double* weights, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) sums[i] /= weights[i] > 0 ? weights[i] : 1.0;
 }
 
 /// Calls push(row) until the filter has the rows that it needs for row `y`.
 template <class Push>
-void push_until(int y, const FlipArea& area, int image_height, Push push) {
+void push_until(int y, const ImageArea& area, int image_height, Push push) {
     const int first = y == area.top ? y - kMargin_px : y + kMargin_px;
     for (int row = first; row <= y + kMargin_px; ++row) push(std::clamp(row, 0, image_height - 1));
 }
 
 }  // namespace
 
-ValidRows::ValidRows(const Mask& valid, const FlipArea& area) : valid_(valid), area_(area), next_(area.top) {
-    if (!has_invalid()) return;
-    filter_.emplace(static_cast<std::size_t>(area.width));
-    row_.resize(with_margins(area));
+ValidRows::ValidRows(const Mask& valid, const ImageArea& area) : valid_(valid), area_(area), next_(area.top) {
+    if (has_invalid()) filter_.emplace(static_cast<std::size_t>(area.width));
 }
 
 bool ValidRows::has_invalid() const {
@@ -65,51 +95,33 @@ const FlipFilter* ValidRows::responses(int y) {
 
 void ValidRows::push(int y) {
     const std::uint8_t* valid = &valid_.at(0, y);
-    read_row(row_, area_, valid_.width, [&](int x) { return valid[x] == 0 ? 0.0 : 1.0; });
-    filter_->push(row_);
+    fill_row(filter_->push(), area_, valid_.width,
+             [&](std::span<double> row, int x) { read_valid(valid + x, row.data(), row.size()); });
 }
 
 FilteredRows::FilteredRows(const ImageF& image, ValidRows& valid)
     : image_(image),
       valid_(valid),
       filter_(static_cast<std::size_t>(valid.area().width)),
-      row_(with_margins(valid.area())),
-      lightness_(static_cast<std::size_t>(valid.area().width)),
-      edges_(lightness_),
-      points_(lightness_),
+      edges_(static_cast<std::size_t>(valid.area().width)),
+      points_(edges_),
       next_(valid.area().top) {}
 
 void FilteredRows::push(int y) {
     const float* values = &image_.at(0, y);
     const std::uint8_t* valid = &valid_.mask().at(0, y);
-    // Values may be NaN where they are invalid.
-    read_row(row_, valid_.area(), image_.width,
-             [&](int x) { return valid[x] == 0 ? 0.0 : std::clamp(double{values[x]}, 0.0, 1.0); });
-    take_srgb_off(row_);
-    filter_.push(row_);
+    fill_row(filter_.push(), valid_.area(), image_.width, [&](std::span<double> row, int x) {
+        read_clamped(values + x, valid + x, row.data(), row.size());
+        take_srgb_off(row);
+    });
 }
 
-/// Removes invalid pixels, which were filtered as 0: the mean is over the valid ones, and in a derivative the
-/// value of the pixel itself replaces invalid ones, which therefore have no effect.
 void FilteredRows::without_invalid(const FlipFilter& valid) {
     using enum FlipFilter::Response;
-    const std::span<double> seen = filter_[kSeen];
-    const std::span<const double> weights = valid[kSeen];
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        if (weights[i] > 0) seen[i] /= weights[i];
-    }
-    const std::span<const double> self = filter_[kSelf];
-    for (const auto derivative : {kEdgeX, kEdgeY, kPointX, kPointY}) {
-        const std::span<double> values = filter_[derivative];
-        const std::span<const double> of_valid = valid[derivative];
-        for (std::size_t i = 0; i < values.size(); ++i) values[i] -= self[i] * of_valid[i];
-    }
-}
-
-void FilteredRows::find_lengths(std::vector<double>& lengths, FlipFilter::Response in_x,
-                                FlipFilter::Response in_y) const {
-    const double *x = filter_[in_x].data(), *y = filter_[in_y].data();
-    for (std::size_t i = 0; i < lengths.size(); ++i) lengths[i] = std::sqrt(x[i] * x[i] + y[i] * y[i]);
+    const std::size_t width = edges_.size();
+    divide_by_weights(filter_[kSeen].data(), valid[kSeen].data(), width);
+    for (const auto derivative : {kEdgeX, kEdgeY, kPointX, kPointY})
+        add_own_value(filter_[derivative].data(), valid[derivative].data(), filter_.middle().data(), width);
 }
 
 SeenRow FilteredRows::next() {
@@ -118,11 +130,10 @@ SeenRow FilteredRows::next() {
     filter_.respond();
     if (const FlipFilter* valid = valid_.responses(next_)) without_invalid(*valid);
     ++next_;
-    std::ranges::copy(filter_[kSeen], lightness_.begin());
-    to_lightness(lightness_);
-    find_lengths(edges_, kEdgeX, kEdgeY);
-    find_lengths(points_, kPointX, kPointY);
-    return {lightness_.data(), edges_.data(), points_.data()};
+    to_lightness(filter_[kSeen]);
+    find_lengths(filter_[kEdgeX].data(), filter_[kEdgeY].data(), edges_.data(), edges_.size());
+    find_lengths(filter_[kPointX].data(), filter_[kPointY].data(), points_.data(), points_.size());
+    return {filter_[kSeen].data(), edges_.data(), points_.data()};
 }
 
 SeenRow StoredRows::next() {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/image.h"
-#include "metrics/measures/flip_area.h"
 #include "metrics/measures/flip_filter.h"
+#include "metrics/measures/image_area.h"
 #include "metrics/measures/seen_image.h"
 
 #include <optional>
@@ -20,9 +20,9 @@ struct SeenRow {
 class ValidRows {
   public:
     /// Both must outlive it.
-    ValidRows(const Mask& valid, const FlipArea& area);
+    ValidRows(const Mask& valid, const ImageArea& area);
 
-    const FlipArea& area() const { return area_; }
+    const ImageArea& area() const { return area_; }
     const Mask& mask() const { return valid_; }
     /// The filters' responses to 1 where a pixel counts, in row `y` of the image; null where all pixels count
     /// in the area and its margin. Rows must be asked for from the area's top on, each at least once.
@@ -33,10 +33,9 @@ class ValidRows {
     void push(int y);
 
     const Mask& valid_;
-    const FlipArea& area_;
+    const ImageArea& area_;
     std::optional<FlipFilter> filter_;
-    std::vector<double> row_;  ///< with margins
-    int next_ = 0;             ///< the row whose responses come next
+    int next_ = 0;  ///< the row whose responses come next
 };
 
 /// FLIP's features of an image within an area, row by row.
@@ -56,15 +55,13 @@ class FilteredRows final : public SeenRows {
 
   private:
     void push(int y);
+    /// Removes the invalid pixels from the responses: a mean is over the valid ones alone.
     void without_invalid(const FlipFilter& valid);
-    void find_lengths(std::vector<double>& lengths, FlipFilter::Response in_x,
-                      FlipFilter::Response in_y) const;
 
     const ImageF& image_;
     ValidRows& valid_;
     FlipFilter filter_;
-    std::vector<double> row_;  ///< with margins
-    std::vector<double> lightness_, edges_, points_;
+    std::vector<double> edges_, points_;
     int next_;
 };
 
@@ -72,12 +69,12 @@ class FilteredRows final : public SeenRows {
 class StoredRows final : public SeenRows {
   public:
     /// Both must outlive it.
-    StoredRows(const SeenImage& seen, const FlipArea& area) : seen_(seen), area_(area), next_(area.top) {}
+    StoredRows(const SeenImage& seen, const ImageArea& area) : seen_(seen), area_(area), next_(area.top) {}
     SeenRow next() override;
 
   private:
     const SeenImage& seen_;
-    const FlipArea& area_;
+    const ImageArea& area_;
     int next_;
 };
 

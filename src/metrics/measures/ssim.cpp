@@ -1,8 +1,7 @@
 #include "metrics/intervals/block_errors.h"
 #include "metrics/measures.h"
+#include "metrics/measures/finest_similarity.h"
 #include "metrics/measures/mean_error.h"
-#include "metrics/measures/structural_similarity.h"
-#include "metrics/prepared_image.h"
 
 #include <fmt/format.h>
 
@@ -10,9 +9,7 @@ namespace aoscore {
 
 MetricValue measure::ssim(const MetricInput& input) {
     if (!has_valid_pixel(input)) return undefined(kNoValidPixel);
-    const ScaledImage truth(input.truth, input.prepared_truth), test(input.test, input.prepared_test);
-    const SsimSums sums = structural_similarity(truth.windowed(), test.windowed(), PixelWeights(input.valid),
-                                                {input.truth.width, input.truth.height});
+    const SsimSums sums = finest_similarity(input).by_block;
     const std::optional<SsimMeans> means = sums.means();
     if (!means) return undefined(fmt::format("no valid pixel {} px inside the border", kSsimBorder_px));
     if (input.maps != nullptr) {

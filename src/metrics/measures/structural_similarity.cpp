@@ -1,9 +1,12 @@
 #include "metrics/measures/structural_similarity.h"
 
-#include "metrics/measures/convolution.h"
+#include "core/threads.h"
+#include "metrics/measures/wide_lanes.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace aoscore {
@@ -11,111 +14,162 @@ namespace {
 
 constexpr double kC1 = 0.01 * 0.01, kC2 = 0.03 * 0.03;
 
+/// The two indices of a row of pixels.
+struct IndexRow {
+    std::vector<double> ssim, contrast_structure;
+};
+
+AOSCORE_WIDER_WHERE_POSSIBLE
+void find_products(const double* truth, const double* test, const double* weights, double* products,
+                   std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) products[i] = weights[i] * (truth[i] * test[i]);
+}
+
+AOSCORE_WIDER_WHERE_POSSIBLE
+void find_indices(MomentRow truth, MomentRow test, const double* products, const double* scales, double* ssim,
+                  double* contrast_structure, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const double a = truth.mean[i], b = test.mean[i];
+        const double covariance = products[i] * scales[i] - a * b;
+        const double luminance = 2 * a * b + kC1, most_luminance = a * a + b * b + kC1;
+        const double structure = 2 * covariance + kC2;
+        const double most_structure = truth.variance[i] + test.variance[i] + kC2;
+        const double both = 1 / (most_luminance * most_structure);
+        ssim[i] = luminance * structure * both;
+        contrast_structure[i] = structure * most_luminance * both;
+    }
+}
+
+struct PieceSums {
+    double ssim = 0, contrast_structure = 0, weights = 0;
+};
+
+/// The weighted sums over a piece of a row. Where the weight is 0 the indices may be NaN.
+AOSCORE_WIDER_WHERE_POSSIBLE
+PieceSums sums_of_piece(const double* weights, const double* ssim, const double* contrast_structure,
+                        std::size_t count) {
+    Lanes ssims{}, structures{}, all_weights{};
+    std::size_t i = 0;
+    for (; i + kLanes <= count; i += kLanes) {
+        Lanes weight, s, c;
+        load(weight, weights + i);
+        load(s, ssim + i);
+        load(c, contrast_structure + i);
+        const auto counts = weight != 0;
+        ssims += counts ? weight * s : Lanes{};
+        structures += counts ? weight * c : Lanes{};
+        all_weights += weight;
+    }
+    PieceSums sums{sum_of(ssims), sum_of(structures), sum_of(all_weights)};
+    for (; i < count; ++i) {
+        if (weights[i] == 0) continue;
+        sums.ssim += weights[i] * ssim[i];
+        sums.contrast_structure += weights[i] * contrast_structure[i];
+        sums.weights += weights[i];
+    }
+    return sums;
+}
+
 /// One of the two images: a row of its values, and its moments, computed or looked up.
 class Side {
   public:
-    explicit Side(const WindowedImage& image)
+    Side(const WindowedImage& image, const ImageArea& area)
         : image_(image),
-          values_(static_cast<std::size_t>(image.image.width)),
+          left_(area.left),
+          values_(static_cast<std::size_t>(area.width + 2 * kSsimBorder_px)),
           moving_(image.moments == nullptr ? values_.size() : std::size_t{2 * kSsimBorder_px}) {}
 
     const std::vector<double>& push(int y, const std::vector<double>& weights) {
-        read_counting(image_.image, y, weights, values_);
+        read_counting(image_.image, left_, y, weights, values_);
         if (image_.moments == nullptr) moving_.push(values_, weights);
         return values_;
     }
 
     /// `y` counts from the first row inside the border.
-    MomentRow moments(int y, const double* weight_sums) {
-        if (image_.moments == nullptr) return moving_.row(weight_sums);
-        return {&image_.moments->mean.at(0, y), &image_.moments->variance.at(0, y)};
+    MomentRow moments(int y, const double* scales) {
+        if (image_.moments == nullptr) return moving_.row(scales);
+        return {&image_.moments->mean.at(left_, y), &image_.moments->variance.at(left_, y)};
     }
 
   private:
     const WindowedImage& image_;
+    int left_;
     std::vector<double> values_;
     MovingMoments moving_;
 };
 
-/// The sums of one band of rows. Rows are convolved across as they are read, and down over the last eleven of
-/// them, which stay in cache.
-class Band {
+/// The sums of one area, by each of several grids. Rows are convolved across as they are read, and down over
+/// the last eleven of them, which stay in cache.
+class AreaSums {
   public:
-    Band(const WindowedImage& truth, const WindowedImage& test, const PixelWeights& weights,
-         const BlockGrid& grid, int halvings)
-        : truth_(truth),
-          test_(test),
+    AreaSums(const WindowedImage& truth, const WindowedImage& test, const PixelWeights& weights,
+             const ImageArea& area, std::span<const BlockGrid> grids, int halvings)
+        : area_(area),
+          truth_(truth, area),
+          test_(test, area),
           weights_(weights),
-          moving_weights_(weights),
-          grid_(grid),
+          moving_weights_(weights, area),
+          grids_(grids),
           halvings_(halvings),
-          products_(static_cast<std::size_t>(weights.width())),
-          product_row_(static_cast<std::size_t>(weights.width())),
-          ssim_(product_row_.size() - 2 * kSsimBorder_px),
-          contrast_structure_(ssim_) {}
+          product_row_(static_cast<std::size_t>(area.width + 2 * kSsimBorder_px)),
+          products_(product_row_.size()),
+          indices_{std::vector<double>(static_cast<std::size_t>(area.width)),
+                   std::vector<double>(static_cast<std::size_t>(area.width))} {
+        for (const BlockGrid& grid : grids) sums_.emplace_back(grid.size());
+    }
 
-    SsimSums sum(int first_row, int rows) {
-        SsimSums all(grid_.size());
-        for (int y = 0; y < rows + 2 * kSsimBorder_px; ++y) {
-            push_row(first_row + y);
-            if (y < 2 * kSsimBorder_px) continue;
-            const int inner_y = first_row + y - 2 * kSsimBorder_px;
-            const double* weight_sums = moving_weights_.sums();
-            find_indices(truth_.moments(inner_y, weight_sums), test_.moments(inner_y, weight_sums),
-                         products_.sums(), weight_sums);
-            add_row(first_row + y - kSsimBorder_px, all);
+    std::vector<SsimSums> sums() {
+        constexpr int kBorders_px = 2 * kSsimBorder_px;
+        for (int y = area_.top; y < area_.top + area_.height + kBorders_px; ++y) {
+            push_row(y);
+            if (y < area_.top + kBorders_px) continue;
+            const double* scales = moving_weights_.scales();
+            const MomentRow truth = truth_.moments(y - kBorders_px, scales);
+            const MomentRow test = test_.moments(y - kBorders_px, scales);
+            find_indices(truth, test, products_.sums(), scales, indices_.ssim.data(),
+                         indices_.contrast_structure.data(), indices_.ssim.size());
+            add_row(y - kSsimBorder_px);
         }
-        return all;
+        return std::move(sums_);
     }
 
   private:
     void push_row(int y) {
         const std::vector<double>& weights = moving_weights_.push(y);
         const std::vector<double>&truths = truth_.push(y, weights), &tests = test_.push(y, weights);
-        for (std::size_t x = 0; x < product_row_.size(); ++x)
-            product_row_[x] = weights[x] * (truths[x] * tests[x]);
+        find_products(truths.data(), tests.data(), weights.data(), product_row_.data(), product_row_.size());
         products_.push(product_row_.data());
     }
 
-    AOSCORE_WIDER_WHERE_POSSIBLE
-    void find_indices(MomentRow truth, MomentRow test, const double* products, const double* weights) {
-        double *ssim = ssim_.data(), *contrast_structure = contrast_structure_.data();
-        const std::size_t count = ssim_.size();
-        for (std::size_t i = 0; i < count; ++i) {
-            const double a = truth.mean[i], b = test.mean[i];
-            const double covariance = products[i] / weights[i] - a * b;
-            const double luminance = (2 * a * b + kC1) / (a * a + b * b + kC1);
-            contrast_structure[i] = (2 * covariance + kC2) / (truth.variance[i] + test.variance[i] + kC2);
-            ssim[i] = luminance * contrast_structure[i];
+    /// Adds the indices of row `y` of the image.
+    void add_row(int y) {
+        const int left = area_.left + kSsimBorder_px;
+        const std::span<double> weights = std::span(product_row_).first(indices_.ssim.size());
+        weights_.read_row(left, y, weights);
+        for (std::size_t g = 0; g < grids_.size(); ++g) {
+            grids_[g].for_each_piece(
+                y, left, left + area_.width, halvings_, [&](std::size_t block, int from, int to) {
+                    const auto first = static_cast<std::size_t>(from - left);
+                    const PieceSums piece = sums_of_piece(&weights[first], &indices_.ssim[first],
+                                                          &indices_.contrast_structure[first],
+                                                          static_cast<std::size_t>(to - from));
+                    sums_[g].ssim[block] += piece.ssim;
+                    sums_[g].contrast_structure[block] += piece.contrast_structure;
+                    sums_[g].weights[block] += piece.weights;
+                });
         }
     }
 
-    void add_row(int y, SsimSums& all) {
-        weights_.read_row(y, product_row_);
-        const int last_x = weights_.width() - kSsimBorder_px;
-        grid_.for_each_piece(y, kSsimBorder_px, last_x, halvings_, [&](std::size_t block, int from, int to) {
-            double ssim = 0, contrast_structure = 0, sum = 0;
-            for (int x = from; x < to; ++x) {
-                const double weight = product_row_[static_cast<std::size_t>(x)];
-                if (weight == 0) continue;
-                const auto i = static_cast<std::size_t>(x - kSsimBorder_px);
-                ssim += weight * ssim_[i];
-                contrast_structure += weight * contrast_structure_[i];
-                sum += weight;
-            }
-            all.ssim[block] += ssim;
-            all.contrast_structure[block] += contrast_structure;
-            all.weights[block] += sum;
-        });
-    }
-
+    const ImageArea& area_;
     Side truth_, test_;
     const PixelWeights& weights_;
     MovingWeights moving_weights_;
-    const BlockGrid& grid_;
+    std::span<const BlockGrid> grids_;
     int halvings_;
+    std::vector<double> product_row_;
     WindowFilter products_;
-    std::vector<double> product_row_, ssim_, contrast_structure_;
+    IndexRow indices_;
+    std::vector<SsimSums> sums_;
 };
 
 }  // namespace
@@ -135,18 +189,21 @@ std::optional<SsimMeans> SsimSums::means() const {
     return SsimMeans{total(ssim) / weight, total(contrast_structure) / weight};
 }
 
-SsimSums structural_similarity(const WindowedImage& truth, const WindowedImage& test,
-                               const PixelWeights& weights, const BlockGrid& grid, int halvings) {
-    const int width = weights.width() - 2 * kSsimBorder_px;
-    const int height = weights.height() - 2 * kSsimBorder_px;
-    SsimSums all(grid.size());
-    if (width <= 0 || height <= 0) return all;
+std::vector<SsimSums> structural_similarity(const WindowedImage& truth, const WindowedImage& test,
+                                            const PixelWeights& weights, std::span<const BlockGrid> grids,
+                                            int halvings) {
+    std::vector<SsimSums> all;
+    for (const BlockGrid& grid : grids) all.emplace_back(grid.size());
+    if (std::min(weights.width(), weights.height()) <= 2 * kSsimBorder_px) return all;
 
-    std::vector<SsimSums> bands(band_count(height));
-    for_each_band(height, [&](std::size_t band, int first_row, int rows) {
-        bands[band] = Band(truth, test, weights, grid, halvings).sum(first_row, rows);
+    const std::vector<ImageArea> areas = windowed_areas(weights.width(), weights.height());
+    std::vector<std::vector<SsimSums>> of_areas(areas.size());
+    parallel_for(areas.size(), [&](std::size_t i) {
+        of_areas[i] = AreaSums(truth, test, weights, areas[i], grids, halvings).sums();
     });
-    for (const SsimSums& sums : bands) all.add(sums);
+    for (const std::vector<SsimSums>& sums : of_areas) {
+        for (std::size_t g = 0; g < all.size(); ++g) all[g].add(sums[g]);
+    }
     return all;
 }
 

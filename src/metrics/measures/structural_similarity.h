@@ -6,6 +6,7 @@
 #include "metrics/measures/window_moments.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace aoscore {
@@ -32,12 +33,13 @@ struct WindowedImage {
     const WindowMoments* moments = nullptr;
 };
 
-/// Sums over the pixels that are at least kSsimBorder_px inside, by block of `grid`, whose image may have
-/// been halved some times. Where the weight is 0 the images may hold anything. The moments of the 11x11
+/// Sums over the pixels that are at least kSsimBorder_px inside, by block of each grid of the image before it
+/// was halved some times. Where the weight is 0 the images may hold anything. The moments of the 11x11
 /// Gaussian window (standard deviation 1.5, K1 0.01, K2 0.03, range 1, population covariance) are normalised
 /// convolutions, see WindowMoments. Zhou Wang, Alan Bovik, Hamid Sheikh, Eero Simoncelli, "Image Quality
 /// Assessment: From Error Visibility to Structural Similarity", 2004.
-SsimSums structural_similarity(const WindowedImage& truth, const WindowedImage& test,
-                               const PixelWeights& weights, const BlockGrid& grid, int halvings = 0);
+std::vector<SsimSums> structural_similarity(const WindowedImage& truth, const WindowedImage& test,
+                                            const PixelWeights& weights, std::span<const BlockGrid> grids,
+                                            int halvings = 0);
 
 }  // namespace aoscore

@@ -28,7 +28,7 @@ const std::array<double, kSsimBorder_px + 1> kHalfWindow = half_gaussian_window(
 void WindowFilter::push(const double* row) {
     std::array<const double*, kRows> from{};
     for (std::size_t k = 0; k < kRows; ++k) from[k] = row + k;
-    even_sums(&kept_[pushed_ % kRows * inner_], from, kHalfWindow, inner_);
+    even_sums(from, inner_, {&kept_[pushed_ % kRows * inner_], kHalfWindow.data()});
     ++pushed_;
 }
 
@@ -36,7 +36,7 @@ const double* WindowFilter::sums() {
     assert(pushed_ >= kRows);
     std::array<const double*, kRows> from{};
     for (std::size_t k = 0; k < kRows; ++k) from[k] = &kept_[(pushed_ + k) % kRows * inner_];
-    even_sums(sums_.data(), from, kHalfWindow, inner_);
+    even_sums(from, inner_, {sums_.data(), kHalfWindow.data()});
     return sums_.data();
 }
 

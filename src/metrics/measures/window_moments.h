@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/image.h"
+#include "metrics/measures/image_area.h"
 #include "metrics/measures/pixel_weights.h"
 #include "metrics/measures/window_filter.h"
 
@@ -20,21 +21,27 @@ struct WindowMoments {
 /// than the window.
 WindowMoments window_moments(const ImageF& image, const PixelWeights& weights);
 
-/// Weights row by row, and their sums under the window.
+/// The areas in which pixels with a window are filtered, of an image of this size. The window of an area's
+/// pixel x, y covers the image from x, y to x + 2 * kSsimBorder_px, y + 2 * kSsimBorder_px.
+std::vector<ImageArea> windowed_areas(int image_width, int image_height);
+
+/// The weights under the windows of an area, row by row.
 class MovingWeights {
   public:
     /// `weights` must outlive it.
-    explicit MovingWeights(const PixelWeights& weights);
+    MovingWeights(const PixelWeights& weights, const ImageArea& area);
 
     /// Pushes the weights of row `y`, which must be the one after the last.
     const std::vector<double>& push(int y);
-    /// The sums around the middle one of the last rows; 1 where all pixels count fully.
-    const double* sums();
+    /// The factors that make a mean of a weighted sum around the middle one of the last rows: 1 where all
+    /// pixels count fully, and infinite where none counts.
+    const double* scales();
 
   private:
     const PixelWeights& weights_;
+    int left_;
     WindowFilter filter_;
-    std::vector<double> row_;
+    std::vector<double> row_, scales_;
 };
 
 /// A row of WindowMoments.
@@ -42,23 +49,24 @@ struct MomentRow {
     const double *mean, *variance;
 };
 
-/// The moments of an image row by row.
+/// The moments under the windows of an area, row by row.
 class MovingMoments {
   public:
+    /// Makes it for rows of `width` pixels that are read.
     explicit MovingMoments(std::size_t width);
 
     /// Pushes the next row: its values, 0 where they do not count, and their weights.
     void push(const std::vector<double>& values, const std::vector<double>& weights);
-    /// The moments around the middle one of the last rows pushed.
-    MomentRow row(const double* weight_sums);
+    /// The moments around the middle one of the last rows pushed, by MovingWeights' scales.
+    MomentRow row(const double* scales);
 
   private:
     WindowFilter values_, squares_;
     std::vector<double> terms_, squared_terms_, mean_, variance_;
 };
 
-/// Reads the values of row `y`, 0 where they do not count.
-void read_counting(const ImageF& image, int y, const std::vector<double>& weights,
+/// Reads the values of row `y` from `x` on, as many as there are weights; 0 where they do not count.
+void read_counting(const ImageF& image, int x, int y, const std::vector<double>& weights,
                    std::vector<double>& values);
 
 }  // namespace aoscore
