@@ -30,33 +30,37 @@ vec4 numbers(int output_index) {
 uniform mat4 u_scene_from_view;
 uvec3 voxel_low = uvec3(0u), voxel_high = uvec3(0u);
 float mixing = 0.0;
+const float kLeastChange = 1e-18;  // metres from pixel to pixel, where floats see none
 
 // Below what (1-t) a + t b lies with this probability, a and b even in [0,1).
 float quantile(float probability, float t) {
     float a = min(t, 1.0 - t), b = 1.0 - a;
     float least = 0.5 * a / b;  // the probability of less than a, or of more than b
-    if (probability < least) return sqrt(2.0 * a * b * probability);
-    if (probability <= 1.0 - least) return probability * b + 0.5 * a;
-    return 1.0 - sqrt(2.0 * a * b * (1.0 - probability));
+    float tail = sqrt(2.0 * a * b * min(probability, 1.0 - probability));
+    return probability < least ? tail : 1.0 - probability < least ? 1.0 - tail : probability * b + 0.5 * a;
 }
+
+// The greatest power of two that is not above a positive number: its exponent alone.
+vec3 power_of_two(vec3 x) { return uintBitsToFloat(floatBitsToUint(x) & 0x7f800000u); }
 
 float threshold_of_alpha() {
     vec3 view = mirrored(view_position(gl_FragCoord.xy, linear_depth()));
     vec3 place = (u_scene_from_view * vec4(view, 1.0)).xyz;
     vec3 dx = dFdx(place), dy = dFdy(place);
 #if defined(SAMPLING_ISOTROPIC)
-    vec3 level = vec3(-log2(max(length(dx), length(dy))));
-    mixing = fract(level.x);
+    vec3 scale = vec3(inversesqrt(max(max(dot(dx, dx), dot(dy, dy)), kLeastChange * kLeastChange)));
+    vec3 low = power_of_two(scale);
+    mixing = log2(scale.x / low.x);
 #else
     // An axis along which nothing changes has no scale: it gets a thousandth of the largest change's.
     vec3 change = max(abs(dx), abs(dy));
-    change = max(change, 1e-3 * max(change.x, max(change.y, change.z)));
-    vec3 level = log2(0.707 / change);
-    float to_low = length(fract(level)), to_high = length(1.0 - fract(level));
+    change = max(change, max(1e-3 * max(change.x, max(change.y, change.z)), kLeastChange));
+    vec3 scale = 0.707 / change, low = power_of_two(scale), above = log2(scale / low);
+    float to_low = length(above), to_high = length(1.0 - above);
     mixing = to_low / (to_low + to_high);
 #endif
-    voxel_low = floatBitsToUint(floor(exp2(floor(level)) * place) + 0.0);  // no -0
-    voxel_high = floatBitsToUint(floor(exp2(ceil(level)) * place) + 0.0);
+    voxel_low = floatBitsToUint(floor(low * place) + 0.0);  // no -0
+    voxel_high = floatBitsToUint(floor(2.0 * low * place) + 0.0);
     return quantile(u_alpha, mixing);
 }
 
