@@ -5,13 +5,15 @@
 #include "lib/pcg.glsl"
 
 const int kOutputs = (SAMPLES + 3) / 4;
+// One hash serves eight samples: each has sixteen bits, so that a probability is one of this many, rounded up.
+const float kProbabilities = 65536.0;
 uniform float u_alpha;  // with what probability a sample accepts a surface
 uniform uint u_seed;
 uniform int u_instance;
 uniform int u_first_triangle;
 
 // Seeds must not share numbers: seed ^ sample would only exchange the samples of neighbouring seeds.
-uint stream_key(uint stream) { return u_seed * 2654435769u + stream; }
+uint stream_key(int stream) { return u_seed * 2654435769u + uint(stream); }
 
 uvec3 fragment_id() {
     uvec2 texel = uvec2(mirrored_texel(ivec2(gl_FragCoord.xy), ivec2(u_size_px)));
@@ -19,10 +21,15 @@ uvec3 fragment_id() {
     return uvec3(texel, triangle);
 }
 
-vec4 fragment_numbers(uint stream) { return unit_numbers(pcg4d(uvec4(fragment_id(), stream_key(stream)))); }
+// Four numbers in [0,1), even and independent.
+vec4 upper_numbers(uvec4 bits) { return vec4(ivec4(bits >> 16u)) / kProbabilities; }
+vec4 lower_numbers(uvec4 bits) { return vec4(ivec4(bits & 65535u)) / kProbabilities; }
 
-// No sample beyond the last one accepts anything.
-bvec4 exists(int i) { return lessThan(ivec4(0, 1, 2, 3) + 4 * i, ivec4(SAMPLES)); }
+// Those of an output's samples, of what is at this place.
+vec4 numbers_at(uvec3 place, int output_index) {
+    uvec4 bits = pcg4d(uvec4(place, stream_key(output_index / 2)));
+    return output_index % 2 == 0 ? upper_numbers(bits) : lower_numbers(bits);
+}
 
 #if defined(SAMPLING_PEELED)
 bvec4[kOutputs] accepted_samples() {
@@ -35,15 +42,15 @@ bvec4[kOutputs] accepted_samples() {
 // R = floor(alpha S + xi) of the S samples, every such subset equally likely: drawn once a fragment. As printed, inside the
 // loop over samples, each would have a subset of its own, and the method would be the plain coins. By selection in order
 // (Fan, Muller and Rezucha, Development of Sampling Plans by Using Sequential Item by Item Selection Techniques, 1962)
-// in place of a table of all subsets: R of the left ones, each with its chance.
+// in place of a table of all subsets: R of the left ones, each with its chance. The last one left needs no number, since
+// it is wanted or not: xi has its bits, which end those of the last hash.
 bvec4[kOutputs] accepted_samples() {
     bvec4 accepted[kOutputs];
-    float wanted = min(floor(u_alpha * float(SAMPLES) + fragment_numbers(uint(kOutputs)).x), float(SAMPLES));
+    float xi = numbers_at(fragment_id(), (kOutputs - 1) | 1).w;
+    float wanted = floor(u_alpha * float(SAMPLES) + xi);
     for (int i = 0; i < kOutputs; ++i) {
-        accepted[i] = bvec4(false);
-        if (wanted == 0.0) continue;
-        vec4 number = fragment_numbers(uint(i));
-        for (int j = 0; j < min(SAMPLES - 4 * i, 4); ++j) {
+        vec4 number = numbers_at(fragment_id(), i);
+        for (int j = 0; j < 4; ++j) {
             accepted[i][j] = number[j] * float(SAMPLES - 4 * i - j) < wanted;
             wanted -= accepted[i][j] ? 1.0 : 0.0;
         }
@@ -56,16 +63,13 @@ bvec4[kOutputs] accepted_samples() {
 
 bvec4[kOutputs] accepted_samples() {
     bvec4 accepted[kOutputs];
-    begin_thresholds();
+    float threshold = threshold_of_alpha();
     for (int i = 0; i < kOutputs; ++i) {
 #if PER_SAMPLE
-        vec4 threshold = thresholds(i);
+        accepted[i] = lessThan(numbers(i), vec4(threshold));
 #else
-        vec4 threshold = thresholds(0).xxxx;
+        accepted[i] = bvec4(numbers(0).x < threshold);
 #endif
-        bvec4 is_accepted = lessThan(threshold, vec4(u_alpha)), there = exists(i);
-        accepted[i] = bvec4(is_accepted.x && there.x, is_accepted.y && there.y, is_accepted.z && there.z,
-                            is_accepted.w && there.w);
     }
     return accepted;
 }

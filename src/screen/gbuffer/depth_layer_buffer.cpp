@@ -30,6 +30,11 @@ std::string macros_of(const DepthLayers& layers, Mirror mirror) {
                        layers.per_sample ? 1 : 0, sampling.macro, mirror_macros(mirror));
 }
 
+bool same_shape(const DepthLayers& a, const DepthLayers& b) {
+    return textures_for(a.samples) == textures_for(b.samples) &&
+           format_of(a.samples).internal == format_of(b.samples).internal;
+}
+
 /// Empties every sample of the bound framebuffer.
 void clear_samples(int textures, float far) {
     const std::array<float, 4> empty = {far, far, far, far};
@@ -39,18 +44,29 @@ void clear_samples(int textures, float far) {
 }  // namespace
 
 GLuint DepthLayerBuffer::texture(const GBuffer& gbuffer, const DepthLayers& layers, Mirror mirror) {
-    if (!drawn_ || drawn_->layers != layers || drawn_->mirror != mirror)
+    if (!drawn_ || drawn_->is_stale || drawn_->layers != layers || drawn_->mirror != mirror)
         draw(gbuffer, layers, mirror, gbuffer.geometry().draws());
     return drawn_->array.name();
 }
 
+// Fresh memory costs a page fault for every 4 KB, which for sixteen samples is as much as drawing some
+// layers: what fits is used again.
+void DepthLayerBuffer::allocate(int width, int height, const DepthLayers& layers) {
+    if (drawn_ && drawn_->width == width && drawn_->height == height && same_shape(drawn_->layers, layers)) {
+        drawn_->is_stale = false;
+        return;
+    }
+    drawn_.reset();  // frees its memory for the next one
+    gl::Texture array =
+        make_texture_array(format_of(layers.samples), width, height, textures_for(layers.samples));
+    drawn_ = Drawn{.layers = layers, .width = width, .height = height, .array = std::move(array)};
+}
+
 void DepthLayerBuffer::draw(const GBuffer& gbuffer, const DepthLayers& layers, Mirror mirror,
                             std::span<const SceneGeometry::Draw> draws) {
-    drawn_.reset();  // frees its memory for the next one
-    const TextureFormat format = format_of(layers.samples);
-    drawn_ = Drawn{layers, mirror, gbuffer.width(), gbuffer.height(), {}};
-    drawn_->array =
-        make_texture_array(format, gbuffer.width(), gbuffer.height(), textures_for(layers.samples));
+    allocate(gbuffer.width(), gbuffer.height(), layers);
+    drawn_->layers = layers;
+    drawn_->mirror = mirror;
     const glm::mat4 scene_from_view(gbuffer.frame().world_from_view());
     SceneDrawing::Look look{&gbuffer.geometry(), draws, &gbuffer.frame(), macros_of(layers, mirror), 0, {}};
     look.set_uniforms = [&layers, scene_from_view](const ShaderProgram& p) {
@@ -104,7 +120,7 @@ void DepthLayerBuffer::peel(const GBuffer& gbuffer, SceneDrawing::Look look) {
 }
 
 std::vector<ImageF> DepthLayerBuffer::read() const {
-    if (!drawn_) throw internal_error("no depth layers were drawn", "DepthLayerBuffer");
+    if (!drawn_ || drawn_->is_stale) throw internal_error("no depth layers were drawn", "DepthLayerBuffer");
     const int samples = drawn_->layers.samples, textures = textures_for(samples);
     const TextureFormat format = format_of(samples);
     const std::size_t in_texel = samples == 1 ? 1 : samples == 2 ? 2 : kInTexel;
@@ -114,7 +130,6 @@ std::vector<ImageF> DepthLayerBuffer::read() const {
     read_texture_array(drawn_->array.name(), format.transfer, all.data());
     std::vector<ImageF> images(static_cast<std::size_t>(samples), ImageF(drawn_->width, drawn_->height));
     for (std::size_t sample = 0; sample < images.size(); ++sample) {
-        if (!drawn_) throw internal_error("no depth layers were drawn", "DepthLayerBuffer");
         const std::size_t first = sample / in_texel * pixels * in_texel + sample % in_texel;
         for (std::size_t i = 0; i < pixels; ++i) images[sample].pixels[i] = all[first + i * in_texel];
     }

@@ -30,15 +30,20 @@ class DepthLayerBuffer {
     std::vector<ImageF> read() const;
 
     /// Forgets the last drawing, when the G-buffer has changed or the work is to be timed.
-    void forget() { drawn_.reset(); }
+    /// Its memory is kept for the next one of the same shape.
+    void forget() {
+        if (drawn_) drawn_->is_stale = true;
+    }
 
   private:
     struct Drawn {
         DepthLayers layers;
         Mirror mirror = Mirror::none;
         int width = 0, height = 0;
+        bool is_stale = false;  ///< of a G-buffer that is no more, or to be drawn again for the clock
         gl::Texture array;
     };
+    void allocate(int width, int height, const DepthLayers& layers);
     void blend(const GBuffer& gbuffer, SceneDrawing::Look look);
     void peel(const GBuffer& gbuffer, SceneDrawing::Look look);
 

@@ -59,7 +59,7 @@ const std::vector<DepthSampling>& depth_samplings() {
         {"stratified", "SAMPLING_STRATIFIED",
          "a surface takes alpha S samples, rounded up or down at random, in any of their combinations"},
         {"simple_hash", "SAMPLING_SIMPLE_HASH", "a coin for each sample, from pixel, triangle and sample"},
-        {"hash_4d", "SAMPLING_HASH_4D", "the same, hashed one after the other"},
+        {"hash_4d", "SAMPLING_HASH_4D", "the same, hashed one after the other, four samples at a time"},
         {"isotropic", "SAMPLING_ISOTROPIC", "a coin for each sample, from a place in the scene"},
         {"anisotropic", "SAMPLING_ANISOTROPIC", "the same, with a scale of its own along each axis"},
         {"peeled", "SAMPLING_PEELED", "no coins: the layers from front to back"},
