@@ -7,6 +7,7 @@
 #include "page/document/page_parts.h"
 #include "page/document/page_template.h"
 #include "page/pictures/pictures.h"
+#include "page/ranking_order.h"
 #include "page/section.h"
 #include "page/sections/stage_data.h"
 
@@ -20,9 +21,9 @@ namespace fs = std::filesystem;
 // Beyond this size browsers open pages slowly, and mail programs refuse them.
 constexpr std::size_t kLargePage_bytes = std::size_t{50} << 20;
 
-std::string section_html(const Section& section, const PageSource& source) {
+std::string section_html(const Section& section, const nlohmann::json& content) {
     const fs::path fragment = page_folder() / "sections" / (std::string(section.id) + ".html");
-    return fill_template(read_file(fragment), section.build(source), fragment.string());
+    return fill_template(read_file(fragment), content, fragment.string());
 }
 
 std::string page_html(const PageSource& all, const PageSource& source) {
@@ -33,9 +34,12 @@ std::string page_html(const PageSource& all, const PageSource& source) {
     for (const Section& section : sections()) {
         const PageSource& used = section.of == Section::Of::all ? all : source;
         if (section.applies != nullptr && !section.applies(used.results)) continue;
+        const nlohmann::json content = section.build(used);
         model["sections"].push_back({{"id", std::string(section.id)},
                                      {"title", std::string(section.title)},
-                                     {"body", section_html(section, used)}});
+                                     {"folded", section.folded},
+                                     {"in_short", content.value("in_short", "")},
+                                     {"body", section_html(section, content)}});
     }
     const fs::path frame = page_folder() / "template.html";
     std::string html = html_text({"screen-space ambient occlusion against ray-traced truth", page_style(),
@@ -53,9 +57,10 @@ void require_page_parts() {
 }
 
 fs::path write_page(const fs::path& results_folder, bool everything, const std::string& key) {
-    const Results results = read_results(results_folder);
+    const Results results = in_ranking_order(read_results(results_folder));
     const Results shown = pictured(results);
-    const Pictures pictures = make_pictures(shown, results_folder, everything);
+    Pictures pictures = make_pictures(shown, results_folder, everything);
+    pictures.looks = first_looks(shown, results_folder);
     const LiveData live = read_live_data(shown, results_folder);
     std::string html = page_html({results, pictures, live}, {shown, pictures, live});
     if (html.size() > kLargePage_bytes) {

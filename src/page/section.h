@@ -20,7 +20,7 @@ struct PageSource {
 
 /// One section of the page: a row of the table in sections.cpp, a file that builds its model, and the
 /// Mustache fragment reports/page/sections/<id>.html that shows it. The model holds texts, booleans, lists
-/// and objects only.
+/// and objects only. That of a folded section has its result in a sentence, "in_short".
 struct Section {
     std::string_view id;
     std::string_view title;
@@ -29,6 +29,7 @@ struct Section {
     enum class Of { pictured, all } of = Of::pictured;
     /// Whether it applies to the results; the page leaves it out otherwise.
     bool (*applies)(const Results&) = nullptr;
+    bool folded = true;  ///< shows a line until a reader unfolds it; its contents are built then
 };
 
 /// All sections in the order of the page.

@@ -15,6 +15,20 @@ bool has_pictures(const Results& results) {
     return !results.views.empty();
 }
 
+bool has_costs(const Results& results) {
+    return std::ranges::any_of(results.cells,
+                               [](const CellRecord& cell) { return cost_ms(cell).has_value(); });
+}
+
+bool has_analyses(const Results& results) {
+    return std::ranges::any_of(results.cells,
+                               [](const CellRecord& cell) { return cell.analysis.has_value(); });
+}
+
+bool has_tables(const Results& results) {
+    return !results.tables.empty();
+}
+
 bool has_signals(const Results& results) {
     return std::ranges::any_of(results.views, [](const ViewRecord& view) { return !view.signals.empty(); });
 }
@@ -32,16 +46,16 @@ bool has_sweeps(const Results& results) {
 const std::vector<Section>& sections() {
     using enum Section::Of;
     static const std::vector<Section> table = {
-        {"verdict", "Verdict", section::verdict, pictured, has_pictures},
+        {"verdict", "Verdict", section::verdict, pictured, has_pictures, false},
         {"ranking", "Ranking", section::ranking, pictured, has_pictures},
-        {"pictures", "Pictures", section::pictures, pictured, has_pictures},
+        {"pictures", "Pictures", section::pictures, pictured, has_pictures, false},
         {"sweeps", "Sweeps", section::sweeps, all, has_sweeps},
-        {"cost", "Run time against error", section::cost, pictured, has_pictures},
-        {"failures", "Where it fails", section::failures, pictured, has_pictures},
-        {"distributions", "Errors in detail", section::distributions, pictured, has_pictures},
+        {"cost", "Run time against error", section::cost, pictured, has_costs},
+        {"failures", "Where it fails", section::failures, pictured, has_analyses},
+        {"distributions", "Errors in detail", section::distributions, pictured, has_analyses},
         {"signals", "Bent normals and cones", section::signals, pictured, has_signals},
         {"live", "Live parameters", section::live, pictured, has_pictures},
-        {"published", "Published tables beside ours", section::published, pictured, has_pictures},
+        {"published", "Published tables beside ours", section::published, pictured, has_tables},
         {"claims", "Published claims", section::claims, all, has_claims},
         {"measurement", "How it was measured", section::measurement, all},
     };

@@ -1,3 +1,7 @@
+#include "metrics/analysis/best_fit.h"
+#include "page/document/stage_link.h"
+#include "page/pictures/first_look.h"
+#include "page/ranking_order.h"
 #include "page/section.h"
 #include "page/synthetic_results.h"
 #include "support/support.h"
@@ -23,6 +27,7 @@ struct SyntheticPage {
         const std::filesystem::path folder = testing::output_dir();
         testing::write_synthetic(results, folder);
         pictures = make_pictures(results, folder);
+        pictures.looks = first_looks(results, folder);
     }
     PageSource source() const { return {results, pictures, live}; }
 };
@@ -34,19 +39,16 @@ RankingRecord over_both_views(const Results& results) {
     return over_views;
 }
 
-TEST(Verdict, NamesTheClosestMethodItsLeadAndItsCost) {
+TEST(Verdict, NamesTheClosestMethodAndItsLead) {
     SyntheticPage page;
     const json model = section::verdict(page.source());
     ASSERT_EQ(model["details"].size(), 2U) << "one a view, whatever the presets";
     EXPECT_EQ(model["details"][0],
-              "On atrium/wide Alchemy AO, quality comes closest of 6 to the ray-traced truth: debiased RMSE "
-              "0.0400, "
-              "20 % below Alchemy AO, performance-wide, at 0.94 times its milliseconds and 12.0 against 12.0 "
-              "fetches a pixel.");  // 80 / (80 + 5.5)
-    EXPECT_EQ(
-        model["details"][1],
-        "On atrium/close HBAO (Hussain) comes closest of 2 to the ray-traced truth: debiased RMSE 0.0800, "
-        "60 % below Crytek SSAO, at 2.90 times its milliseconds and 36.5 against 16.0 fetches a pixel.");
+              "Alchemy AO, quality is closest of 6 methods to the ray-traced truth on atrium/wide: its "
+              "debiased RMSE is 0.0400, 20 % below that of Alchemy AO, performance-wide.");
+    EXPECT_EQ(model["details"][1],
+              "HBAO (Hussain) is closest of 2 methods to the ray-traced truth on atrium/close: its debiased "
+              "RMSE is 0.0800, 60 % below that of Crytek SSAO.");
 }
 
 TEST(Verdict, LeadsWithTheRankingOverViewsAndSaysWhichTheyAre) {
@@ -54,16 +56,15 @@ TEST(Verdict, LeadsWithTheRankingOverViewsAndSaysWhichTheyAre) {
     page.results.rankings.erase(page.results.rankings.begin() + 1);
     page.results.rankings.push_back(over_both_views(page.results));
     EXPECT_EQ(section::verdict(page.source())["lead"],
-              "Over atrium/wide and atrium/close at R 0.5 m Alchemy AO, quality comes closest of 6 to the "
-              "ray-traced "
-              "truth: debiased RMSE 0.0400, 20 % below Alchemy AO, performance-wide.");
+              "Alchemy AO, quality is closest of 6 methods to the ray-traced truth over atrium/wide and "
+              "atrium/close (R 0.5 m): its debiased RMSE is 0.0400, 20 % below that of Alchemy AO, "
+              "performance-wide.");
     std::vector<PlaceRecord>& places = page.results.rankings.back().places;
     for (std::size_t i = 0; i < 3; ++i) places[i].rank = RankRange{1, 3};
-    EXPECT_EQ(
-        section::verdict(page.source())["lead"],
-        "Over atrium/wide and atrium/close at R 0.5 m it cannot be told which of 6 methods comes closest "
-        "to the ray-traced truth: Alchemy AO, quality (0.0400), Alchemy AO, performance-wide (0.0500) and "
-        "HBAO (Hussain), quality (0.0640) by debiased RMSE.");
+    EXPECT_EQ(section::verdict(page.source())["lead"],
+              "Alchemy AO, quality (0.0400), Alchemy AO, performance-wide (0.0500) or HBAO (Hussain), "
+              "quality (0.0640) is closest of 6 methods to the ray-traced truth over atrium/wide and "
+              "atrium/close (R 0.5 m): the differences between their debiased RMSEs are not significant.");
 }
 
 TEST(Verdict, DoesNotLeadWithARankingOverViewsThatLacksWhatLeadsOnOne) {
@@ -82,10 +83,9 @@ TEST(Verdict, CountsTheViewsOnWhichAMethodSurelyLeads) {
     page.results.rankings.back().places[0].rank = page.results.rankings.back().places[1].rank =
         RankRange{1, 2};
     const json model = section::verdict(page.source());
-    EXPECT_EQ(
-        model["lead"],
-        "Which method comes closest to the ray-traced truth depends on the view: of 4 views Alchemy AO, "
-        "quality on 2, HBAO (Hussain) on 1 and on 1 it cannot be told.");
+    EXPECT_EQ(model["lead"],
+              "Which method is closest to the ray-traced truth depends on the view: of 4 views Alchemy AO, "
+              "quality is on 2, HBAO (Hussain) is on 1 and on 1 it cannot be told.");
     EXPECT_TRUE(model["failed"].get<bool>());
 }
 
@@ -96,18 +96,21 @@ TEST(Verdict, LetsNeitherABoundNorWhatIsAloneWin) {
     places.resize(3);
     places[0].rank.reset();
     places[1].rank = places[2].rank = RankRange{1, 2};
-    EXPECT_EQ(
-        section::verdict(page.source())["lead"],
-        "On atrium/wide it cannot be told which of 2 methods comes closest to the ray-traced truth: "
-        "Alchemy AO, performance-wide (0.0500) and HBAO (Hussain) (0.0640) by debiased RMSE. Beside the "
-        "ranking, not for use: Alchemy AO, quality (0.0400).");
+    const json model = section::verdict(page.source());
+    EXPECT_EQ(model["lead"],
+              "Alchemy AO, performance-wide (0.0500) or HBAO (Hussain) (0.0640) is closest of 2 methods to "
+              "the ray-traced truth on atrium/wide: the differences between their debiased RMSEs are not "
+              "significant.");
+    EXPECT_EQ(model["details"][0],
+              "Alchemy AO, quality (0.0400) is not for use and has no rank: it shows how far one depth layer "
+              "goes on atrium/wide.");
     places.resize(2);
     places[1].rank = RankRange{1, 1};
-    EXPECT_THAT(section::verdict(page.source())["lead"].get<std::string>(),
-                HasSubstr("Alchemy AO, performance-wide alone was scored: debiased RMSE 0.0500."));
+    EXPECT_EQ(section::verdict(page.source())["lead"],
+              "Alchemy AO, performance-wide is the only method scored on atrium/wide: its debiased RMSE is "
+              "0.0500.");
     places.resize(1);
-    EXPECT_THAT(section::verdict(page.source())["lead"].get<std::string>(),
-                HasSubstr("no method for use was scored"));
+    EXPECT_EQ(section::verdict(page.source())["lead"], "On atrium/wide no method for use was scored.");
     page.results.rankings.clear();
     EXPECT_EQ(section::verdict(page.source())["lead"], "No method could be scored.");
 }
@@ -233,6 +236,12 @@ TEST(Cost, FrontIsWhatNothingBeatsInTimeAndError) {
     EXPECT_EQ(charts[1]["front"][1]["method"], "HBAO (Hussain)");
 }
 
+TEST(Cost, SaysInShortWhatNoOtherMethodBeats) {
+    SyntheticPage page;
+    EXPECT_EQ(section::cost(page.source())["in_short"],
+              "On atrium/wide no other of 6 methods is both faster and closer than Alchemy AO, quality.");
+}
+
 TEST(Cost, PutsNoBoundOnTheFront) {
     SyntheticPage page;
     for (CellRecord& cell : page.results.cells) {
@@ -263,6 +272,21 @@ TEST(Failures, DivideMissingOcclusionByCauseAndLinkTheWorstRegions) {
     EXPECT_EQ(region["box"], "3,4,10,20");
     EXPECT_EQ(region["mean"], "+0.45");
     EXPECT_EQ(region["cause"], "hidden");
+}
+
+TEST(Distributions, SayWhereAFitEndedAtABoundOfItsRange) {
+    // An image of constant visibility 0.99 under a black truth: the darkest curve fits best.
+    const ImageF truth(8, 8, 0.0F), test(8, 8, 0.99F);
+    const Mask valid(8, 8, 1);
+    SyntheticPage page;
+    page.results.cells[0].analysis->fit = *best_fit({truth, test, valid, nullptr});
+    const json numbers = section::distributions(page.source())["views"][0]["fits"][0]["numbers"];
+    EXPECT_EQ(numbers[0]["text"], "4.00, the end of the range");
+    EXPECT_EQ(numbers[1]["text"], "8.00, the end of the range");
+    page.results.cells[0].analysis->fit = {3.9, 7.9, 0.11, 0.1, 0};
+    const json inside = section::distributions(page.source())["views"][0]["fits"][0]["numbers"];
+    EXPECT_EQ(inside[0]["text"], "3.90");
+    EXPECT_EQ(inside[1]["text"], "7.90");
 }
 
 TEST(Distributions, SayWhatCalibrationAloneWouldMend) {
@@ -353,6 +377,75 @@ TEST(Measurement, StatesTheRadiusItsRuleAndEachMethodsLengths) {
     const std::string lengths = view["lengths"].dump();
     EXPECT_THAT(lengths, HasSubstr("\"radius 0.549 m\""));
     EXPECT_THAT(lengths, HasSubstr("radius 0.549 m (fixed by the preset)"));
+}
+
+TEST(FoldedSections, SayTheirResultInASentence) {
+    SyntheticPage page;
+    page.read_pictures();
+    for (const Section& section : sections()) {
+        if (!section.folded) continue;
+        if (section.applies != nullptr && !section.applies(page.results)) continue;
+        const std::string line = section.build(page.source()).value("in_short", "");
+        EXPECT_TRUE(line.ends_with(".")) << section.id << ": " << line;
+    }
+}
+
+TEST(FirstLook, ShowsTheFirstOfTheRankingItsErrorAndItsWorstRegion) {
+    SyntheticPage page;
+    page.results = in_ranking_order(page.results);
+    for (CellRecord& cell : page.results.cells) {
+        if (cell.analysis)
+            cell.analysis->regions = {{"missing", 3, 4, 10, 20, 5, 6, 0.9, 120, 0.45, "hidden"},
+                                      {"false", 30, 4, 10, 20, 5, 6, -0.9, 20, -0.5, ""}};
+    }
+    page.read_pictures();
+    const json looks = section::verdict(page.source())["looks"];
+    ASSERT_EQ(looks.size(), page.results.views.size());
+    EXPECT_EQ(looks[0]["winner"], "Alchemy AO");
+    const json& pictures = looks[0]["pictures"];
+    ASSERT_EQ(pictures.size(), 4U);
+    EXPECT_EQ(pictures[1]["title"], "Alchemy AO, quality");
+    EXPECT_EQ(pictures[2]["link"],
+              "#view=atrium/wide&cell=atrium/wide/alchemy/quality&picture=error&mode=beside");
+    EXPECT_EQ(pictures[3]["text"],
+              "It is too bright by 0.45 over 120 pixels: the occluder lies behind what the camera sees.");
+    EXPECT_THAT(pictures[3]["link"].get<std::string>(), HasSubstr("&at=3,4,10,20"));
+    EXPECT_EQ(pictures[3]["images"].size(), 2U) << "truth beside output";
+    for (const json& picture : pictures) {
+        for (const json& image : picture["images"])
+            EXPECT_THAT(image["uri"].get<std::string>(), ::testing::StartsWith("data:image/png;base64,"));
+    }
+}
+
+TEST(FirstLook, SaysWhereEveryMethodFailed) {
+    SyntheticPage page;
+    for (CellRecord& cell : page.results.cells) cell.error = "lost";
+    page.results.rankings.clear();
+    page.read_pictures();
+    const json look = section::verdict(page.source())["looks"][0];
+    EXPECT_EQ(look["winner"], "every method failed");
+    EXPECT_EQ(look["pictures"].size(), 1U) << "the truth alone";
+}
+
+TEST(RankingOrder, ListsTheCellsOfEveryViewBestFirstAndFailedOnesLast) {
+    const Results results = in_ranking_order(testing::synthetic_results());
+    std::vector<std::string> wanted;
+    for (const ViewRecord& view : results.views) {
+        for (const RankingRecord& ranking : results.rankings) {
+            if (ranking.view_keys != std::vector{view.key}) continue;
+            for (const PlaceRecord& place : ranking.places) wanted.push_back(place.cell_ids.front());
+        }
+        for (const CellRecord& cell : results.cells) {
+            if (cell.view_key == view.key && !cell.error.empty()) wanted.push_back(cell.id);
+        }
+    }
+    std::vector<std::string> listed_ids;
+    for (const CellRecord& cell : results.cells) listed_ids.push_back(cell.id);
+    EXPECT_EQ(listed_ids, wanted);
+}
+
+TEST(StageLink, EncodesWhatAnAddressCannotHold) {
+    EXPECT_EQ(stage_link({{"view", "a/b"}, {"cell", "x&y=z +é"}}), "#view=a/b&cell=x%26y%3Dz%20%2B%C3%A9");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // What the stage shows is kept in the address behind #, so that a link or a reload shows the same. `at=x,y,width,height`
-// shows a region of the image, in pixels.
+// shows a region of the image, in pixels; `pixel=x,y` inspects one.
 const addressNames = ['view', 'cell', 'picture', 'mode', 'against', 'cut', 'mix', 'rate', 'range'];
 
 function stageAddress(stage) {
@@ -14,7 +14,14 @@ function stageAddress(stage) {
   if (viewport.zoom > 1) {
     entries.set('zoom', [viewport.zoom, viewport.x, viewport.y].map((value) => value.toPrecision(5)).join());
   }
+  if (stage.pinned) entries.set('pixel', `${stage.pinned.x},${stage.pinned.y}`);
   return `#${entries}`;
+}
+
+// The command that makes what the stage shows: the view's truth alone, or the whole run.
+function stageCommand(stage) {
+  const { view, cell, choice } = stage;
+  return !cell || (choice.mode === 'alone' && choice.picture === 'noise') ? view.truthCommand : stageData.command;
 }
 
 // True where the address is one of the stage's; what it names wrongly is left as it is.
@@ -36,26 +43,60 @@ function followAddress(stage) {
   const numbers = (name) => (entries.get(name) ?? '').split(',').map(Number);
   const [x, y, width, height] = numbers('at');
   const [zoom, u, v] = numbers('zoom');
+  const [column, row] = numbers('pixel');
   if (width > 0 && height > 0) {
     stage.viewport.showRegion({ x, y, width, height }, ...stage.frame);
-    stage.inspect({ x: Math.floor(x + width / 2), y: Math.floor(y + height / 2) });
+    stage.pin({ x: Math.floor(x + width / 2), y: Math.floor(y + height / 2) });
   } else if (zoom >= 1 && Number.isFinite(u) && Number.isFinite(v)) {
     Object.assign(stage.viewport, { zoom, x: u, y: v });
     stage.viewport.settle(...stage.frame);
   } else {
     stage.viewport.reset();
   }
-  return entries.has('at');
+  if (entries.has('pixel') && column >= 0 && row >= 0 && column < stage.view.width && row < stage.view.height) {
+    stage.pin({ x: Math.floor(column), y: Math.floor(row) });
+  }
+  return true;
 }
 
 // The latest state is written when a burst of changes is over: browsers refuse more than about a hundred in ten seconds.
+// What the stage shows at first is not written, so that a page that is loaded again opens at its top.
 function useAddress(stage) {
   let waiting = 0;
+  let written = '';
   stage.listeners.push(() => {
+    const address = stageAddress(stage);
+    written ||= address;
     clearTimeout(waiting);
-    waiting = setTimeout(() => history.replaceState(null, '', stageAddress(stage)), 250);
+    if (address === written) return;
+    waiting = setTimeout(() => {
+      written = address;
+      history.replaceState(null, '', address);
+    }, 250);
   });
-  addEventListener('hashchange', () => {
-    if (followAddress(stage)) stage.element.scrollIntoView();
+  const follow = () => {
+    if (followAddress(stage)) stage.element.scrollIntoView({ behavior: 'instant' });
+  };
+  addEventListener('hashchange', follow);
+  queueMicrotask(follow);
+  document.addEventListener('click', (event) => {
+    const link = event.target.closest?.('a[href^="#view="]');
+    if (!link || event.ctrlKey || event.metaKey || event.shiftKey) return;
+    event.preventDefault();
+    showOnStage(link.getAttribute('href'));
   });
+}
+
+// Leads to the stage, also where the address names already what it shows.
+function showOnStage(address) {
+  if (location.hash === address) dispatchEvent(new HashChangeEvent('hashchange'));
+  else location.hash = address;
+}
+
+function chooseStageView(key) {
+  const input = [...document.querySelectorAll('.choosers input[name=view]')].find(({ value }) => value === key);
+  if (!input) return;
+  input.checked = true;
+  // A stage that is not in sight yet reads its form when it is.
+  if (document.querySelector('.panes')?.childElementCount) input.dispatchEvent(new Event('change', { bubbles: true }));
 }

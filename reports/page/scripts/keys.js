@@ -36,12 +36,12 @@ function moveInspected(stage, key) {
   const place = viewport.placeIn(w, h, view);
   const [px, py] = [place.left + (pixel.x + 0.5) * place.scale, place.top + (pixel.y + 0.5) * place.scale];
   if (px < 0 || py < 0 || px > w || py > h) viewport.moveBy(w / 2 - px, h / 2 - py, w, h, view);
-  stage.inspect(pixel);
+  stage.pin(pixel);
 }
 
 function resetStage(stage) {
   stage.form.reset();
-  stage.pixel = null;
+  stage.pixel = stage.pinned = null;
   stage.blink.showsTop = false;
   stage.viewport.reset();
   stage.update();

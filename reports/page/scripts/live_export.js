@@ -52,15 +52,3 @@ function downloadText(name, text) {
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
-
-// Selects the text where the browser does not let a page write to the clipboard.
-async function copyText(field, button) {
-  try {
-    await navigator.clipboard.writeText(field.value);
-    button.textContent = 'Copied';
-  } catch {
-    field.select();
-    button.textContent = 'Selected: press Ctrl C';
-  }
-  setTimeout(() => { button.textContent = 'Copy'; }, 2000);
-}

@@ -24,7 +24,8 @@ class LiveResult {
     this.shown.addEventListener('change', () => this.paintVisibility());
     this.find('.live-pictures').addEventListener('pointermove', (event) => this.probe(event));
     for (const button of element.querySelectorAll('[data-does=copy]')) {
-      button.addEventListener('click', () => copyText(document.getElementById(button.dataset.of), button));
+      const field = document.getElementById(button.dataset.of);
+      button.addEventListener('click', () => copyText(field.value, button, field));
     }
     this.find('[data-does=download]').addEventListener('click', () => {
       downloadText(`${element.shown.method.id}-live.json`, `${this.find('#live-preset-text').value}\n`);

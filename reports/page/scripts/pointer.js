@@ -70,7 +70,7 @@ function usePointers(stage) {
       if (!pointers.delete(event.pointerId)) return;
       dragsCut = false;
       const pixel = paneOf(event)?.pixelAt(event.clientX, event.clientY);
-      if (name === 'pointerup' && pixel) stage.inspect(pixel);
+      if (name === 'pointerup' && pixel) stage.pin(pixel);
     });
   }
 }

@@ -8,6 +8,7 @@ class Stage {
     this.status = element.querySelector('.stage-status');
     this.panes = [];
     this.pixel = null;
+    this.pinned = null;  // the pixel that was asked for by a click, a key or an address
     this.held = false;
     this.blink = new Blink(this);
     this.viewport = new Viewport(() => this.requestDraw());
@@ -144,6 +145,12 @@ class Stage {
     this.requestDraw();
   }
 
+  pin(pixel) {
+    this.pinned = pixel;
+    this.inspect(pixel);
+    for (const listener of this.listeners) listener(this.choice);
+  }
+
   // The size that all panes have, and the image in them.
   get frame() {
     const { canvas } = this.panes[0];
@@ -162,13 +169,18 @@ class Stage {
     this.zoomBy(1 / window.devicePixelRatio / scale);
   }
 
+  // Pixels of the screen along one of the image.
+  zoomText() {
+    const { scale } = this.viewport.placeIn(...this.frame);
+    return `${this.viewport.zoom === 1 ? 'fits: ' : ''}${numberText(scale * window.devicePixelRatio, 2)}×`;
+  }
+
   requestDraw() {
-    if (this.drawing) return;
+    if (this.drawing || this.panes.length === 0) return;
     this.drawing = requestAnimationFrame(() => {
       this.drawing = 0;
       for (const pane of this.panes) pane.draw();
-      const { zoom } = this.viewport;
-      this.element.querySelector('.zoom-text').textContent = zoom === 1 ? 'fits' : `${numberText(zoom, 1)}×`;
+      this.element.querySelector('.zoom-text').textContent = this.zoomText();
       for (const listener of this.listeners) listener(this.choice);
     });
   }

@@ -27,4 +27,6 @@ const regionsInSight = new IntersectionObserver((entries) => {
     paintRegion(target);
   }
 }, { rootMargin: '200px' });
-for (const link of document.querySelectorAll('.regions a')) regionsInSight.observe(link);
+whenBuilt('failures', (section) => {
+  for (const link of section.querySelectorAll('.regions a')) regionsInSight.observe(link);
+});

@@ -1,6 +1,5 @@
 // Nothing is unpacked or compiled before the section is opened.
-const details = document.querySelector('details.live');
-details?.addEventListener('toggle', async () => {
+whenBuilt('live', (section) => section.querySelector('details.live')?.addEventListener('toggle', async ({ target: details }) => {
   try {
     const index = JSON.parse(new TextDecoder().decode(await inflatedBytes('live index')));
     const bench = new LiveBench(details, index);
@@ -11,4 +10,4 @@ details?.addEventListener('toggle', async () => {
     failure.textContent = error.message;
     failure.hidden = false;
   }
-}, { once: true });
+}, { once: true }));

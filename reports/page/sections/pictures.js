@@ -1,21 +1,25 @@
-// The stage comes to life once the page is parsed; its images are unpacked as they are shown.
-const stageElement = document.querySelector('.stage');
-if (stageElement) {
-  const stage = new Stage(stageElement);
-  const again = () => stage.update();
-  stage.form.addEventListener('change', again);
+// The stage comes to life when it comes into sight, or when an address names what it shows: its images are unpacked then.
+whenBuilt('pictures', (section) => {
+  const element = section.querySelector('.stage');
+  const stage = new Stage(element);
+  stage.form.addEventListener('change', () => stage.update());
   stage.form.addEventListener('input', () => stage.requestDraw());
   stage.form.addEventListener('submit', (event) => event.preventDefault());
-  for (const button of stageElement.querySelectorAll('[data-does]')) {
+  for (const button of element.querySelectorAll('[data-does]')) {
     const key = button.dataset.does;
     button.addEventListener('click', () => stageKeys.find(({ test }) => test(key)).act(stage, key));
   }
+  element.querySelector('.stage-copies').append(
+    copyButton('Copy link', () => addressOf(stageAddress(stage))), ' ', copyButton('Copy command', () => stageCommand(stage)));
   usePointers(stage);
   useKeys(stage);
-  new ResizeObserver(() => stage.requestDraw()).observe(stage.panesBox);
   stage.form.hidden = false;
-  stage.update();
-  const jumped = followAddress(stage);
   useAddress(stage);
-  if (jumped) stageElement.scrollIntoView();
-}
+  const sight = new IntersectionObserver((entries) => {
+    if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
+    sight.disconnect();
+    new ResizeObserver(() => stage.requestDraw()).observe(stage.panesBox);
+    if (stage.panes.length === 0) stage.update();
+  });
+  sight.observe(element);
+});

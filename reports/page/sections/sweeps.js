@@ -61,6 +61,7 @@ const startChart = (place) => {
     });
     const front = { label: 'Pareto front', stroke: pageColour('ink'), width: 1, dash: [6, 4], spanGaps: true, points: { show: false } };
     return {
+      legend: { live: false },
       scales: { x: { time: false, distr: 3, range: near }, y: { distr: 3, range: near } },
       axes: [logAxis(costs[chosen.cost]), logAxis(errors[chosen.error], { size: 70 })],
       series: [{ label: costs[chosen.cost] }, ...series, front],
@@ -79,6 +80,8 @@ const startChart = (place) => {
   place.append(controls, canvas);
   draw();
 };
-for (const place of document.querySelectorAll('.sweep-chart')) {
-  if (place.querySelector('script').textContent.includes('"at"')) startChart(place);
-}
+whenBuilt('sweeps', (section) => {
+  for (const place of section.querySelectorAll('.sweep-chart')) {
+    if (place.querySelector('script').textContent.includes('"at"')) startChart(place);
+  }
+});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "page/pictures/first_look.h"
 #include "page/pictures/quantised_image.h"
 #include "results/results.h"
 
@@ -43,6 +44,7 @@ struct CellPictures {
 struct Pictures {
     std::map<std::string, ViewPictures> views;  ///< by ViewRecord::key
     std::map<std::string, CellPictures> cells;  ///< by CellRecord::id; failed cells have none
+    std::vector<FirstLook> looks;               ///< one for each view, in their order
 };
 
 /// Reads the EXR files of the results and encodes every picture of the page, on all threads. Small pages have

@@ -1,3 +1,4 @@
+#include "core/counted.h"
 #include "metrics/roles.h"
 #include "page/document/number_text.h"
 #include "page/section.h"
@@ -127,6 +128,10 @@ json section::claims(const PageSource& source) {
             {{"source", name}, {"counts", counts(by_verdict, claims.size())}, {"claims", claims}});
     }
     model["overall"] = counts(overall, source.results.claims.size());
+    model["in_short"] =
+        fmt::format("Of {} {} hold, {} do not hold and {} cannot be told here.",
+                    counted(source.results.claims.size(), "claim", "claims"), overall[ClaimRecord::kHolds],
+                    overall[ClaimRecord::kFails], overall[ClaimRecord::kCannotTell]);
     return model;
 }
 

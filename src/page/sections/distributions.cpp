@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace aoscore {
 namespace {
@@ -46,6 +47,20 @@ json curves_data(const Cells& cells, bool cumulative) {
             {"series", std::move(series)}};
 }
 
+/// The range in which best_fit() searches (metrics/analysis/best_fit.h).
+struct FitRange {
+    double least, most;
+};
+constexpr FitRange kStrengths{0, 4}, kExponents{0.125, 8};
+constexpr std::string_view kSignSplit = "sign";
+
+/// The parameter's number, with a remark where the search ended at a bound of its range.
+std::string fitted_text(double value, const FitRange& range) {
+    const double near = 0.001;
+    const bool at_bound = value < range.least + near || value > range.most - near;
+    return fixed_text(value, 2) + (at_bound ? ", the end of the range" : "");
+}
+
 json fit_row(const CellRecord& cell, const Cells& cells) {
     const BestFit& fit = cell.analysis->fit;
     const auto before = value_of(cell.ranked, fit.rmse_debiased ? kRankingMetric : kNoisyRankingMetric);
@@ -54,11 +69,12 @@ json fit_row(const CellRecord& cell, const Cells& cells) {
     return {
         {"method", series_name(cell, cells)},
         {"numbers",
-         json::array({{{"text", fixed_text(fit.strength, 2)}, {"sort", fmt::format("{}", fit.strength)}},
-                      {{"text", fixed_text(fit.exponent, 2)}, {"sort", fmt::format("{}", fit.exponent)}},
-                      {{"text", fixed_text(before, 4)}, {"sort", before ? fmt::format("{}", *before) : ""}},
-                      {{"text", fixed_text(after, 4)}, {"sort", fmt::format("{}", after)}},
-                      {{"text", percent_text(gain, 0)}, {"sort", gain ? fmt::format("{}", *gain) : ""}}})}};
+         json::array(
+             {{{"text", fitted_text(fit.strength, kStrengths)}, {"sort", fmt::format("{}", fit.strength)}},
+              {{"text", fitted_text(fit.exponent, kExponents)}, {"sort", fmt::format("{}", fit.exponent)}},
+              {{"text", fixed_text(before, 4)}, {"sort", before ? fmt::format("{}", *before) : ""}},
+              {{"text", fixed_text(after, 4)}, {"sort", fmt::format("{}", after)}},
+              {{"text", percent_text(gain, 0)}, {"sort", gain ? fmt::format("{}", *gain) : ""}}})}};
 }
 
 json bin_model(const SplitBin& bin, double largest) {
@@ -124,10 +140,35 @@ json view_model(const ViewRecord& view, const Cells& cells) {
             {"splits", std::move(splits)}};
 }
 
+/// Names the part of the picture whose share of the squared error exceeds its share of the pixels most, for
+/// the first method of the first view. The sign of the error is no part of the picture that one could mend.
+std::string detail_in_short(const Results& results) {
+    const auto found = std::ranges::find_if(results.cells, [](const CellRecord& cell) {
+        return cell.analysis.has_value() && cell.role != kBoundRole;
+    });
+    if (found == results.cells.end()) return "Only bounds were analysed.";
+    const Split* split = nullptr;
+    const SplitBin* worst = nullptr;
+    for (const Split& one : found->analysis->splits) {
+        for (const SplitBin& bin : one.bins) {
+            const bool more =
+                worst == nullptr || bin.error_share - bin.share > worst->error_share - worst->share;
+            if (one.id == kSignSplit || !more) continue;
+            split = &one;
+            worst = &bin;
+        }
+    }
+    if (worst == nullptr) return "No part of a picture was analysed.";
+    const std::string unit = split->unit.empty() ? "" : " " + split->unit;
+    return fmt::format("On {} {} % of the squared error of {} lies in {} % of the pixels: “{}”, {}{}.",
+                       found->view_key, percent_text(worst->error_share, 0), shown_name(*found),
+                       percent_text(worst->share, 0), split->label, worst->label, unit);
+}
+
 }  // namespace
 
 nlohmann::json section::distributions(const PageSource& source) {
-    json model = {{"views", json::array()}};
+    json model = {{"views", json::array()}, {"in_short", detail_in_short(source.results)}};
     for (const ViewRecord& view : source.results.views) {
         const Cells cells = analysed_cells(source.results, view);
         if (!cells.empty()) model["views"].push_back(view_model(view, cells));

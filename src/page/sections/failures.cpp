@@ -1,5 +1,6 @@
 #include "core/known_names.h"
 #include "page/document/number_text.h"
+#include "page/document/stage_link.h"
 #include "page/section.h"
 #include "page/sections/causes.h"
 #include "results/view_piece.h"
@@ -70,10 +71,16 @@ std::string crop_text(const ViewRecord& view, const ErrorRegion& region) {
 
 json region_model(const ViewRecord& view, const CellRecord& cell, const ErrorRegion& region) {
     const std::string cause = cause_label(region.cause);
+    const std::string box = fmt::format("{},{},{},{}", region.left, region.top, region.width, region.height);
     return {{"kind", region.kind == "missing" ? "missing" : "false"},
             {"view", cell.view_key},
             {"cell", cell.id},
-            {"box", fmt::format("{},{},{},{}", region.left, region.top, region.width, region.height)},
+            {"box", box},
+            {"link", stage_link({{"view", cell.view_key},
+                                 {"cell", cell.id},
+                                 {"picture", "error"},
+                                 {"mode", "beside"},
+                                 {"at", box}})},
             {"place", fmt::format("{}, {}", region.left + region.width / 2, region.top + region.height / 2)},
             {"mean", (region.mean_error > 0 ? "+" : "") + fixed_text(region.mean_error, 2)},
             {"area", count_text(region.area_px)},
@@ -119,11 +126,30 @@ json view_model(const ViewRecord& view, const Results& results) {
             {"methods", std::move(methods)}};
 }
 
+/// Says where the first method of the first view fails, and for which cause most of all.
+std::string failures_in_short(const Results& results) {
+    const auto found = std::ranges::find_if(results.cells, [](const CellRecord& cell) {
+        return cell.analysis.has_value() && cell.role != kBoundRole;
+    });
+    if (found == results.cells.end()) return "Only bounds were analysed.";
+    const MaskSummary& missing = found->analysis->missing;
+    std::string cause;
+    if (!missing.causes.empty()) {
+        const auto most = std::ranges::max_element(missing.causes, {}, &CauseShare::area);
+        if (most->area > 0)
+            cause = fmt::format(", mostly where the occluder is {}", cause_label(most->cause));
+    }
+    return fmt::format("On {} {} misses occlusion on {} % of the pixels{}, and adds false occlusion on {} %.",
+                       found->view_key, shown_name(*found), percent_text(missing.area, 1), cause,
+                       percent_text(found->analysis->false_occlusion.area, 1));
+}
+
 }  // namespace
 
 nlohmann::json section::failures(const PageSource& source) {
     json model = {{"views", json::array()},
                   {"causes", json::array()},
+                  {"in_short", failures_in_short(source.results)},
                   {"threshold", short_text(source.results.mask_threshold)}};
     for (const CauseText& cause : causes()) {
         model["causes"].push_back({{"id", cause.id}, {"label", cause.label}, {"meaning", cause.meaning}});

@@ -12,7 +12,12 @@ nlohmann::json section::live(const PageSource& source) {
     json refused = json::array();
     for (const LiveData::Refused& method : live.refused)
         refused.push_back({{"label", method.label}, {"reason", method.reason}});
-    return {{"available", live.missing.empty()},
+    const std::string in_short = live.missing.empty()
+                                     ? "Sliders change a method’s parameters, and its picture and error "
+                                       "follow, in this browser."
+                                     : live.missing;
+    return {{"in_short", in_short},
+            {"available", live.missing.empty()},
             {"missing", live.missing},
             {"size", fmt::format("{:.1f}", static_cast<double>(bytes) / (1 << 20))},
             {"has_refused", !refused.empty()},

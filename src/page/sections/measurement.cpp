@@ -1,3 +1,4 @@
+#include "core/counted.h"
 #include "metrics/metric.h"
 #include "page/document/number_text.h"
 #include "page/section.h"
@@ -202,6 +203,20 @@ std::string visibility_levels_text(const Pictures& pictures) {
     return count_text(static_cast<std::size_t>(exact ? kLevelsOfTwoBytes : kLevelsOfOneByte));
 }
 
+/// Says how many rays the truths have, what drew the methods, and whether anything was warned of.
+std::string measurement_in_short(const Results& results, std::size_t warnings) {
+    std::string rays;
+    if (!results.views.empty()) {
+        const auto [least, most] = std::ranges::minmax(results.views, {}, &ViewRecord::samples);
+        rays = fmt::format(" with {}{} rays a pixel", least.samples,
+                           least.samples == most.samples ? "" : fmt::format(" to {}", most.samples));
+    }
+    const std::string warned = warnings == 0 ? "No warning was given."
+                                             : counted(warnings, "warning was", "warnings were") + " given.";
+    return fmt::format("Embree traced {}{}; {} drew the methods. {}",
+                       counted(results.views.size(), "truth", "truths"), rays, results.gl_renderer, warned);
+}
+
 }  // namespace
 
 nlohmann::json section::measurement(const PageSource& source) {
@@ -212,7 +227,8 @@ nlohmann::json section::measurement(const PageSource& source) {
         for (const std::string& warning : view.warnings) warnings.push_back(view.key + ": " + warning);
     }
     for (const std::string& warning : results.warnings) warnings.push_back(warning);
-    return {{"views", std::move(views)},
+    return {{"in_short", measurement_in_short(results, warnings.size())},
+            {"views", std::move(views)},
             {"machine", machine_facts(results)},
             {"command", results.command},
             {"has_warnings", !warnings.empty()},

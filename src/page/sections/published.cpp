@@ -1,3 +1,4 @@
+#include "core/counted.h"
 #include "core/error.h"
 #include "core/source_reference.h"
 #include "metrics/evaluate.h"
@@ -220,7 +221,13 @@ json table_model(const TableRecord& table, const PageSource& source) {
 }  // namespace
 
 nlohmann::json section::published(const PageSource& source) {
-    json model = {{"tables", json::array()}, {"has_tables", !source.results.tables.empty()}};
+    std::size_t rows = 0;
+    for (const TableRecord& table : source.results.tables) rows += table.cell_ids.size();
+    const std::size_t tables = source.results.tables.size();
+    json model = {{"tables", json::array()},
+                  {"in_short", fmt::format("{} with {} {} beside what this run measured.",
+                                           counted(tables, "published table", "published tables"),
+                                           counted(rows, "row", "rows"), tables == 1 ? "stands" : "stand")}};
     for (const TableRecord& table : source.results.tables) {
         try {
             model["tables"].push_back(table_model(table, source));

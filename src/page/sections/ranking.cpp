@@ -6,6 +6,7 @@
 #include "page/sections/interval_tables.h"
 #include "page/sections/place_name.h"
 #include "page/sections/ranking_columns.h"
+#include "page/sections/ranking_sentence.h"
 #include "results/ranked_value.h"
 
 #include <fmt/format.h>
@@ -195,6 +196,28 @@ json gaps_of(const std::vector<RankingColumn>& list, const Results& results) {
     return gaps;
 }
 
+/// Names the ends of the widest ranking: over views where there is one, else of the first view.
+std::string ranking_in_short(const Results& results) {
+    const RankingRecord* widest = nullptr;
+    for (const RankingRecord& ranking : results.rankings) {
+        if (widest == nullptr || ranking.view_keys.size() > widest->view_keys.size()) widest = &ranking;
+    }
+    const Places ranked = widest != nullptr ? ranked_places(*widest) : Places();
+    if (ranked.empty()) return "Nothing was ranked.";
+    const auto end = [&](const PlaceRecord& place) {
+        return fmt::format("{} ({}, rank {})", fixed_text(place.value, 4), place_name(*widest, place),
+                           rank_text(place));
+    };
+    const std::string where = widest->view_keys.size() == 1
+                                  ? "On " + widest->view_keys.front()
+                                  : fmt::format("Over {} views", widest->view_keys.size());
+    if (ranked.size() == 1)
+        return fmt::format("{} one method was ranked, with a {} of {}.", where,
+                           metric(widest->metric).in_text, end(*ranked[0]));
+    return fmt::format("{} the {}s of {} methods go from {} to {}.", where, metric(widest->metric).in_text,
+                       ranked.size(), end(*ranked.front()), end(*ranked.back()));
+}
+
 }  // namespace
 
 nlohmann::json section::ranking(const PageSource& source) {
@@ -204,7 +227,8 @@ nlohmann::json section::ranking(const PageSource& source) {
     for (const RankingColumn& column : columns.list) {
         heads.push_back({{"label", column.label}, {"unit", column.unit}, {"meaning", column.meaning}});
     }
-    json model = {{"heads", heads},
+    json model = {{"in_short", ranking_in_short(results)},
+                  {"heads", heads},
                   {"views", json::array()},
                   {"overall", json::array()},
                   {"intervals", interval_tables(results)},

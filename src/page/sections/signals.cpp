@@ -1,3 +1,4 @@
+#include "core/counted.h"
 #include "core/signal.h"
 #include "metrics/signal_metric.h"
 #include "page/document/number_text.h"
@@ -77,6 +78,22 @@ json table_of(const PageSource& source, const ViewRecord& view, const SignalReco
             {"pictures", std::move(pictures)}};
 }
 
+/// Names the method that is closest in the first signal of the first view that has one.
+std::string signals_in_short(const Results& results) {
+    for (const ViewRecord& view : results.views) {
+        for (const SignalRecord& record : view.signals) {
+            const auto metric = std::ranges::find(signal_metrics(), record.id, &SignalMetric::signal);
+            const auto cells = cells_with(results, view, record.id, std::string(metric->id));
+            if (cells.empty()) continue;
+            const auto& value = cells[0]->signals.at(record.id).at(std::string(metric->id)).value;
+            return fmt::format("On {} {} is closest of {} in {}: {} {} {}.", view.key, name_of(*cells[0]),
+                               counted(cells.size(), "method", "methods"), signal(record.id).label,
+                               metric->label, fixed_text(value, metric->decimals), metric->unit);
+        }
+    }
+    return "No method gives a signal beside visibility.";
+}
+
 }  // namespace
 
 json section::signals(const PageSource& source) {
@@ -87,7 +104,7 @@ json section::signals(const PageSource& source) {
         for (const SignalRecord& record : view.signals) tables.push_back(table_of(source, view, record));
         views.push_back({{"key", view.key}, {"tables", std::move(tables)}});
     }
-    return {{"views", std::move(views)}};
+    return {{"views", std::move(views)}, {"in_short", signals_in_short(source.results)}};
 }
 
 }  // namespace aoscore

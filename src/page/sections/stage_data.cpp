@@ -71,6 +71,7 @@ json view_data(const ViewRecord& view, const PageSource& source) {
             {"height", view.height},
             {"radius", short_text(view.radius_m)},
             {"samples", view.samples},
+            {"truthCommand", view.truth_command},
             {"noiseHigh", pictures.has_standard_error ? error.low + error.step * (kErrorLevels - 1) : 0.0},
             {"depthHigh", pictures.depth_high_m},
             {"images", images_data(view.key, pictures)},
@@ -90,8 +91,10 @@ void append_blocks(std::string& text, const PicturesByName& all) {
 }  // namespace
 
 std::string stage_data(const PageSource& source) {
-    json data = {
-        {"threshold", source.results.mask_threshold}, {"causes", json::array()}, {"views", json::array()}};
+    json data = {{"threshold", source.results.mask_threshold},
+                 {"command", source.results.command},
+                 {"causes", json::array()},
+                 {"views", json::array()}};
     for (const CauseText& cause : causes())
         data["causes"].push_back({{"id", cause.id}, {"label", cause.label}});
     for (const ViewRecord& view : source.results.views) data["views"].push_back(view_data(view, source));

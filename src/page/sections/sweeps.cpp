@@ -1,3 +1,4 @@
+#include "core/counted.h"
 #include "core/source_reference.h"
 #include "metrics/intervals/median_interval.h"
 #include "page/document/number_text.h"
@@ -273,8 +274,14 @@ json sweep_model(const Results& results, const SweepRecord& sweep) {
 
 json section::sweeps(const PageSource& source) {
     json model = {{"sweeps", json::array()}};
-    for (const SweepRecord& sweep : source.results.sweeps)
+    std::size_t settings = 0;
+    for (const SweepRecord& sweep : source.results.sweeps) {
+        settings += sweep.points.size();
         model["sweeps"].push_back(sweep_model(source.results, sweep));
+    }
+    model["in_short"] = fmt::format("{} plot run time against error for {}.",
+                                    counted(model["sweeps"].size(), "sweep", "sweeps"),
+                                    counted(settings, "setting", "settings"));
     return model;
 }
 

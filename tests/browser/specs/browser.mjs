@@ -18,9 +18,9 @@ const browser = await chromium.launch({
 });
 after(() => browser.close());
 
-// Opens a page and waits until its stage shows pictures. `complaints` gathers console and script errors, `requests`
-// every address asked for beside the page's own.
-export async function open({ which = 'measured', hash = '', ...context } = {}) {
+// Opens a page, unfolds all of it unless it is to stay `folded`, and waits until its stage shows pictures; `init` runs before the page's script. `complaints`
+// gathers console and script errors, `requests` every address asked for beside the page's own.
+export async function open({ which = 'measured', hash = '', folded = false, init = null, ...context } = {}) {
   const view = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...context });
   view.setDefaultTimeout(120000);  // slow machines compile shaders and draw charts too
   const page = await view.newPage();
@@ -33,9 +33,26 @@ export async function open({ which = 'measured', hash = '', ...context } = {}) {
   page.on('pageerror', (error) => complaints.push(error.message));
   page.on('request', (request) => requests.push(request.url().split('#')[0]));
   const address = pathToFileURL(pages[which]).href;
+  if (init) await page.addInitScript(init);
   await page.goto(address + hash);
-  await settled(page);
+  if (!folded) {
+    await unfoldAll(page);
+    await startStage(page);
+    if (hash === '') await page.evaluate(() => scrollTo({ top: 0, behavior: 'instant' }));
+  }
   return { page, complaints, requests, address };
+}
+
+// Unfolds every section, and waits until they are built.
+export async function unfoldAll(page) {
+  await page.evaluate(() => { for (const fold of document.querySelectorAll('.fold')) fold.open = true; });
+  await page.waitForFunction(() => !document.querySelector('.fold > noscript'));
+}
+
+// The stage unpacks its pictures when it comes into sight.
+export async function startStage(page) {
+  await page.locator('.stage').evaluate((stage) => stage.scrollIntoView({ behavior: 'instant' }));
+  await settled(page);
 }
 
 // Waits until every pane has painted its picture.

@@ -48,7 +48,8 @@ for (const view of results.views) {
   test(`missing and false occlusion on ${view.key} are the results'`, async () => {
     const at = results.views.indexOf(view);
     const { rows } = await table(`#failures table >> nth=${at}`);
-    const cells = results.cells.filter((cell) => cell.view_key === view.key);
+    const { places } = results.rankings.find(({ view_keys: keys }) => keys.length === 1 && keys[0] === view.key);
+    const cells = places.map(({ cell_ids: [id] }) => results.cells.find((cell) => cell.id === id));
     assert.equal(rows.length, cells.length);
     rows.forEach(({ texts }, i) => {
       const { missing, false_occlusion: dark } = cells[i].analysis;
