@@ -284,6 +284,38 @@ TEST(DepthLayers, ArePeeledAsTheGBuffersLayersAre) {
     }
 }
 
+// The nearest layer, and behind each the nearest that lies at least the gap farther, found among all of them.
+TEST(DepthLayers, KeepTheirLeastGap) {
+    for (const Stage& stage : stages()) {
+        ScreenRenderer renderer;
+        renderer.set_scene(stage.scene);
+        renderer.draw_gbuffer(stage.frame, {});
+        const float far = static_cast<float>(stage.frame.camera().far);
+        renderer.draw_depth_layers({.samples = 16, .sampling = "peeled"});
+        const std::vector<ImageF> all = renderer.read_depth_layers();
+        const double gap = 0.03 * static_cast<double>(far);
+        renderer.draw_depth_layers({.samples = 3, .sampling = "peeled", .least_gap_m = gap});
+        const std::vector<ImageF> apart = renderer.read_depth_layers();
+        std::size_t behind = 0, wrong = 0;
+        for (std::size_t i = 0; i < all[0].size(); ++i) {
+            double before = -1e9;
+            for (const ImageF& layer : apart) {
+                float expected = far;
+                for (const ImageF& candidate : all) {
+                    // A surface within rounding of the gap may stand on either side of it.
+                    if (static_cast<double>(candidate.pixels[i]) >= before + gap * (1 - 1e-4))
+                        expected = std::min(expected, candidate.pixels[i]);
+                }
+                wrong += layer.pixels[i] != expected ? 1 : 0;
+                behind += layer.pixels[i] != far && before > 0 ? 1 : 0;
+                before = static_cast<double>(layer.pixels[i]);
+            }
+        }
+        EXPECT_LE(wrong, all[0].size() / 1000) << stage.name;
+        EXPECT_GT(behind, all[0].size() / 100) << stage.name;
+    }
+}
+
 // Layers hold both sides of every wall, and surfaces seen through the holes of cut-outs.
 TEST(DepthLayers, HoldNothingButSurfacesOfTheirTexel) {
     for (const Stage& stage : stages()) {

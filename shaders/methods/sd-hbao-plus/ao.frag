@@ -4,12 +4,14 @@
 #include "lib/limits.glsl"
 #include "lib/stochastic_depth.glsl"
 
+int only_layer = -1;  // the one layer that taps read; -1: all
+
 TapPart part_of_layers(vec2 tap_px, vec3 position, vec3 normal) {
     TapPart most = TapPart(0.0, 0.0);
     for (int picture = 0; picture < depth_pictures(); ++picture) {
         vec4 depths = tap_depths(tap_px, picture);
         for (int k = 0; k < 4; ++k) {
-            if (is_background(depths[k])) continue;
+            if (is_background(depths[k]) || (only_layer >= 0 && only_layer != 4 * picture + k)) continue;
             TapPart part = part_of(layer_position(tap_px, depths[k]) - position, normal);
             most.occlusion = max(most.occlusion, part.occlusion);
             most.height = max(most.height, part.height);
@@ -28,7 +30,16 @@ TapPart tap_part(int j, vec2 direction, vec2 image_px, vec3 position, vec3 norma
     return part_of_layers(tap_px, position, normal);
 }
 
+float occlusion_at(vec2 image_px, vec3 position) {
+    vec3 normal = shading_normal();
+    if (p_maximum == maximum_of_tap) return tapped_occlusion(image_px, position, normal);
+    float most = 0.0;
+    for (only_layer = 0; only_layer < p_depth_samples; ++only_layer)
+        most = max(most, tapped_occlusion(image_px, position, normal));
+    return most;
+}
+
 float visibility(vec2 image_px, vec3 position) {
-    float occlusion = tapped_occlusion(image_px, position, shading_normal()) / float(p_directions * p_steps);
+    float occlusion = occlusion_at(image_px, position) / float(p_directions * p_steps);
     return limited_visibility(1.0 - with_strength(occlusion));
 }

@@ -26,8 +26,9 @@ int textures_for(int samples) {
 
 std::string macros_of(const DepthLayers& layers, Mirror mirror) {
     const DepthSampling& sampling = row_of(depth_samplings(), layers.sampling, "no sampling of depth layers");
-    return fmt::format("#define SAMPLES {}\n#define PER_SAMPLE {}\n#define {}\n{}", layers.samples,
-                       layers.per_sample ? 1 : 0, sampling.macro, mirror_macros(mirror));
+    return fmt::format("#define SAMPLES {}\n#define PER_SAMPLE {}\n#define {}\n{}{}", layers.samples,
+                       layers.per_sample ? 1 : 0, sampling.macro,
+                       layers.least_gap_m > 0 ? "#define LEAST_GAP\n" : "", mirror_macros(mirror));
 }
 
 bool same_shape(const DepthLayers& a, const DepthLayers& b) {
@@ -72,6 +73,7 @@ void DepthLayerBuffer::draw(const GBuffer& gbuffer, const DepthLayers& layers, M
     look.set_uniforms = [&layers, scene_from_view](const ShaderProgram& p) {
         gl::Uniform1f(p.location("u_alpha"), static_cast<float>(layers.alpha));
         gl::Uniform1ui(p.location("u_seed"), layers.seed);
+        gl::Uniform1f(p.location("u_least_gap"), static_cast<float>(layers.least_gap_m));
         gl::UniformMatrix4fv(p.location("u_scene_from_view"), 1, GL_FALSE, glm::value_ptr(scene_from_view));
     };
     if (layers.sampling == "peeled") {

@@ -15,13 +15,14 @@ namespace {
 /// The members with their accepted values; a missing member has its default.
 const std::vector<Parameter>& members() {
     static const std::vector<Parameter> all = [] {
-        std::vector<Parameter> made(5);
+        std::vector<Parameter> made(6);
         made[0] = {"samples", Parameter::Type::integer, 1, 1, DepthLayers::kMost, {}, "", ""};
         made[1] = {"alpha", Parameter::Type::real, 0.2, 0, 1, {}, "", ""};
         made[2] = {"sampling", Parameter::Type::choice,   "stratified", 0,
                    0,          ids_of(depth_samplings()), "",           ""};
         made[3] = {"per_sample", Parameter::Type::boolean, true, 0, 0, {}, "", ""};
         made[4] = {"seed", Parameter::Type::integer, 0, 0, std::numeric_limits<int>::max(), {}, "", ""};
+        made[5] = {"least_gap", Parameter::Type::real, 0.0, 0, 1e7, {}, "m", ""};
         return made;
     }();
     return all;
@@ -99,6 +100,7 @@ DepthLayers asked_depth_layers(const DepthLayersDescriptor& descriptor, const Pa
     layers.per_sample = value("per_sample").boolean();
     const auto own_seed = static_cast<std::uint32_t>(value("seed").number());
     layers.seed = own_seed == 0 ? static_cast<std::uint32_t>(run_seed) : own_seed;
+    layers.least_gap_m = value("least_gap").number();
     return layers;
 }
 

@@ -30,6 +30,10 @@ struct DepthLayers {
     std::string sampling = "stratified";  ///< a row of depth_samplings()
     bool per_sample = true;               ///< false: a surface's samples share one coin
     std::uint32_t seed = 1;
+    /// Peeled layers alone: a layer lies at least so far behind the one in front of it, metres (Mara,
+    /// McGuire, Nowrouzezahrai and Luebke, Deep G-Buffers for Stable Global Illumination Approximation,
+    /// 2016).
+    double least_gap_m = 0;
 
     auto operator<=>(const DepthLayers&) const = default;
 };
