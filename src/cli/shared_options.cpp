@@ -141,6 +141,13 @@ void add_cache_option(CLI::App& app, std::filesystem::path& folder) {
         "Trace and measure everything anew, and keep nothing of it (see the subcommand cache)");
 }
 
+CLI::Validator even_count() {
+    return CLI::Range(2, kMostSamples) &
+           CLI::Validator(
+               [](const std::string& text) { return std::stoll(text) % 2 == 0 ? "" : text + " is odd"; }, "",
+               "even");
+}
+
 void add_extras_options(CLI::App& app, TruthExtras& extras) {
     const auto add = [&](const char* option, bool TruthExtras::*extra) {
         app.add_flag(option, extras.*extra, "Also, at the first radius: " + channels_gathered_by(extra));

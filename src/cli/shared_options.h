@@ -27,6 +27,8 @@ void add_exr_option(CLI::App& app, std::filesystem::path& path);
 
 /// Adds --radius R[,R…], in metres, with "inf" allowed.
 void add_radii_option(CLI::App& app, std::vector<double>& radii);
+/// Accepts an even number of rays a pixel: a truth of two halves.
+CLI::Validator even_count();
 
 /// The precision to which the truth is traced.
 struct TruthEffort {

@@ -96,12 +96,7 @@ CommandEntry add_tune_command(CLI::App& program, const GlobalOptions& global) {
     add_radii_option(*app, options->radii);
     app->add_option("--samples", options->plan.samples, "Rays a pixel of the truth, an even number")
         ->capture_default_str()
-        ->check(CLI::Range(2, kMostSamples) & CLI::Validator(
-                                                  [](const std::string& text) {
-                                                      return std::stoll(text) % 2 == 0 ? std::string()
-                                                                                       : text + " is odd";
-                                                  },
-                                                  "", "even"));
+        ->check(even_count());
     app->add_option("--methods-dir", options->plan.methods_dir, "A folder of methods of your own");
     add_cache_option(*app, options->plan.truth_cache);
     app->add_option("--out", options->out,

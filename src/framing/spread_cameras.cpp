@@ -1,0 +1,110 @@
+#include "framing/spread_cameras.h"
+
+#include "framing/outline_fit.h"
+#include "framing/room_survey.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace aoscore {
+namespace {
+
+constexpr double kSpreadFovy_deg = 60, kLowest_deg = -45, kHighest_deg = 15;
+constexpr double kLeastCoverage = 0.4, kMostClose = 0.25, kUsualFronts = 0.5;
+constexpr double kApartPerSight = 0.5, kApartPerDiagonal = 0.15;
+
+/// Number i of a sequence that fills the unit cube evenly (Roberts, The Unreasonable Effectiveness of
+/// Quasirandom Sequences, 2018).
+glm::dvec3 even_point(std::size_t i) {
+    constexpr double kRoot = 1.2207440846057596;  // of x^4 = x + 1
+    const auto n = static_cast<double>(i + 1);
+    return glm::fract(glm::dvec3(0.5) +
+                      n * glm::dvec3(1 / kRoot, 1 / (kRoot * kRoot), 1 / (kRoot * kRoot * kRoot)));
+}
+
+glm::dvec3 way_at(double azimuth_rad, double elevation_rad) {
+    return {std::sin(azimuth_rad) * std::cos(elevation_rad), std::sin(elevation_rad),
+            std::cos(azimuth_rad) * std::cos(elevation_rad)};
+}
+
+/// The place at eye level below or above a seat; the seat itself where no floor is below.
+glm::dvec3 at_eye_level(const Scout& scout, const glm::dvec3& seat, const std::optional<double>& height_m) {
+    if (!height_m) return seat;
+    const double down_m = scout.first_surface(seat, {0, -1, 0}).distance_m;
+    return std::isfinite(down_m) ? seat + glm::dvec3(0, *height_m - down_m, 0) : seat;
+}
+
+Candidate inside_camera(const Trial& trial, const RoomSurvey& survey, std::size_t i,
+                        const std::optional<double>& height_m) {
+    const glm::dvec3 at = even_point(i);
+    const Seat& seat =
+        survey.seats[static_cast<std::size_t>(at.x * static_cast<double>(survey.seats.size()))];
+    Camera camera;
+    camera.fovy_rad = glm::radians(kSpreadFovy_deg);
+    camera.position = at_eye_level(trial.scout, seat.position, height_m);
+    camera.target = camera.position +
+                    survey.sight_m * way_at(2 * std::numbers::pi * at.y,
+                                                  glm::radians(glm::mix(kLowest_deg, kHighest_deg, at.z)));
+    return {camera, 0, {}};
+}
+
+/// Fitted to the outline, or up to three times as near, where it shows a part.
+Candidate outside_camera(const Trial& trial, std::size_t i) {
+    constexpr double kSpreadMargin = 0.02, kLeast_deg = 3, kMost_deg = 65, kNearest = 1.0 / 3;
+    const glm::dvec3 at = even_point(i);
+    const glm::dvec3 to_camera =
+        way_at(2 * std::numbers::pi * at.x, glm::radians(glm::mix(kLeast_deg, kMost_deg, at.y)));
+    Camera camera = fit_outline(trial.main.outline, -to_camera, {0, 1, 0}, glm::radians(kSpreadFovy_deg),
+                                trial.aspect, kSpreadMargin);
+    const glm::dvec3 centre = (trial.main.bounds.low + trial.main.bounds.high) / 2.0;
+    const double part = glm::mix(kNearest, 1.0, at.z);
+    camera.position = centre + (camera.position - centre) * part;
+    camera.target = camera.position - to_camera * trial.main.bounds.diagonal();
+    return {camera, 0, {}};
+}
+
+double share_of(const Glance& glance, auto condition) {
+    const auto count = std::ranges::count_if(glance.points, condition);
+    return static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(glance.points.size(), 1));
+}
+
+double fronts_of(const Candidate& candidate) {
+    return share_of(candidate.glance, [](const Glance::Point& p) { return p.front; });
+}
+
+/// The median share of fronts: files may have all of their triangles wound the wrong way round.
+double usual_fronts(const std::vector<Candidate>& candidates) {
+    std::vector<double> shares;
+    for (const Candidate& candidate : candidates) shares.push_back(fronts_of(candidate));
+    const auto middle = shares.begin() + static_cast<std::ptrdiff_t>(shares.size() / 2);
+    std::nth_element(shares.begin(), middle, shares.end());
+    return *middle;
+}
+
+}  // namespace
+
+SpreadCameras spread_cameras(const Trial& trial, std::size_t count, std::optional<double> height_m) {
+    const RoomSurvey survey = survey_rooms(trial.scout, trial.main.bounds);
+    SpreadCameras spread;
+    spread.inside = !survey.seats.empty();
+    spread.tried = count;
+    spread.apart_m =
+        spread.inside ? kApartPerSight * survey.sight_m : kApartPerDiagonal * trial.main.bounds.diagonal();
+    for (std::size_t i = 0; i < count; ++i) {
+        spread.cameras.push_back(spread.inside ? inside_camera(trial, survey, i, height_m)
+                                               : outside_camera(trial, i));
+    }
+    try_cameras(trial, 0, spread.cameras);
+    const double least_fronts = kUsualFronts * usual_fronts(spread.cameras);
+    std::erase_if(spread.cameras, [&](const Candidate& c) {
+        const double close =
+            share_of(c.glance, [&](const Glance::Point& p) { return p.depth_m < trial.radius_m; });
+        return c.glance.coverage() < kLeastCoverage || fronts_of(c) < least_fronts || close > kMostClose;
+    });
+    return spread;
+}
+
+}  // namespace aoscore

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "framing/candidate.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace aoscore {
+
+/// Cameras all over a scene, for a search among them.
+struct SpreadCameras {
+    std::vector<Candidate> cameras;  ///< those whose pictures can be judged
+    std::size_t tried = 0;
+    double apart_m = 0;   ///< cameras nearer to each other than this, which look the same way, are neighbours
+    bool inside = false;  ///< they stand in rooms
+};
+
+/// Tries `count` cameras spread evenly: from seats in the scene's rooms (see survey_rooms()) in all
+/// directions, a little upwards to steeply downwards, or, in a scene without rooms, from outside, near and
+/// far. `height_m` puts those in rooms at eye level above their floor. A picture can be judged where surfaces
+/// cover at least 40 % of it, as many of them show their front as is usual in this scene, and no more than a
+/// quarter of them are nearer than the radius: the others stand in or against something. It is deterministic.
+SpreadCameras spread_cameras(const Trial& trial, std::size_t count, std::optional<double> height_m);
+
+}  // namespace aoscore
