@@ -1,8 +1,10 @@
 #include "bench/bench_layers.h"
 
 #include "core/output.h"
+#include "core/processor_watch.h"
 #include "jobs/timing.h"
 #include "plan/ranking_radius.h"
+#include "screen/method/depth_layers.h"
 #include "screen/method/lengths.h"
 #include "screen/screen.h"
 
@@ -11,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ctime>
 #include <functional>
 #include <string>
 #include <vector>
@@ -23,11 +24,10 @@ constexpr std::array kSampleCounts = {1, 2, 4, 8, 16};
 constexpr int kLayerRounds = 5, kSeeds = 4;
 constexpr int kTimedWidth = 1920, kTimedHeight = 1080, kSeenWidth = 640, kSeenHeight = 360;
 
-// Of all threads: what others do on the machine does not count.
 double processor_ms(const std::function<void()>& work) {
-    const std::clock_t start = std::clock();
+    const ProcessorWatch watch;
     work();
-    return 1000 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    return watch.milliseconds();
 }
 
 void add_costs(ScreenRenderer& renderer, const View& view, RatioTable& table) {
@@ -76,8 +76,8 @@ class LayeredMethod {
         return image;
     }
     Hidden hidden(std::uint64_t seed) const {
-        return {occlusion({{"alpha", 1.0}, {"depth_samples", 1}}, seed),
-                occlusion({{"sampling", "peeled"}, {"depth_samples", DepthLayers::kMost}}, seed)};
+        return {occlusion(first_layer_alone(*method_->depth_layers).value(), seed),
+                occlusion(all_layers(*method_->depth_layers).value(), seed)};
     }
 
   private:

@@ -120,6 +120,7 @@ CellWork cell_work(const ResolvedCell& cell, const ExperimentPlan& plan, const P
     if (cell.plan.own_truth && !plan.first_answer) work.own = cell.own;
     work.keep_image = cell.plan.keep_image;
     work.whole_frames = cell.plan.whole_frames;
+    work.repeats = cell.plan.repeats && !plan.first_answer;
     if (work.whole_frames) light(work.timed, registry.lighting, drawn_for_m);
     return work;
 }

@@ -96,6 +96,8 @@ void record_times(const StoredTimes& times, const ViewRecord& view, CellRecord& 
     record.ao = summarize(times.ao_ms);
     record.filter_pass = summarize(times.filter_ms);
     if (times.fixed_pass_ms > 0) record.fixed_pass_ms = times.fixed_pass_ms;
+    record.ao_processor = summarize(times.ao_processor_ms);
+    record.layers_processor = summarize(times.layers_processor_ms);
     record.lighting = summarize(times.lighting_ms);
     record.frame_at_once = summarize(times.frame_at_once_ms);
     record.frame_by_pass = summarize(times.frame_by_pass_ms);
@@ -165,6 +167,8 @@ class Assembly {
         if (const OwnScore* own = own_score(i)) record.own = sure_metrics(*own, run_.plan.score_goal);
         if (keys.fetches && maker_.fetches(*keys.fetches) != nullptr)
             record.fetches_per_pixel = *maker_.fetches(*keys.fetches);
+        if (keys.repeats && maker_.repeats(*keys.repeats) != nullptr)
+            record.repeats = *maker_.repeats(*keys.repeats);
         const StoredTimes* times = keys.times ? maker_.times(*keys.times) : nullptr;
         if (times != nullptr && record.error.empty()) record_times(*times, view, record);
         return record;
@@ -188,7 +192,7 @@ class Assembly {
     /// The reason why the cell failed; empty where it did not.
     std::string first_error(const CellKeys& keys) const {
         for (const std::optional<Key>& key : {std::optional(keys.image), std::optional(keys.score),
-                                              keys.own_score, keys.fetches, keys.times}) {
+                                              keys.own_score, keys.fetches, keys.times, keys.repeats}) {
             if (key && done_.has_failed(*key)) return done_.failed.at(*key);
         }
         return "";

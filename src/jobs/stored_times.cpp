@@ -29,7 +29,9 @@ nlohmann::json to_json(const StoredTimes& times) {
             {"fixed_pass_ms", times.fixed_pass_ms},
             {"lighting_ms", times.lighting_ms},
             {"frame_at_once_ms", times.frame_at_once_ms},
-            {"frame_by_pass_ms", times.frame_by_pass_ms}};
+            {"frame_by_pass_ms", times.frame_by_pass_ms},
+            {"ao_processor_ms", times.ao_processor_ms},
+            {"layers_processor_ms", times.layers_processor_ms}};
 }
 
 StoredTimes stored_times_from_json(const nlohmann::json& json, const std::string& where) {
@@ -41,6 +43,8 @@ StoredTimes stored_times_from_json(const nlohmann::json& json, const std::string
     times.lighting_ms = numbers(object, "lighting_ms");
     times.frame_at_once_ms = numbers(object, "frame_at_once_ms");
     times.frame_by_pass_ms = numbers(object, "frame_by_pass_ms");
+    times.ao_processor_ms = numbers(object, "ao_processor_ms");
+    times.layers_processor_ms = numbers(object, "layers_processor_ms");
     object.finish();
     return times;
 }

@@ -18,6 +18,7 @@ struct StoredTimes {
     double fixed_pass_ms = 0;
     std::vector<double> lighting_ms;
     std::vector<double> frame_at_once_ms, frame_by_pass_ms;
+    std::vector<double> ao_processor_ms, layers_processor_ms;
 
     /// Whether these runs suffice for a request: as many as `goal` asks for (any number without one), and
     /// whole frames where they are wanted.

@@ -26,6 +26,8 @@ bool succeeds(RequestTimes& times, Action action) {
 void time_pass(ScreenRenderer& renderer, const MethodRequest& request, RequestTimes& times) {
     const ScreenRenderer::PassTimes run = renderer.time(request);
     times.ao_ms.push_back(run.ao_ms);
+    times.ao_processor_ms.push_back(run.ao_processor_ms);
+    if (run.layers_processor_ms) times.layers_processor_ms.push_back(*run.layers_processor_ms);
     if (run.filter_ms) times.filter_ms.push_back(*run.filter_ms);
     if (run.lighting_ms) times.lighting_ms.push_back(*run.lighting_ms);
 }

@@ -18,8 +18,10 @@ struct TimedRequest {
 /// The timed runs of one request, in the order they were taken.
 struct RequestTimes {
     std::vector<double> ao_ms;
-    std::vector<double> filter_ms;                           ///< empty without a filter
-    std::vector<double> lighting_ms;                         ///< empty without lighting
+    std::vector<double> ao_processor_ms;      ///< processor time of all threads
+    std::vector<double> layers_processor_ms;  ///< the part that draws depth layers; empty without them
+    std::vector<double> filter_ms;            ///< empty without a filter
+    std::vector<double> lighting_ms;          ///< empty without lighting
     std::vector<double> frame_at_once_ms, frame_by_pass_ms;  ///< empty where no whole frames are asked for
     std::string error;  ///< why the runs ended early; empty when they did not
 };

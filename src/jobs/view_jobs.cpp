@@ -67,6 +67,11 @@ class Layout {
             own.after = {keys.score};
             keys.own_score = jobs_.graph.want(own).key;
         }
+        if (cell.repeats && cell.contestant->timed_request() != nullptr) {
+            Job repeats = of_cell(keys_.repeats(cell), ArtifactKind::repeats, {gbuffer_, truth_, contract_});
+            repeats.after = {keys.score};
+            keys.repeats = jobs_.graph.want(repeats).key;
+        }
         if (work_.timed && cell.contestant->timed_request() != nullptr) {
             Job fetches = of_cell(keys_.fetches(cell), ArtifactKind::fetches, {gbuffer_, contract_});
             fetches.after = {keys.score};

@@ -13,6 +13,7 @@ struct CellKeys {
     Key image, score;
     std::optional<Key> own_score;
     std::optional<Key> fetches, times;  ///< empty for a contestant without a cost
+    std::optional<Key> repeats;         ///< empty where they are not asked for, or nothing is drawn
 };
 
 /// The jobs of one view: those that its results need, and their inputs.

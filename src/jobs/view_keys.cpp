@@ -2,6 +2,7 @@
 
 #include "core/machine.h"
 #include "core/threads.h"
+#include "metrics/analysis/repeats.h"
 #include "screen/method/request_digest.h"
 #include "store/code_digest.h"
 
@@ -129,6 +130,12 @@ Key ViewKeys::own_score(const CellWork& cell) const {
 
 Key ViewKeys::fetches(const CellWork& cell) const {
     return KeyBuilder("fetches", "image").input(image(cell)).input(contract()).key();
+}
+
+Key ViewKeys::repeats(const CellWork& cell) const {
+    KeyBuilder key("repeats");
+    key.input(image(cell)).input(truth(std::span(work_.queries).first(1))).input(contract());
+    return key.value(Repeats::kSeeds).key();
 }
 
 Key ViewKeys::times(const CellWork& cell) const {

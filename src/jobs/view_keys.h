@@ -34,6 +34,7 @@ class ViewKeys {
     Key score(const CellWork& cell) const;
     Key own_score(const CellWork& cell) const;
     Key fetches(const CellWork& cell) const;
+    Key repeats(const CellWork& cell) const;
     Key times(const CellWork& cell) const;
 
   private:

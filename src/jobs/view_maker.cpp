@@ -53,6 +53,10 @@ const double* ViewMaker::fetches(const Key& key) const {
     return found_in(fetches_, key);
 }
 
+const Repeats* ViewMaker::repeats(const Key& key) const {
+    return found_in(repeats_, key);
+}
+
 const StoredTimes* ViewMaker::times(const Key& key) const {
     return found_in(times_, key);
 }
@@ -107,6 +111,9 @@ void ViewMaker::read_payload(const Job& job, const nlohmann::json& payload) {
             break;
         case ArtifactKind::times:
             times_[job.key] = stored_times_from_json(payload, where);
+            break;
+        case ArtifactKind::repeats:
+            repeats_[job.key] = repeats_from_json(payload, where);
             break;
         default:
             throw internal_error("is kept in no entry of its own", std::string(id_of(job.kind)));
@@ -186,6 +193,8 @@ void ViewMaker::make(const Job& job) {
                 fetches_per_pixel(work_.tools.ready_renderer(), *cell(job).contestant->timed_request(),
                                   ground_->contract.valid);
             return keep(job, fetches_[job.key]);
+        case ArtifactKind::repeats:
+            return make_repeats(job);
         default:
             throw internal_error("is not made by itself", std::string(id_of(job.kind)));
     }
@@ -233,6 +242,13 @@ void ViewMaker::make_own_score(const Job& job) {
     keep(job, to_json(own_scores_[job.key]));
 }
 
+void ViewMaker::make_repeats(const Job& job) {
+    const MethodRequest& request = *cell(job).contestant->timed_request();
+    const Repeats& repeats = repeats_[job.key] =
+        repeat_image(work_.tools.ready_renderer(), request, truth_->truth, *ground_, layers_drawn_);
+    keep(job, to_json(repeats));
+}
+
 // Times the jobs in turns, with the fixed pass among them.
 std::vector<std::string> ViewMaker::make_in_turns(std::span<const Job* const> jobs) {
     std::vector<TimedRequest> requests;
@@ -247,8 +263,9 @@ std::vector<std::string> ViewMaker::make_in_turns(std::span<const Job* const> jo
         errors.push_back(times[i].error);
         if (!errors.back().empty()) continue;
         const StoredTimes stored{
-            times[i].ao_ms,         times[i].filter_ms,        fixed_pass_ms,
-            fixed_pass.lighting_ms, times[i].frame_at_once_ms, times[i].frame_by_pass_ms};
+            times[i].ao_ms,           times[i].filter_ms,          fixed_pass_ms,
+            fixed_pass.lighting_ms,   times[i].frame_at_once_ms,   times[i].frame_by_pass_ms,
+            times[i].ao_processor_ms, times[i].layers_processor_ms};
         times_[jobs[i]->key] = stored;
         keep(*jobs[i], to_json(stored));
     }

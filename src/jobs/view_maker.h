@@ -2,6 +2,7 @@
 
 #include "jobs/executor.h"
 #include "jobs/ground.h"
+#include "jobs/repeats.h"
 #include "jobs/score_image.h"
 #include "jobs/stored_times.h"
 #include "jobs/view_jobs.h"
@@ -38,6 +39,7 @@ class ViewMaker final : public Maker {
     const Score* score(const Key& key) const;
     const OwnScore* own_score(const Key& key) const;
     const double* fetches(const Key& key) const;
+    const Repeats* repeats(const Key& key) const;
     const StoredTimes* times(const Key& key) const;
 
     // The artifacts in memory that others are made of; null where there is none.
@@ -61,6 +63,7 @@ class ViewMaker final : public Maker {
     void make_image(const Job& job);
     void make_score(const Job& job);
     void make_own_score(const Job& job);
+    void make_repeats(const Job& job);
 
     const CellWork& cell(const Job& job) const { return work_.cells[job.cell]; }
 
@@ -78,12 +81,14 @@ class ViewMaker final : public Maker {
     std::optional<std::pair<Key, MethodOutput>> image_;
     std::optional<TruthSide> truth_side_;  ///< side of the ranking's truth on the ground
     std::uint64_t rays_ = 0;
+    LayersDrawn layers_drawn_;
 
     std::optional<ViewRecord> view_;
     std::optional<std::vector<double>> gbuffer_ms_;
     std::map<Key, Score> scores_;
     std::map<Key, OwnScore> own_scores_;
     std::map<Key, double> fetches_;
+    std::map<Key, Repeats> repeats_;
     std::map<Key, StoredTimes> times_;
 };
 

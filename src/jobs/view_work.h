@@ -26,7 +26,8 @@ struct CellWork {
     bool keep_image = true;         ///< write its output
     /// Whole lit frames are timed too, with a wait at their end and with one after every pass.
     bool whole_frames = false;
-    MethodRequest timed;  ///< the contestant's, with its lighting where whole frames are timed
+    bool repeats = false;  ///< whether it is drawn again with other seeds (jobs/repeats.h)
+    MethodRequest timed;   ///< the contestant's, with its lighting where whole frames are timed
 };
 
 /// One view of a scene with everything to measure on it. Objects that it refers to must outlive it.

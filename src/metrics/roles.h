@@ -8,5 +8,8 @@ inline constexpr char kNoisyRankingMetric[] = "rmse";      ///< ranks elsewhere,
 inline constexpr char kBiasMetric[] = "bias";              ///< shows the sign of a method's error
 inline constexpr char kStructureMetric[] = "ssim";         ///< likeness, shown beside the error
 inline constexpr char kPerceptualMetric[] = "flip";        ///< perceived difference, shown beside the error
+inline constexpr char kBentAngleMetric[] = "bent_angle_mean";  ///< of the signal "bent_normal"
+inline constexpr char kConeErrorMetric[] = "cone_error_mean";  ///< of the signal "cone_angle"
+inline constexpr char kConeBiasMetric[] = "cone_bias";         ///< shows the sign of a cone's error
 
 }  // namespace aoscore

@@ -4,8 +4,10 @@
 #include "core/files.h"
 #include "core/image_size.h"
 #include "core/known_names.h"
+#include "core/signal.h"
 #include "core/source_reference.h"
 #include "core/strict_json.h"
+#include "jobs/truth_signals.h"
 #include "plan/claims/claim.h"
 #include "plan/resolved_cell.h"
 #include "plan/run_modes.h"
@@ -17,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace aoscore {
@@ -91,6 +94,9 @@ SweepRequest read_sweep(StrictObject object) {
     }
     request.base.own_truth = false;
     request.base.keep_image = object.boolean_or("images", false);
+    request.base.repeats = object.boolean_or("repeats", false);
+    request.base.signals = object.texts_or_empty("signals");
+    for (const std::string& id : request.base.signals) signal(id);
     for (const auto& [id, values] : object.object("vary").members()) {
         const std::string where = object.where("vary") + "." + id;
         if (!values.is_array() || values.empty()) throw file_error("is no list of values", where);
@@ -99,6 +105,25 @@ SweepRequest read_sweep(StrictObject object) {
     }
     object.finish();
     return request;
+}
+
+// Checks the numbers that a source prints of settings of one view: each is of one setting that is measured.
+void check_printed(std::vector<StrictObject> printed, std::span<const SweepPoint> points) {
+    for (StrictObject& row : printed) {
+        const ParameterValues at = parameter_values(row.object("at"));
+        const auto matches = [&](const SweepPoint& point) {
+            return std::ranges::all_of(at, [&](const auto& value) {
+                const auto found = point.at.find(value.first);
+                return found != point.at.end() && found->second == value.second;
+            });
+        };
+        if (std::ranges::count_if(points, matches) != 1)
+            throw file_error("does not tell one setting of the sweep from the others", row.where("at"));
+        for (const char* time : {"ao_ms", "layers_ms"}) {
+            if (row.has(time)) row.number(time, 0, 1e6);
+        }
+        row.finish();
+    }
 }
 
 void add_sweep(ExperimentPlan& plan, const ExperimentDefinition& experiment, double scale) {
@@ -116,16 +141,22 @@ void add_sweep(ExperimentPlan& plan, const ExperimentDefinition& experiment, dou
     view.extras = {};
     view.own_parameters = true;
     view.timing_goal = TimingGoal();
-    view.lit = true;
+    view.lit = object.boolean_or("lit", true);
     const Registry registry = load_registry();
     std::vector<SweepRequest> requests;
-    for (StrictObject& one : object.objects("sweeps")) requests.push_back(read_sweep(std::move(one)));
+    for (StrictObject& one : object.objects("sweeps")) {
+        const SweepRequest& request = requests.emplace_back(read_sweep(std::move(one)));
+        view.extras |= extras_for(request.base.signals);
+        view.extras.causes |= request.base.repeats;
+    }
     for (StrictObject& one : object.objects("views")) {
         view.scene = one.text("scene");
         view.view = one.text("view");
         set_size(view, read_image_size(one), scale);
-        one.finish();
+        const std::size_t first = sweep.points.size();
         for (const SweepRequest& request : requests) add_sweep(plan, view, request, sweep, registry);
+        check_printed(one.objects_or_empty("printed"), std::span(sweep.points).subspan(first));
+        one.finish();
     }
     const std::vector<std::string> claims = object.texts_or_empty("claims");
     object.finish();  // the definition moves into the plan with the sweep
@@ -263,6 +294,7 @@ std::size_t shared_cell(ViewPlan& view, CellPlan cell) {
     found->own_truth |= cell.own_truth;
     found->keep_image |= cell.keep_image;
     found->whole_frames |= cell.whole_frames;
+    found->repeats |= cell.repeats;
     return static_cast<std::size_t>(found - view.cells.begin());
 }
 

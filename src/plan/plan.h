@@ -35,6 +35,8 @@ struct CellPlan {
     bool keep_image = true;  ///< write its output
     /// Whole lit frames are timed too, with a wait at their end and with one after every pass.
     bool whole_frames = false;
+    /// It is drawn again with other seeds, and held against what one depth layer hides (jobs/repeats.h).
+    bool repeats = false;
     /// Signals beside visibility to score where the method gives them (see core/signal.h).
     std::vector<std::string> signals = {};
     /// Whether both are the same measurement, whatever files it leaves.

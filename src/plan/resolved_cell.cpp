@@ -54,7 +54,9 @@ void add_lengths(const MethodDescriptor& owner, const ParameterValues& values,
 std::string cell_name(const CellPlan& plan) {
     std::string name = plan.method + "/" + plan.preset;
     if (plan.filter) name += "/" + *plan.filter;
-    const std::vector<std::string> changes = changes_of(plan, "=");
+    std::vector<std::string> changes = changes_of(plan, "=");
+    // Signals cost time: one method may be a cell with them and one without.
+    for (const std::string& id : plan.signals) changes.push_back("signal=" + id);
     if (!changes.empty()) name += fmt::format("/{}", fmt::join(changes, ","));
     return name;
 }

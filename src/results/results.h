@@ -2,6 +2,7 @@
 
 #include "core/parameter_value.h"
 #include "metrics/analysis/analysis.h"
+#include "metrics/analysis/repeats.h"
 #include "metrics/intervals/simultaneous.h"
 #include "metrics/metric.h"
 
@@ -172,6 +173,9 @@ struct CellRecord {
     std::vector<LengthRecord> lengths;  ///< lengths among them and the filter's
     std::string error;                  ///< why the cell failed; else empty
     Timing ao, filter_pass;
+    /// The AO pass as processor time of all threads, and the part of it that draws the method's depth layers;
+    /// the latter has no runs where it reads none.
+    Timing ao_processor, layers_processor;
     std::optional<double> fixed_pass_ms;  ///< sixteen fetches a pixel, timed in the same rounds
     Timing lighting;  ///< the lighting pass, timed in the same rounds; no runs where not asked for
     std::optional<double> frame_ms;  ///< G-buffer + AO + filter + lighting where it was timed, medians added
@@ -189,6 +193,7 @@ struct CellRecord {
     /// Empty where none was asked for, or the method gives none.
     std::map<std::string, MetricMap> signals;
     std::optional<ErrorAnalysis> analysis;  ///< against the ranking's truth; empty for a failed cell
+    std::optional<Repeats> repeats;         ///< empty where they were not asked for
     std::string image_file;  ///< EXR: Y (output), raw.Y (before the filter), channels of its signals; empty
                              ///< when not kept
 };
@@ -318,7 +323,7 @@ struct WorkRecord {
 };
 
 struct Results {
-    static constexpr int kSchemaVersion = 7;
+    static constexpr int kSchemaVersion = 8;
     std::string program_version;
     std::string created_utc;  ///< 2026-11-22T02:11:47Z
     std::string command;      ///< the command that runs it again

@@ -20,6 +20,29 @@ void visit_members(Visit& visit, Record& timing) {
     visit("spread_ms", timing.spread_ms);
 }
 
+template <class Visit, RecordOf<FoundOcclusion> Record>
+void visit_members(Visit& visit, Record& found) {
+    visit("strength", found.strength);
+    visit("hidden", found.hidden);
+    visit("found", found.found);
+    visit("found_fitted", found.found_fitted);
+    visit("visible", found.visible);
+    visit("kept", found.kept);
+    visit("pixels", found.pixels);
+    visit("finders", found.finders);
+}
+
+template <class Visit, RecordOf<Repeats> Record>
+void visit_members(Visit& visit, Record& repeats) {
+    visit("counts", repeats.counts);
+    visit("variance", repeats.variance);
+    visit("raw_variance", repeats.raw_variance);
+    visit("of_truth", repeats.of_truth);
+    visit("of_layers", repeats.of_layers);
+    visit("hidden_signals", repeats.hidden_signals);
+    visit("other_signals", repeats.other_signals);
+}
+
 template <class Visit, RecordOf<TruthRecord> Record>
 void visit_members(Visit& visit, Record& truth) {
     visit("id", truth.id);
@@ -150,6 +173,8 @@ void visit_members(Visit& visit, Record& cell) {
     visit("error", cell.error);
     visit("ao", cell.ao);
     visit("filter_pass", cell.filter_pass);
+    visit("ao_processor", cell.ao_processor);
+    visit("layers_processor", cell.layers_processor);
     visit("fixed_pass_ms", cell.fixed_pass_ms);
     visit("lighting", cell.lighting);
     visit("frame_ms", cell.frame_ms);
@@ -165,6 +190,7 @@ void visit_members(Visit& visit, Record& cell) {
     visit("raw", cell.raw);
     visit("signals", cell.signals);
     visit("analysis", cell.analysis);
+    visit("repeats", cell.repeats);
     visit("image_file", cell.image_file);
 }
 

@@ -1,6 +1,7 @@
 #include "screen/screen.h"
 
 #include "core/error.h"
+#include "core/processor_watch.h"
 #include "screen/gbuffer/gbuffer.h"
 #include "screen/gbuffer/scene_geometry.h"
 #include "screen/gl/context.h"
@@ -184,8 +185,14 @@ ScreenRenderer::PassTimes ScreenRenderer::time(const MethodRequest& request) {
     gl::Finish();
     PassTimes times;
     const Clock ao;
+    const ProcessorWatch on_processor;
+    if (runner.draw_depth_layers(frame)) {
+        gl::Finish();
+        times.layers_processor_ms = on_processor.milliseconds();
+    }
     runner.draw_method(frame);
     gl::Finish();
+    times.ao_processor_ms = on_processor.milliseconds();
     times.ao_ms = ao.milliseconds();
     if (request.filter != nullptr) {
         const Clock filter;

@@ -149,7 +149,11 @@ class ScreenRenderer {
     Work work() const;
 
     struct PassTimes {
-        double ao_ms = 0;
+        double ao_ms =
+            0;  ///< with the inputs that are made for the method alone, its depth layers among them
+        double ao_processor_ms = 0;  ///< the same as processor time of all threads
+        /// The part of it that draws depth layers; empty for a method that reads none.
+        std::optional<double> layers_processor_ms;
         std::optional<double> filter_ms;
         std::optional<double> lighting_ms;
     };

@@ -1,3 +1,4 @@
+#include "page/document/number_text.h"
 #include "page/section.h"
 #include "page/synthetic_results.h"
 
@@ -54,6 +55,33 @@ TEST_F(SweepsAndClaims, FramesAreGivenByTheirPassesAndByTheSecond) {
     EXPECT_THAT(view.at("light").get<std::string>(), HasSubstr("Four lights (lights 4)"));
     for (CellRecord& cell : results.cells) cell.frame.reset();
     EXPECT_FALSE(section::sweeps(source()).at("sweeps").at(0).at("views").at(0).at("has_frames").get<bool>());
+}
+
+TEST_F(SweepsAndClaims, PrintedTimesStandBesideThoseOfTheSameSettingAsPartsOfTheFirst) {
+    SweepRecord& sweep = results.sweeps[0];
+    std::erase_if(sweep.points,
+                  [](const SweepPointRecord& p) { return !p.cell_id.starts_with("atrium/wide/"); });
+    for (CellRecord& cell : results.cells) {
+        cell.ao_processor.runs_ms = {cell.id == sweep.points[1].cell_id ? 50.0 : 30.0};
+        cell.layers_processor.runs_ms = {10.0};
+        cell.layers_processor.median_ms = 10;
+    }
+    const auto at = [&](std::size_t i) { return nlohmann::json(sweep.points[i].at); };
+    sweep.definition = {{"source", {{"author", "A"}, {"title", "T"}, {"year", 2020}}},
+                        {"hardware", "a card"}};
+    sweep.definition["views"] = {
+        {{"printed",
+          {{{"at", at(0)}, {"ao_ms", 1.2}}, {{"at", at(1)}, {"ao_ms", 3.0}, {"layers_ms", 0.5}}}}}};
+    const auto view = section::sweeps(source()).at("sweeps").at(0).at("views").at(0);
+    ASSERT_TRUE(view.at("has_printed").get<bool>());
+    const auto& rows = view.at("printed").at("rows");
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[0].at("ao"), "1.00");
+    EXPECT_EQ(rows[1].at("ao"), "2.50");
+    EXPECT_EQ(rows[1].at("our_ao"), "2.00") << "40 over 20 ms without the layers";
+    EXPECT_EQ(rows[0].at("layers_ms"), kNoNumber);
+    EXPECT_EQ(rows[1].at("layers"), "1.00") << "the first that has one is itself";
+    EXPECT_EQ(rows[1].at("found"), kNoNumber) << "not drawn again";
 }
 
 TEST_F(SweepsAndClaims, VerdictsAreCountedBySourceAndOverall) {

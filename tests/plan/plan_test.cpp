@@ -118,5 +118,32 @@ TEST(Experiments, PlanTheClaimsThatTheyName) {
     }
 }
 
+TEST(Experiments, PrintTimesOfOneSettingEach) {
+    const std::filesystem::path home = testing::output_dir(), real = home_dir();
+    std::filesystem::create_directories(home / "reports");
+    for (const char* folder : {"shaders", "scenes"}) {
+        if (!std::filesystem::exists(home / folder))
+            std::filesystem::create_directory_symlink(real / folder, home / folder);
+    }
+    const json definition = json::parse(read_file(real / "reports" / "vermeer-table-9-3.json"));
+    setenv("AOSCORE_HOME", home.c_str(), 1);
+    for (const json& at : {json{{"method", "sd-hbao"}}, json{{"use", "always"}, {"depth_samples", 3}},
+                           json{{"use", "always"}, {"depth_samples", 2}}}) {
+        json changed = definition;
+        changed["claims"] = json::array();
+        changed["views"][0]["printed"][0]["at"] = at;
+        std::ofstream(home / "reports" / "vermeer-table-9-3.json") << changed;
+        const bool one = at.value("depth_samples", 0) == 2;
+        try {
+            plan_experiments({"vermeer-table-9-3"});
+            EXPECT_TRUE(one) << at;
+        } catch (const Error& e) {
+            EXPECT_FALSE(one) << e.what();
+            EXPECT_THAT(e.what(), HasSubstr("views[0].printed[0].at"));
+        }
+    }
+    unsetenv("AOSCORE_HOME");
+}
+
 }  // namespace
 }  // namespace aoscore

@@ -135,7 +135,7 @@ double five_errors(double share, std::size_t count) {
 TEST_F(Walls, AreCapturedByTheLawOfTheSampling) {
     for (const std::string& sampling : random_samplings()) {
         for (const double alpha : {0.2, 0.05, 0.7}) {
-            for (const int samples : {1, 2, 4, 8, 16}) {
+            for (const int samples : {1, 2, 3, 4, 5, 6, 8, 16}) {
                 const std::vector<Held> all = held(layers_of(sampling, samples, alpha));
                 for (int wall = 0; wall < kWalls; ++wall) {
                     const auto captured = std::ranges::count_if(

@@ -4,6 +4,7 @@
 #include "page/document/number_text.h"
 #include "page/document/page_template.h"
 #include "page/section.h"
+#include "page/sections/printed_times.h"
 #include "results/comparable_views.h"
 #include "results/sweep_rows.h"
 
@@ -178,6 +179,8 @@ std::string light_text(const ViewRecord& view) {
 
 json view_model(const ViewRecord& view, const Rows& rows, const SweepRecord& sweep) {
     json model = rows_model(rows, sweep);
+    model["printed"] = printed_times(sweep, rows);
+    model["has_printed"] = !model["printed"]["rows"].empty();
     model["key"] = view.key;
     model["about"] =
         fmt::format("{}×{}, ranked at R {} m", view.width, view.height, short_text(view.radius_m));
@@ -194,6 +197,7 @@ json over_views_model(const SweepRowsOverViews& all, const SweepRecord& sweep) {
     for (const ViewRecord* view : all.views) keys.push_back(view->key);
     const ViewRecord& first = *all.views.front();
     json model = rows_model(rows, sweep);
+    model["has_printed"] = false;
     model["key"] = fmt::format("Over {} views", all.views.size());
     model["about"] =
         fmt::format("{}, {}×{}, ranked at R {} m; settings that were measured in every one of them",

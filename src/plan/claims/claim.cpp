@@ -4,7 +4,9 @@
 #include "core/files.h"
 #include "core/image_size.h"
 #include "core/known_names.h"
+#include "core/signal.h"
 #include "core/strict_json.h"
+#include "jobs/truth_signals.h"
 #include "plan/claims/claim_sources.h"
 #include "plan/claims/quantity.h"
 #include "plan/resolved_cell.h"
@@ -130,7 +132,7 @@ class Reader {
         const KindRow& kind = kind_named(object.text("kind"), object.where("kind"));
         check.kind = kind.kind;
         check.quantity = object.text("quantity");
-        find_quantity(check.quantity, object.where("quantity"));
+        const Quantity& quantity = find_quantity(check.quantity, object.where("quantity"));
         check.about = object.text_or("about", "");
         if (kind.has_range) {
             if (object.has("low")) check.low = object.number("low", -kAny, kAny);
@@ -141,12 +143,21 @@ class Reader {
         const json& cells = object.raw("cells");
         if (!cells.is_array()) throw file_error("is no list", object.where("cells"));
         for (const json& cell : cells) add_cells(check.cells, cell, object.where("cells"));
+        for (const ClaimCell& cell : check.cells) require_signal(cell, quantity, object.where("cells"));
         if (check.cells.size() < kind.least_cells || check.cells.size() > kind.most_cells) {
             throw file_error(fmt::format("has {} cells", check.cells.size()), object.where("cells"),
                              fmt::format("{} to {}", kind.least_cells, kind.most_cells));
         }
         object.finish();
         return check;
+    }
+
+    static void require_signal(const ClaimCell& cell, const Quantity& quantity, const std::string& where) {
+        const std::string_view signal = quantity.needs.signal;
+        const std::vector<std::string>& asked = cell.plan.signals;
+        if (signal.empty() || std::ranges::find(asked, signal) != asked.end()) return;
+        throw file_error(fmt::format("holds {}, which does not ask for the signal {}", cell.label, signal),
+                         where);
     }
 
     // Reads a cell: a name, or an object that takes a named cell by "like" and changes it.
@@ -158,7 +169,8 @@ class Reader {
                 throw file_error("names the cell " + name.dump() + ", which is not there", where);
             json base = merged(found->second, where);
             for (const auto& [changed, changes] : set_) {
-                if (changed == found->first) base["set"].update(changes);
+                if (changed != found->first) continue;
+                for (const auto& [id, value] : changes.items()) set_parameter(base, id, value);
             }
             if (cell.is_string()) return base;
             for (const auto& [key, value] : cell.items()) {
@@ -188,17 +200,23 @@ class Reader {
             json varied = cell;
             if (axis == "view" || axis == "preset" || axis == "filter" || axis == "method")
                 varied[axis] = value;
-            else if (axis.starts_with(kFilterPrefix))
-                varied["filter_set"][axis.substr(kFilterPrefix.size())] = value;
             else if (is_mode(axis))
                 varied["modes"][axis] = value;
             else
-                varied["set"][axis] = value;
+                set_parameter(varied, axis, value);
             ClaimCell read = read_cell(varied, where);
             read.label = axis + " " + (value.is_string() ? value.get<std::string>() : value.dump());
             if (value.is_number()) read.x = value.get<double>();
             cells.push_back(std::move(read));
         }
+    }
+
+    // Sets a parameter of the method, or with its prefix one of the filter.
+    static void set_parameter(json& cell, const std::string& id, const json& value) {
+        if (id.starts_with(kFilterPrefix))
+            cell["filter_set"][id.substr(kFilterPrefix.size())] = value;
+        else
+            cell["set"][id] = value;
     }
 
     static bool is_mode(const std::string& id) {
@@ -219,6 +237,8 @@ class Reader {
         if (object.has("filter_set"))
             cell.plan.filter_overrides = parameter_values(object.object("filter_set"));
         cell.plan.own_truth = object.boolean_or("own_truth", false);
+        cell.plan.signals = object.texts_or_empty("signals");
+        for (const std::string& id : cell.plan.signals) signal(id);
         if (object.has("modes")) read_modes(object.object("modes"), cell.plan.modes);
         cell.plan.keep_image = false;
         object.finish();
@@ -302,13 +322,16 @@ void scale_views(std::vector<ClaimList>& lists, double factor) {
 namespace {
 
 void plan_check(ExperimentPlan& plan, const ClaimList& list, const ClaimCheck& check) {
-    const Timed needs = find_quantity(check.quantity, "claims").needs;
+    const QuantityNeeds& needs = find_quantity(check.quantity, "claims").needs;
     for (const ClaimCell& cell : check.cells) {
         ViewPlan view = list.views.at(cell.view);
         view.own_parameters = true;
-        view.lit = needs != Timed::passes;
+        view.lit = needs.lighting || needs.whole_frames;
+        view.extras = extras_for(cell.plan.signals);
+        view.extras.causes = needs.repeats;
         CellPlan asked = cell.plan;
-        asked.whole_frames = needs == Timed::whole_frames;
+        asked.whole_frames = needs.whole_frames;
+        asked.repeats = needs.repeats;
         shared_cell(plan.views[shared_view(plan, std::move(view))], std::move(asked));
     }
 }

@@ -6,6 +6,8 @@
 #include "metrics/intervals/bootstrap.h"
 #include "metrics/intervals/median_interval.h"
 #include "metrics/roles.h"
+#include "plan/claims/repeat_quantities.h"
+#include "results/layer_times.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,6 +18,12 @@
 
 namespace aoscore {
 namespace {
+
+using namespace repeat_quantities;
+
+constexpr QuantityNeeds kRepeats{.repeats = true};
+constexpr QuantityNeeds kBentWhereHidden{.repeats = true, .signal = "bent_normal"};
+constexpr QuantityNeeds kConeWhereHidden{.repeats = true, .signal = "cone_angle"};
 
 constexpr std::size_t kDraws = 2000;
 
@@ -100,6 +108,23 @@ Measured waiting(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) 
                      timed(cell.frame_at_once, cell.id + " at once", seed)},
                     [](const auto& v) { return v[0] / v[1]; });
 }
+Measured ao_processor(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    Timing apart;
+    apart.runs_ms = runs_without_layers_ms(cell);
+    if (apart.runs_ms.empty()) return {};
+    apart.median_ms = median(apart.runs_ms);
+    return timed(apart, cell.id, seed);
+}
+Measured layers_processor(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return timed(cell.layers_processor, cell.id + " layers", seed);
+}
+Measured cost_processor(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return timed(cell.ao_processor, cell.id, seed);
+}
+Measured processor_per_fetch(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed) {
+    return combined({ao_processor(cell, view, seed), exact(cell.fetches_per_pixel)},
+                    [](const auto& v) { return v[0] / v[1]; });
+}
 Measured variation(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
     const std::vector<double>& runs = cell.ao.runs_ms;
     if (runs.size() < 2 || !cell.ao.spread_ms || !cell.ao.median_ms) return {};
@@ -150,6 +175,10 @@ Measured edge_bias(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
 Measured edge_rmse(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
     const SplitBin* bin = first_bin(cell, "edge_distance");
     return exact(bin != nullptr ? bin->rmse : std::nullopt);
+}
+Measured darker_at_edges(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed) {
+    return combined({exact(value_of(cell.ranked, kBiasMetric)), edge_bias(cell, view, seed)},
+                    [](const auto& v) { return v[0] - v[1]; });
 }
 Measured steep_rmse(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
     const SplitBin* bin = first_bin(cell, "tilt");
@@ -221,14 +250,27 @@ const std::vector<Quantity>& quantities() {
         {"ms_per_fetch", "AO pass for each fetch a pixel", "ms", 3, per_fetch},
         {"relative_cost", "AO pass in fixed passes", "", 2, relative},
         {"variation", "half the quartiles' distance over the median of the runs", "", 3, variation},
-        {"lighting_ms", "lighting pass", "ms", 2, lighting_ms, Timed::lighting},
-        {"frame_ms", "lit frame", "ms", 2, frame_ms, Timed::lighting},
-        {"cost_share", "share of AO and filter in a lit frame", "", 3, cost_share, Timed::lighting},
-        {"cost_over_rest", "AO and filter over geometry and lighting", "", 3, cost_over_rest,
-         Timed::lighting},
-        {"filter_over_lighting", "filter over lighting pass", "", 3, filter_over_lighting, Timed::lighting},
-        {"waiting", "frame waited for after every pass over one waited for at its end", "", 3, waiting,
-         Timed::whole_frames},
+        {"lighting_ms", "lighting pass", "ms", 2, lighting_ms, {.lighting = true}},
+        {"frame_ms", "lit frame", "ms", 2, frame_ms, {.lighting = true}},
+        {"cost_share", "share of AO and filter in a lit frame", "", 3, cost_share, {.lighting = true}},
+        {"cost_over_rest",
+         "AO and filter over geometry and lighting",
+         "",
+         3,
+         cost_over_rest,
+         {.lighting = true}},
+        {"filter_over_lighting",
+         "filter over lighting pass",
+         "",
+         3,
+         filter_over_lighting,
+         {.lighting = true}},
+        {"waiting",
+         "frame waited for after every pass over one waited for at its end",
+         "",
+         3,
+         waiting,
+         {.whole_frames = true}},
         {"fetches", "fetches a pixel", "", 1, fetches},
         {"rmse", "RMSE", "", 4, rmse},
         {"unfiltered_rmse", "RMSE before the filter", "", 4, unfiltered<kRankingMetric>},
@@ -245,6 +287,36 @@ const std::vector<Quantity>& quantities() {
         {"own_truth_brighter", "own truth less the binary one", "", 4, own_truth_brighter},
         {"ms_per_megapixel", "AO pass for a million shaded pixels", "ms", 2, per_megapixel},
         {"false_area", "area of false occlusion", "", 4, false_area},
+        {"darker_at_edges", "bias less that beside depth edges", "", 4, darker_at_edges},
+        {"ao_processor_ms", "AO pass without its depth layers, processor time", "processor ms", 2,
+         ao_processor},
+        {"layers_processor_ms", "pass of depth layers, processor time", "processor ms", 2, layers_processor},
+        {"cost_processor_ms", "AO pass and its depth layers, processor time", "processor ms", 2,
+         cost_processor},
+        {"processor_ms_per_fetch", "AO pass without its depth layers, for each fetch a pixel", "processor ms",
+         3, processor_per_fetch},
+        {"noise", "noise over seeds", "", 4, repeats_noise, kRepeats},
+        {"raw_noise", "noise over seeds before the filter", "", 4, repeats_raw_noise, kRepeats},
+        {"fitted_noise", "noise over seeds at the fitted strength", "", 4, repeats_fitted_noise, kRepeats},
+        {"truth_found", "part of the truth's hidden occlusion that is found at the fitted strength", "", 3,
+         found_of_truth, kRepeats},
+        {"layers_found", "part that is found of what the first layer hides", "", 3, found_of_layers,
+         kRepeats},
+        {"layers_found_fitted", "part that is found of what the first layer hides, at the fitted strength",
+         "", 3, found_fitted_of_layers, kRepeats},
+        {"layers_kept", "part that is kept of what the first layer shows", "", 3, kept_of_layers, kRepeats},
+        {"layers_finders", "part of the pixels with hidden occlusion where a fifth of it is found", "", 3,
+         finders_of_layers, kRepeats},
+        {"hidden_bent_angle", "mean angle between bent normals where occlusion is hidden", "°", 2,
+         hidden_bent_angle, kBentWhereHidden},
+        {"other_bent_angle", "mean angle between bent normals where none is hidden", "°", 2, other_bent_angle,
+         kBentWhereHidden},
+        {"hidden_cone_error", "mean error of the cone where occlusion is hidden", "°", 2, hidden_cone_error,
+         kConeWhereHidden},
+        {"hidden_cone_bias", "cone too wide where occlusion is hidden", "°", 2, hidden_cone_bias,
+         kConeWhereHidden},
+        {"other_cone_error", "mean error of the cone where none is hidden", "°", 2, other_cone_error,
+         kConeWhereHidden},
     };
     return table;
 }

@@ -29,11 +29,12 @@ struct Measured {
 Measured combined(const std::vector<Measured>& of,
                   const std::function<double(const std::vector<double>&)>& f);
 
-/// The times that a cell needs beside those of its passes.
-enum class Timed {
-    passes,        ///< nothing more
-    lighting,      ///< the lighting pass of its view
-    whole_frames,  ///< and whole frames of the cell
+/// What a cell must be measured for beside its score, its fetches and the times of its passes.
+struct QuantityNeeds {
+    bool lighting = false;      ///< the time of the lighting pass of its view
+    bool whole_frames = false;  ///< times of whole frames, which are lit
+    bool repeats = false;       ///< drawn again with other seeds, and held against the truth's causes
+    std::string_view signal{};  ///< a signal beside visibility; empty: none
 };
 
 /// A quantity that is measured of a cell.
@@ -43,7 +44,7 @@ struct Quantity {
     std::string_view unit;
     int decimals = 2;
     Measured (*measure)(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed);
-    Timed needs = Timed::passes;
+    QuantityNeeds needs = {};
 };
 /// The one table of quantities.
 const std::vector<Quantity>& quantities();

@@ -1,17 +1,16 @@
 #pragma once
 
+#include "core/processor_watch.h"
 #include "core/threads.h"
-
-#include <ctime>
 
 namespace aoscore {
 
 /// Processor time of all threads, divided among them: the time it takes on a machine that does nothing else.
 template <class Work>
 double seconds_of(const Work& work) {
-    const std::clock_t start = std::clock();
+    const ProcessorWatch watch;
     work();
-    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / thread_count();
+    return watch.milliseconds() / 1000 / thread_count();
 }
 
 }  // namespace aoscore

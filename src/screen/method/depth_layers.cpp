@@ -104,4 +104,27 @@ DepthLayers asked_depth_layers(const DepthLayersDescriptor& descriptor, const Pa
     return layers;
 }
 
+namespace {
+
+std::optional<ParameterValues> parameters_for(const DepthLayersDescriptor& descriptor,
+                                              const ParameterValues& members_wanted) {
+    ParameterValues changes;
+    for (const auto& [member, value] : members_wanted) {
+        const ParameterValue& given = descriptor.members.at(member);
+        if (!is_reference(given) && given != value) return std::nullopt;
+        if (is_reference(given)) changes[given.word().substr(1)] = value;
+    }
+    return changes;
+}
+
+}  // namespace
+
+std::optional<ParameterValues> first_layer_alone(const DepthLayersDescriptor& descriptor) {
+    return parameters_for(descriptor, {{"samples", 1}, {"alpha", 1.0}, {"sampling", "stratified"}});
+}
+
+std::optional<ParameterValues> all_layers(const DepthLayersDescriptor& descriptor) {
+    return parameters_for(descriptor, {{"samples", DepthLayers::kMost}, {"sampling", "peeled"}});
+}
+
 }  // namespace aoscore

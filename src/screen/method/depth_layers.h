@@ -4,6 +4,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,5 +49,10 @@ bool names_parameter(const DepthLayersDescriptor& descriptor, std::string_view p
 /// The depth layers for these parameters, in a run of this seed.
 DepthLayers asked_depth_layers(const DepthLayersDescriptor& descriptor, const ParameterValues& parameters,
                                std::uint64_t run_seed);
+
+/// Changes of a method's parameters by which each texel holds the first layer alone, or all layers from front
+/// to back, kMost at most. Empty where the descriptor fixes a member that would have to change.
+std::optional<ParameterValues> first_layer_alone(const DepthLayersDescriptor& descriptor);
+std::optional<ParameterValues> all_layers(const DepthLayersDescriptor& descriptor);
 
 }  // namespace aoscore

@@ -287,6 +287,16 @@ MethodRunner::Frame MethodRunner::prepare(const MethodRequest& request) {
     return frame;
 }
 
+bool MethodRunner::draw_depth_layers(const Frame& frame) {
+    constexpr const char* kInput = "depth_layers";
+    for (const Step& step : frame.method) {
+        if (std::ranges::find(step.pass->inputs, kInput) == step.pass->inputs.end()) continue;
+        inputs_.texture(kInput, step.build, frame.settings, 0);
+        return true;
+    }
+    return false;
+}
+
 void MethodRunner::draw_method(const Frame& frame) {
     allocate();
     GLuint previous = 0;

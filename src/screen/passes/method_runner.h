@@ -37,6 +37,9 @@ class MethodRunner {
     /// resolution.
     Frame prepare(const MethodRequest& request);
 
+    /// Draws the depth layers that the AO passes read, as draw_method() would first. False where they read
+    /// none.
+    bool draw_depth_layers(const Frame& frame);
     /// Draws the AO passes in the request's resolution mode; the result is raw().
     void draw_method(const Frame& frame);
     /// Sets raw() to visibility of the picture's size that was made elsewhere.

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "jobs/ground.h"
+#include "metrics/analysis/repeats.h"
+#include "reference/truth.h"
+#include "screen/screen.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+// This is a file of its own, because the code of repeats is the code that the linker takes for it
+// (aoscore_code_digests() in CMakeLists.txt).
+namespace aoscore {
+
+/// What estimators find over the first depth layer and over all, by the digests of both requests: cells that
+/// differ only in how they sample layers share it.
+struct LayersDrawn {
+    static constexpr std::size_t kMost = 8;
+    std::map<std::string, HiddenOcclusion> by_digest;  ///< of one view; all are forgotten beyond kMost
+};
+
+/// Draws a request again on the renderer's current G-buffer, with Repeats::kSeeds seeds that follow its own,
+/// and where it reads depth layers, over the first layer and over all. What is hidden from the truth is told
+/// where it was traced with its causes; signals where it holds them.
+Repeats repeat_image(ScreenRenderer& renderer, const MethodRequest& request, const Truth& truth,
+                     const Ground& ground, LayersDrawn& drawn);
+
+nlohmann::json to_json(const Repeats& repeats);
+/// Reads repeats. Throws file_error for another form.
+Repeats repeats_from_json(const nlohmann::json& json, const std::string& where);
+
+}  // namespace aoscore

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "metrics/analysis/repeats.h"
+
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+namespace aoscore {
+
+/// The sum of `some` over that of `all`; empty where it is not finite.
+inline std::optional<double> ratio_of_sums(const std::vector<double>& some, const std::vector<double>& all) {
+    const double ratio = std::accumulate(some.begin(), some.end(), 0.0) /
+                         std::accumulate(all.begin(), all.end(), 0.0);
+    return std::isfinite(ratio) ? std::optional(ratio) : std::nullopt;
+}
+
+/// The part of the hidden occlusion that is found at the fitted strength; empty where it is not known.
+inline std::optional<double> found_share(const std::optional<FoundOcclusion>& found) {
+    return found ? ratio_of_sums(found->found_fitted, found->hidden) : std::nullopt;
+}
+
+/// The standard deviation of a pixel over seeds, as a root of the mean square over the pixels.
+inline std::optional<double> noise_over_seeds(const Repeats& repeats) {
+    const std::optional<double> variance = ratio_of_sums(repeats.variance, repeats.counts);
+    return variance ? std::optional(std::sqrt(*variance)) : std::nullopt;
+}
+
+}  // namespace aoscore

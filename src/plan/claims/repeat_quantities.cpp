@@ -1,0 +1,138 @@
+#include "plan/claims/repeat_quantities.h"
+
+#include "metrics/analysis/repeats.h"
+#include "metrics/roles.h"
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace aoscore::repeat_quantities {
+namespace {
+
+using Blocks = std::vector<double>;
+using OfSums = std::function<double(const std::vector<double>& sums)>;
+
+constexpr int kBlockDraws = 2000;
+constexpr const char *kBentNormal = "bent_normal", *kConeAngle = "cone_angle";
+
+/// The value of the sums over all blocks, and over blocks drawn with replacement: as resampled() draws those
+/// of one picture.
+Measured of_blocks(const std::vector<const Blocks*>& of, const OfSums& value_of, std::uint64_t seed) {
+    std::vector<double> sums(of.size(), 0);
+    for (std::size_t k = 0; k < of.size(); ++k) {
+        for (const double block : *of[k]) sums[k] += block;
+    }
+    Measured measured;
+    const double value = value_of(sums);
+    if (!std::isfinite(value)) return measured;
+    measured.value = value;
+    const std::size_t blocks = of.front()->size();
+    std::mt19937_64 random(seed);
+    for (int i = 0; i < kBlockDraws; ++i) {
+        sums.assign(of.size(), 0);
+        for (std::size_t drawn = 0; drawn < blocks; ++drawn) {
+            const std::size_t block = random() % blocks;
+            for (std::size_t k = 0; k < of.size(); ++k) sums[k] += (*of[k])[block];
+        }
+        measured.draws.push_back(value_of(sums));
+    }
+    return measured;
+}
+
+Measured noise_of(const std::optional<Repeats>& repeats, Blocks Repeats::*variance, double strength,
+                  std::uint64_t seed) {
+    if (!repeats) return {};
+    return of_blocks(
+        {&((*repeats).*variance), &repeats->counts},
+        [strength](const auto& s) { return strength * std::sqrt(s[0] / s[1]); }, seed);
+}
+
+const FoundOcclusion* found_in(const CellRecord& cell, std::optional<FoundOcclusion> Repeats::*which) {
+    if (!cell.repeats || !((*cell.repeats).*which)) return nullptr;
+    return &*((*cell.repeats).*which);
+}
+
+Measured part(const FoundOcclusion* found, Blocks FoundOcclusion::*some, Blocks FoundOcclusion::*all,
+              std::uint64_t seed) {
+    if (found == nullptr) return {};
+    return of_blocks(
+        {&(found->*some), &(found->*all)}, [](const auto& s) { return s[0] / s[1]; }, seed);
+}
+
+Measured signal_metric(const CellRecord& cell,
+                       std::map<std::string, std::map<std::string, MetricValue>> Repeats::*where,
+                       const char* signal, const char* metric) {
+    if (!cell.repeats) return {};
+    const auto& signals = (*cell.repeats).*where;
+    const auto of_signal = signals.find(signal);
+    if (of_signal == signals.end()) return {};
+    const auto found = of_signal->second.find(metric);
+    return found == of_signal->second.end() ? Measured{} : Measured{found->second.value, {}};
+}
+
+}  // namespace
+
+Measured repeats_noise(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return noise_of(cell.repeats, &Repeats::variance, 1, seed);
+}
+
+Measured repeats_raw_noise(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return noise_of(cell.repeats, &Repeats::raw_variance, 1, seed);
+}
+
+Measured repeats_fitted_noise(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    const FoundOcclusion* found = found_in(cell, &Repeats::of_truth);
+    if (found == nullptr) return {};
+    return noise_of(cell.repeats, &Repeats::variance, found->strength, seed);
+}
+
+Measured found_of_truth(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return part(found_in(cell, &Repeats::of_truth), &FoundOcclusion::found_fitted, &FoundOcclusion::hidden,
+                seed);
+}
+
+Measured found_of_layers(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return part(found_in(cell, &Repeats::of_layers), &FoundOcclusion::found, &FoundOcclusion::hidden, seed);
+}
+
+Measured found_fitted_of_layers(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return part(found_in(cell, &Repeats::of_layers), &FoundOcclusion::found_fitted, &FoundOcclusion::hidden,
+                seed);
+}
+
+Measured kept_of_layers(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return part(found_in(cell, &Repeats::of_layers), &FoundOcclusion::kept, &FoundOcclusion::visible, seed);
+}
+
+Measured finders_of_layers(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return part(found_in(cell, &Repeats::of_layers), &FoundOcclusion::finders, &FoundOcclusion::pixels, seed);
+}
+
+Measured hidden_bent_angle(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
+    return signal_metric(cell, &Repeats::hidden_signals, kBentNormal, kBentAngleMetric);
+}
+
+Measured other_bent_angle(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
+    return signal_metric(cell, &Repeats::other_signals, kBentNormal, kBentAngleMetric);
+}
+
+Measured hidden_cone_error(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
+    return signal_metric(cell, &Repeats::hidden_signals, kConeAngle, kConeErrorMetric);
+}
+
+Measured hidden_cone_bias(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
+    return signal_metric(cell, &Repeats::hidden_signals, kConeAngle, kConeBiasMetric);
+}
+
+Measured other_cone_error(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
+    return signal_metric(cell, &Repeats::other_signals, kConeAngle, kConeErrorMetric);
+}
+
+}  // namespace aoscore::repeat_quantities
