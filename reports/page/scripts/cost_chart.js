@@ -8,7 +8,7 @@ function namePlaces({ x, y, left, right, top, bottom }, width, ratio, bbox) {
     places.push([beside, y - 1.5 * gap], [beside, y + 1.5 * gap], [beside, top - gap], [beside, bottom + gap]);
   }
   places.push([right + gap, y], [left - gap - width, y]);
-  for (let away = 3; away <= 15; away += 1.5) {
+  for (let away = 3; away <= 15; away += 1) {
     for (const beside of [x - width / 2, x + gap, x - gap - width]) places.push([beside, y + away * gap], [beside, y - away * gap]);
   }
   return places.map(([from, middle]) => ({ left: from, right: from + width, top: middle - 7 * ratio, bottom: middle + 7 * ratio }))
@@ -76,11 +76,16 @@ function drawBarsAndNames(chart, points) {
   ctx.strokeStyle = ctx.fillStyle = pageColour('ink');
   ctx.lineWidth = ratio;
   const line = (x0, y0, x1, y1) => { ctx.beginPath(); ctx.moveTo(x0, y0); ctx.lineTo(x1, y1); ctx.stroke(); };
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.clip();
   bars.forEach(({ x, y, left, right, top, bottom }, i) => {
     if (points[i].bare) return;
     line(left, y, right, y);
     line(x, top, x, bottom);
   });
+  ctx.restore();
   drawNames(ctx, bars, points, ratio, bbox);
   ctx.restore();
 }
@@ -112,10 +117,10 @@ function startCostChart(element, { brief = false } = {}) {
   const all = chartData(element);
   // Names leave out presets where they tell nothing.
   const named = all.filter(({ front }) => front || !brief);
-  const ambiguous = new Set(named.map(({ label }) => label)).size < named.length;
+  const ambiguous = ({ label, cell }) => named.some((other) => other.label === label && other.cell !== cell);
   const points = (brief ? all.filter(({ bound }) => !bound) : all).map((point) => {
     const name = `${point.label}, ${point.preset}`;
-    return { ...point, name, bare: brief && !point.front, label: !named.includes(point) ? '' : ambiguous ? name : point.label };
+    return { ...point, name, bare: brief && !point.front, label: !named.includes(point) ? '' : ambiguous(point) ? name : point.label };
   });
   if (points.length === 0) return;
   const largest = Math.max(...points.map(({ error, high }) => high ?? error));
@@ -127,7 +132,7 @@ function startCostChart(element, { brief = false } = {}) {
       legend: { show: false },
       cursor: { drag: { x: false, y: false }, points: { show: false } },
       scales: { x: { time: false, distr: 3, range: (chart, low, high) => [low / 1.6, high * 1.9] },
-        y: brief ? { distr: 3, range: (chart, low, high) => [low / 1.6, high * 1.2] } : { range: [0, largest * 1.15] } },
+        y: brief ? { distr: 3, range: (chart, low, high) => [low / 2.4, high * 1.2] } : { range: [0, largest * 1.15] } },
       axes: [logAxis('AO and filter, ms'), (brief ? logAxis : chartAxis)(element.dataset.metric, { size: 60 })],
       series: [{}, { paths: uPlot.paths.stepped({ align: 1 }), stroke: pageColour('accent'), width: 2, spanGaps: true,
         points: { ...dot(pageColour('accent')), fill: pageColour('accent') } },
