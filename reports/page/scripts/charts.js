@@ -40,7 +40,7 @@ function logAxis(label, more = {}) {
 // `options()` is asked anew when the colour scheme changes. Charts are made when they come near the window.
 function showChart(element, options, data) {
   let chart = null;
-  const size = () => ({ width: element.clientWidth, height: Math.round(Math.min(420, Math.max(260, element.clientWidth * 0.5))) });
+  const size = () => ({ width: element.clientWidth, height: Math.round(Math.min(420, Math.max(300, element.clientWidth * 0.5))) });
   const build = () => {
     chart?.destroy();
     chart = new uPlot({ ...size(), ...options() }, data, element);

@@ -8,7 +8,7 @@ function namePlaces({ x, y, left, right, top, bottom }, width, ratio, bbox) {
     places.push([beside, y - 1.5 * gap], [beside, y + 1.5 * gap], [beside, top - gap], [beside, bottom + gap]);
   }
   places.push([right + gap, y], [left - gap - width, y]);
-  for (let away = 3; away <= 15; away += 1.5) {
+  for (let away = 3; away <= 15; away += 1) {
     for (const beside of [x - width / 2, x + gap, x - gap - width]) places.push([beside, y + away * gap], [beside, y - away * gap]);
   }
   return places.map(([from, middle]) => ({ left: from, right: from + width, top: middle - 7 * ratio, bottom: middle + 7 * ratio }))
@@ -37,21 +37,27 @@ function barsOf(chart, points) {
   });
 }
 
-// Names keep off points and other names, and off the bars and the steps of the front where there is room.
+// Names keep off points and other names. They keep off the bars and the steps of the front too where that does not lead them
+// farther than this from their point.
+const strokeWorth_px = 40;
+
 function drawNames(ctx, bars, points, ratio, bbox) {
   const dots = bars.map(({ x, y }) => ({ left: x - 5 * ratio, right: x + 5 * ratio, top: y - 5 * ratio, bottom: y + 5 * ratio }));
   const stroke = (x0, y0, x1, y1) => ({ left: Math.min(x0, x1) - ratio, right: Math.max(x0, x1) + ratio,
     top: Math.min(y0, y1) - ratio, bottom: Math.max(y0, y1) + ratio });
   const front = bars.filter((bar, i) => points[i].front);
-  const strokes = [...bars.flatMap(({ x, y, left, right, top, bottom }) => [stroke(left, y, right, y), stroke(x, top, x, bottom)]),
+  const drawn = bars.filter((bar, i) => !points[i].bare);
+  const strokes = [...drawn.flatMap(({ x, y, left, right, top, bottom }) => [stroke(left, y, right, y), stroke(x, top, x, bottom)]),
     ...front.slice(1).flatMap(({ x, y }, i) => [stroke(front[i].x, front[i].y, x, front[i].y), stroke(x, front[i].y, x, y)])];
   bars.forEach((bar, i) => {
     const { label } = points[i];
     if (!label) return;
     const boxes = namePlaces(bar, ctx.measureText(label).width, ratio, bbox);
-    const freeOf = (taken) => (box) => !taken.some((other) => box.left < other.right && box.right > other.left
+    const meets = (box, taken) => taken.some((other) => box.left < other.right && box.right > other.left
       && box.top < other.bottom && box.bottom > other.top);
-    const box = boxes.find(freeOf([...dots, ...strokes])) ?? boxes.find(freeOf(dots));
+    const away = ({ left, right, top, bottom }) => Math.hypot(Math.max(left - bar.x, bar.x - right, 0), Math.max(top - bar.y, bar.y - bottom, 0));
+    const cost = (box) => away(box) + (meets(box, strokes) ? strokeWorth_px * ratio : 0);
+    const [box] = boxes.filter((one) => !meets(one, dots)).sort((a, b) => cost(a) - cost(b));
     if (!box) return;
     dots.push(box);
     drawLeader(ctx, bar, box, ratio);
@@ -70,10 +76,16 @@ function drawBarsAndNames(chart, points) {
   ctx.strokeStyle = ctx.fillStyle = pageColour('ink');
   ctx.lineWidth = ratio;
   const line = (x0, y0, x1, y1) => { ctx.beginPath(); ctx.moveTo(x0, y0); ctx.lineTo(x1, y1); ctx.stroke(); };
-  for (const { x, y, left, right, top, bottom } of bars) {
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.clip();
+  bars.forEach(({ x, y, left, right, top, bottom }, i) => {
+    if (points[i].bare) return;
     line(left, y, right, y);
     line(x, top, x, bottom);
-  }
+  });
+  ctx.restore();
   drawNames(ctx, bars, points, ratio, bbox);
   ctx.restore();
 }
@@ -99,15 +111,16 @@ function leadToStage(chart, points, view) {
   });
 }
 
-// A brief chart leaves out bounds, and names the methods on the front alone.
+// A brief chart leaves out bounds, has names and bars for the methods on the front alone, and a logarithmic axis of errors,
+// so that one poor method does not press all others together.
 function startCostChart(element, { brief = false } = {}) {
   const all = chartData(element);
   // Names leave out presets where they tell nothing.
   const named = all.filter(({ front }) => front || !brief);
-  const ambiguous = new Set(named.map(({ label }) => label)).size < named.length;
+  const ambiguous = ({ label, cell }) => named.some((other) => other.label === label && other.cell !== cell);
   const points = (brief ? all.filter(({ bound }) => !bound) : all).map((point) => {
     const name = `${point.label}, ${point.preset}`;
-    return { ...point, name, label: !named.includes(point) ? '' : ambiguous ? name : point.label };
+    return { ...point, name, bare: brief && !point.front, label: !named.includes(point) ? '' : ambiguous(point) ? name : point.label };
   });
   if (points.length === 0) return;
   const largest = Math.max(...points.map(({ error, high }) => high ?? error));
@@ -119,8 +132,8 @@ function startCostChart(element, { brief = false } = {}) {
       legend: { show: false },
       cursor: { drag: { x: false, y: false }, points: { show: false } },
       scales: { x: { time: false, distr: 3, range: (chart, low, high) => [low / 1.6, high * 1.9] },
-        y: { range: [0, largest * 1.15] } },
-      axes: [logAxis('AO and filter, ms'), chartAxis(element.dataset.metric, { size: 60 })],
+        y: brief ? { distr: 3, range: (chart, low, high) => [low / 2.4, high * 1.2] } : { range: [0, largest * 1.15] } },
+      axes: [logAxis('AO and filter, ms'), (brief ? logAxis : chartAxis)(element.dataset.metric, { size: 60 })],
       series: [{}, { paths: uPlot.paths.stepped({ align: 1 }), stroke: pageColour('accent'), width: 2, spanGaps: true,
         points: { ...dot(pageColour('accent')), fill: pageColour('accent') } },
       { paths: () => null, points: dot(pageColour('strong-line')) },

@@ -1,3 +1,6 @@
+// A full picture that takes longer is drawn behind a preview.
+const longestWait_ms = 400;
+
 // One view, one method with its parameters, one filter with its own: drawn anew after every change.
 class LiveBench {
   constructor(element, index) {
@@ -5,6 +8,8 @@ class LiveBench {
     this.form = element.querySelector('.live-controls');
     this.failure = element.querySelector('.live-failure');
     this.runner = new LiveRunner(index.contract);
+    this.previewRunner = new LiveRunner(index.contract, this.runner.live);
+    this.elapsed_ms = Infinity;  // what the latest full picture took
     this.result = new LiveResult(element, { seed: index.contract.seed, methodsDir: index.methods_dir });
     this.setting = { border: 'far', resolution: 'full' };
     this.turn = 0;
@@ -55,11 +60,16 @@ class LiveBench {
     this.result.setBusy(true);
     const stageView = stageData.views.find((other) => other.key === key);
     const { truth, noise } = stageView.images;
-    const [inputs, ...images] = await Promise.all([unpackedInputs(view), imageValues(truth), imageValues(noise)]);
+    const [inputs, ...images] = await Promise.all(
+      [unpackedInputs(view, (text) => this.result.say(text)), imageValues(truth), imageValues(noise)]);
     if (turn !== this.turn) return;
+    this.result.say('Compiling the shaders …');
     this.loading = null;
     this.result.setView(stageView, ...images);
     this.runner.setView(view, inputs);
+    const factor = previewFactor(view);
+    this.previewRunner.setView(previewView(view, factor), previewInputs(inputs, view, factor));
+    this.elapsed_ms = Infinity;
     this.setting.view = view;
     this.methods = drawnDescriptors(this.index.methods, view.method_lengths);
     this.filters = drawnDescriptors(this.index.filters, view.filter_lengths);
@@ -158,10 +168,19 @@ class LiveBench {
   async draw() {
     const { parameters, filterParameters } = this.setting;
     const setting = { ...this.setting, parameters: { ...parameters }, filterParameters: { ...filterParameters } };
+    const { view } = this.previewRunner;
+    if (this.elapsed_ms > longestWait_ms) {
+      const preview = await this.previewRunner.run(setting);
+      if (setting.view !== this.setting.view) return;
+      this.result.preview(view, preview);
+      await new Promise((resolve) => { requestAnimationFrame(() => setTimeout(resolve)); });
+      if (this.changed) return;  // the next setting is drawn at once
+    }
     const start = performance.now();
     const output = await this.runner.run(setting);
     if (setting.view !== this.setting.view) return;
     this.showFailure('');
-    this.result.show(setting, output, performance.now() - start);
+    this.elapsed_ms = performance.now() - start;
+    this.result.show(setting, output, this.elapsed_ms);
   }
 }

@@ -38,10 +38,12 @@ function unpackedNormals(bytes) {
   return normals;
 }
 
-// {name: {format, data}} as LiveRunner takes them.
-async function unpackedInputs(view) {
+// {name: {format, data}} as LiveRunner takes them. `say(text)` is told how far it is.
+async function unpackedInputs(view, say) {
   const inputs = {};
-  for (const [name, { kind, data }] of Object.entries(view.inputs)) {
+  const all = Object.entries(view.inputs);
+  for (const [i, [name, { kind, data }]] of all.entries()) {
+    say(`Unpacking ${name.replaceAll('_', ' ')}, ${i + 1} of ${all.length} parts of the G-buffer …`);
     const bytes = await inflatedBytes(data);
     inputs[name] = kind === 'normals' ? { format: 'RGBA', data: unpackedNormals(bytes) }
       : { format: 'R', data: new Float32Array(unpackedIntegers(bytes, view.width, view.height).buffer) };

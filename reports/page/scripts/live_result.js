@@ -40,6 +40,18 @@ class LiveResult {
     this.find('.live-results').setAttribute('aria-busy', String(busy));
   }
 
+  // What is going on, for those who wait.
+  say(text) {
+    this.find('.live-status').textContent = text;
+  }
+
+  // A picture of fewer pixels, without numbers, until the full one is there.
+  preview(view, output) {
+    this.element.preview = { ...view, output };  // for scripts that drive the page
+    this.say(`This is a preview of ${view.width}×${view.height} pixels. The full picture is being drawn …`);
+    if (this.shown.value === 'live') paintVisibility(this.find('.live-output'), view, (i) => output[i]);
+  }
+
   // `truth` and `noise` are imageValues().
   setView(stageView, truth, noise) {
     Object.assign(this, { stageView, truth, noise, output: null });

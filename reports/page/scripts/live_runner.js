@@ -14,8 +14,9 @@ const kernelPoints = (kernel, parameters) => {
 };
 
 class LiveRunner {
-  constructor(contract) {
-    this.live = new LiveGl();
+  // Runners on one `live` share their programs.
+  constructor(contract, live = new LiveGl()) {
+    this.live = live;
     this.contract = contract;
     this.noise = this.live.texture('RGBA', 4, 4, { data: Float32Array.from(contract.noise_4x4) });
     this.textures = new Map();

@@ -3,9 +3,10 @@ whenBuilt('live', (section) => section.querySelector('details.live')?.addEventLi
   try {
     const index = JSON.parse(new TextDecoder().decode(await inflatedBytes('live index')));
     const bench = new LiveBench(details, index);
-    await bench.chooseView(stageData.views[0].key);
     details.querySelector('.live-bench').hidden = false;
+    await bench.chooseView(stageData.views[0].key);
   } catch (error) {
+    details.querySelector('.live-bench').hidden = true;
     const failure = details.querySelector('.live-failure');
     failure.textContent = error.message;
     failure.hidden = false;

@@ -28,6 +28,20 @@ test('nothing is unpacked before the section is opened, by keyboard as well', as
   assert.equal(await page.locator('.live-bench').isVisible(), true);
 });
 
+test('a preview of fewer pixels comes before the first picture, and looks like it', async () => {
+  const { preview, full } = await page.evaluate(() => {
+    const { preview: small, shown: large } = document.querySelector('details.live');
+    return { preview: { width: small.width, height: small.height, output: [...small.output] }, full: { width: large.view.width, output: [...large.output] } };
+  });
+  assert.deepEqual([preview.width, preview.height], [80, 48]);
+  const middle = preview.output.map((value, i) => full.output[(2 * Math.floor(i / preview.width) + 1) * full.width + 2 * (i % preview.width) + 1]);
+  const mean = (list) => list.reduce((sum, value) => sum + value, 0) / list.length;
+  assert.ok(Math.abs(mean(preview.output) - mean(middle)) < 0.05, `${mean(preview.output)} beside ${mean(middle)}`);
+  const spread = (a, b) => mean(a.map((value, i) => (value - mean(a)) * (b[i] - mean(b))));
+  const likeness = spread(preview.output, middle) / Math.sqrt(spread(preview.output, preview.output) * spread(middle, middle));
+  assert.ok(likeness > 0.7, `correlation ${likeness}`);
+});
+
 test('a slider moves the value, the picture and the error, by keyboard as well', async () => {
   const before = await startFrom(page, cellOf('hbao', first));
   await slider('radius').focus();
