@@ -1,4 +1,5 @@
 // Wrong usage and bad input: clear errors, documented exit codes, nothing written.
+#include "image/image_file.h"
 #include "support/support.h"
 
 #include <gmock/gmock.h>
@@ -165,7 +166,7 @@ TEST(Usage, OutputThatCannotBeWrittenExitsWith4) {
 }
 
 // OpenImageIO brings some 250 libraries; the dynamic linker tells with LD_DEBUG which it loads.
-TEST(Usage, OpenImageIoIsLoadedByCommandsThatReadAnImageAlone) {
+TEST(Usage, OpenImageIoIsLoadedByCommandsThatReadAnImageOfAnotherFormatAlone) {
     const auto folder = output_dir();
     const auto loads_it = [&](const char* command) {
         const ProgramRun run = run_aoscore(command, folder, "env LD_DEBUG=files");
@@ -175,7 +176,10 @@ TEST(Usage, OpenImageIoIsLoadedByCommandsThatReadAnImageAlone) {
     EXPECT_FALSE(loads_it("--version"));
     EXPECT_FALSE(loads_it("list methods"));
     EXPECT_FALSE(loads_it("reference plane --view facing --size 16x16 --samples 4 --out t.exr"));
-    EXPECT_TRUE(loads_it("compare t.exr t.exr"));
+    EXPECT_FALSE(loads_it("compare t.exr t.exr")) << "OpenEXR alone reads a plain EXR";
+    const Image<std::uint8_t> gray(16, 16, 200);
+    std::ofstream(folder / "t.png", std::ios::binary) << encode_png_gray(gray);
+    EXPECT_TRUE(loads_it("compare t.png t.png --linear"));
 }
 
 TEST(Usage, CtrlCEndsTheRunWith130AndLeavesNothing) {

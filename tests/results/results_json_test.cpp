@@ -101,6 +101,9 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     cell.error = "none";
     cell.ao = {{1, 2, 4}, 2.0, 1.5};
     cell.filter_pass = {{}, std::nullopt, std::nullopt};
+    cell.ao_processor = {{5, 6, 7}, 6.0, 0.5};
+    cell.layers_processor = {{3}, 3.0, 0.0};
+    cell.repeats.emplace();
     cell.frame_ms = 3.25;
     cell.fixed_pass_ms = 12.5;
     cell.lighting = {{8}, 8.0, 0.0};
@@ -115,9 +118,9 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     results.cells = {cell};
     const CellRecord back = results_from_json(to_json(results), "results.json").cells.at(0);
     const auto& [id, view_key, method, method_label, role, preset, setting, filter, parameters, lengths,
-                 error, ao, filter_pass, fixed_pass_ms, lighting, frame_ms, frame, frame_at_once,
-                 frame_by_pass, fetches_per_pixel, nonfinite, ranked_truth, own_truth, ranked, own, raw,
-                 signals, analysis, image_file] = back;
+                 error, ao, filter_pass, ao_processor, layers_processor, fixed_pass_ms, lighting, frame_ms,
+                 frame, frame_at_once, frame_by_pass, fetches_per_pixel, nonfinite, ranked_truth, own_truth,
+                 ranked, own, raw, signals, analysis, repeats, image_file] = back;
     EXPECT_EQ(std::tie(id, view_key, method, method_label, role, preset, setting, filter, parameters, error),
               std::tie(cell.id, cell.view_key, cell.method, cell.method_label, cell.role, cell.preset,
                        cell.setting, cell.filter, cell.parameters, cell.error));
@@ -131,6 +134,10 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     EXPECT_EQ(ao.spread_ms, 1.5);
     EXPECT_TRUE(filter_pass.runs_ms.empty());
     EXPECT_EQ(filter_pass.median_ms, std::nullopt);
+    EXPECT_EQ(ao_processor.runs_ms, cell.ao_processor.runs_ms);
+    EXPECT_EQ(ao_processor.median_ms, 6.0);
+    EXPECT_EQ(layers_processor.median_ms, 3.0);
+    EXPECT_TRUE(repeats);
     EXPECT_EQ(frame_ms, 3.25);
     EXPECT_EQ(fetches_per_pixel, std::nullopt);
     EXPECT_EQ(fixed_pass_ms, 12.5);
