@@ -154,6 +154,29 @@ class Judge {
         return list;
     }
 
+    /// Each cell's quantity less that of the one before.
+    std::vector<Part> successive_differences(const ClaimCheck& check, const Quantity& q,
+                                             const std::vector<Found>& found) const {
+        const auto difference = [](const std::vector<double>& v) { return v[1] - v[0]; };
+        std::vector<Part> parts;
+        for (std::size_t i = 0; i + 1 < found.size(); ++i) {
+            parts.push_back(
+                {fmt::format("{}: {} less that of {}", q.label, name_of(found[i + 1]), name_of(found[i])),
+                 combined({found[i].measured, found[i + 1].measured}, difference), -check.tolerance,
+                 std::nullopt, std::string(q.unit), q.decimals});
+        }
+        return parts;
+    }
+
+    std::vector<Part> single_values(const ClaimCheck& check, const Quantity& q,
+                                    const std::vector<Found>& found) const {
+        std::vector<Part> parts;
+        for (const Found& one : found)
+            parts.push_back({fmt::format("{} of {}", q.label, name_of(one)), one.measured, check.low,
+                             check.high, std::string(q.unit), q.decimals});
+        return parts;
+    }
+
     std::vector<Part> parts_of(const ClaimCheck& check, const std::vector<Found>& found) const {
         const Quantity& q = find_quantity(check.quantity, "claims");
         const std::string label(q.label), unit(q.unit);
@@ -164,17 +187,8 @@ class Judge {
         };
         switch (check.kind) {
             case Kind::order:
-            case Kind::monotone: {
-                std::vector<Part> parts;
-                for (std::size_t i = 0; i + 1 < found.size(); ++i) {
-                    const auto difference = [](const std::vector<double>& v) { return v[1] - v[0]; };
-                    parts.push_back({fmt::format("{}: {} less that of {}", label, name_of(found[i + 1]),
-                                                 name_of(found[i])),
-                                     combined({all[i], all[i + 1]}, difference), -check.tolerance,
-                                     std::nullopt, unit, q.decimals});
-                }
-                return parts;
-            }
+            case Kind::monotone:
+                return successive_differences(check, q, found);
             case Kind::ratio:
                 return whole(
                     fmt::format("{}: {} over {}", label, name_of(found[0]), name_of(found[1])),
@@ -196,13 +210,8 @@ class Judge {
                                 name_of(found.back())),
                     [xs](const auto& v) { return log_slope(xs, v); }, "", 3);
             }
-            case Kind::value: {
-                std::vector<Part> parts;
-                for (const Found& one : found)
-                    parts.push_back({fmt::format("{} of {}", label, name_of(one)), one.measured, check.low,
-                                     check.high, unit, q.decimals});
-                return parts;
-            }
+            case Kind::value:
+                return single_values(check, q, found);
             case Kind::spread:
                 return whole(
                     fmt::format("spread of {} over {} cells, as a part of their mean", label, found.size()),
