@@ -33,6 +33,7 @@ CommandEntry add_score_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_sweep_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_tune_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_worst_command(CLI::App& program, const GlobalOptions& global);
+CommandEntry add_export_training_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_claims_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_reference_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_gbuffer_command(CLI::App& program, const GlobalOptions& global);

@@ -157,9 +157,6 @@ void add_extras_options(CLI::App& app, TruthExtras& extras) {
     add("--bent-normals", &TruthExtras::bent_normals);
 }
 
-namespace {
-
-/// Adds --unit and --up.
 void add_frame_options(CLI::App& app, LoadOptions& load) {
     app.add_option_function<std::string>(
            "--unit",
@@ -178,8 +175,6 @@ void add_frame_options(CLI::App& app, LoadOptions& load) {
            "Which axis of the scene's file is up [what the file states, else y]")
         ->check(CLI::IsMember({"y", "z"}));
 }
-
-}  // namespace
 
 void add_view_options(CLI::App& app, ViewChoice& choice) {
     add_frame_options(app, choice.load);

@@ -62,6 +62,8 @@ struct ViewChoice {
     std::vector<std::string> views;  ///< choices for choose_views(); none: the scene's views of one kind
     LoadOptions load;                ///< with the given view file and camera
 };
+/// Adds --unit and --up.
+void add_frame_options(CLI::App& app, LoadOptions& load);
 /// Adds --view, --views, --eye, --target and --fovy; --unit and --up.
 void add_view_options(CLI::App& app, ViewChoice& choice);
 /// The choices of views, one for each plan; a single empty one where the user made none.

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kSpreadFovy_deg = 60, kLowest_deg = -45, kHighest_deg = 15;
 constexpr double kLeastCoverage = 0.4, kMostClose = 0.25, kUsualFronts = 0.5;
+constexpr double kSameWay_deg = 45;
 constexpr double kApartPerSight = 0.5, kApartPerDiagonal = 0.15;
 
 /// Number i of a sequence that fills the unit cube evenly (Roberts, The Unreasonable Effectiveness of
@@ -45,8 +46,8 @@ Candidate inside_camera(const Trial& trial, const RoomSurvey& survey, std::size_
     Camera camera;
     camera.fovy_rad = glm::radians(kSpreadFovy_deg);
     camera.position = at_eye_level(trial.scout, seat.position, height_m);
-    camera.target = camera.position +
-                    survey.sight_m * way_at(2 * std::numbers::pi * at.y,
+    camera.target =
+        camera.position + survey.sight_m * way_at(2 * std::numbers::pi * at.y,
                                                   glm::radians(glm::mix(kLowest_deg, kHighest_deg, at.z)));
     return {camera, 0, {}};
 }
@@ -105,6 +106,26 @@ SpreadCameras spread_cameras(const Trial& trial, std::size_t count, std::optiona
         return c.glance.coverage() < kLeastCoverage || fronts_of(c) < least_fronts || close > kMostClose;
     });
     return spread;
+}
+
+bool are_neighbours(const Camera& a, const Camera& b, double apart_m) {
+    const glm::dvec3 way_a = glm::normalize(a.target - a.position),
+                     way_b = glm::normalize(b.target - b.position);
+    return glm::distance(a.position, b.position) < apart_m &&
+           glm::dot(way_a, way_b) > std::cos(glm::radians(kSameWay_deg));
+}
+
+std::vector<Candidate> distinct_cameras(const SpreadCameras& spread, std::size_t most) {
+    std::vector<Candidate> sorted = spread.cameras, chosen;
+    std::ranges::stable_sort(sorted, std::ranges::greater(), &Candidate::worth);
+    for (const Candidate& candidate : sorted) {
+        if (chosen.size() == most) break;
+        const bool apart = std::ranges::none_of(chosen, [&](const Candidate& other) {
+            return are_neighbours(candidate.camera, other.camera, spread.apart_m);
+        });
+        if (apart) chosen.push_back(candidate);
+    }
+    return chosen;
 }
 
 }  // namespace aoscore

@@ -23,4 +23,10 @@ struct SpreadCameras {
 /// quarter of them are nearer than the radius: the others stand in or against something. It is deterministic.
 SpreadCameras spread_cameras(const Trial& trial, std::size_t count, std::optional<double> height_m);
 
+/// Whether two cameras stand nearer to each other than `apart_m` and look the same way.
+bool are_neighbours(const Camera& a, const Camera& b, double apart_m);
+
+/// The cameras of most worth among those of which no two are neighbours, at most `most` of them.
+std::vector<Candidate> distinct_cameras(const SpreadCameras& spread, std::size_t most);
+
 }  // namespace aoscore

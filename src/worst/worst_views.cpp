@@ -21,7 +21,6 @@ namespace {
 constexpr int kCoarseHeight_px = 90, kCoarseSamples = 16;
 /// So many times the views wanted are confirmed: their order may change.
 constexpr std::size_t kConfirmed = 2;
-constexpr double kOtherWay_deg = 45;
 
 /// Judges views by a method's error, or by how much larger it is than the rival's.
 class Judge {
@@ -90,13 +89,6 @@ std::vector<FoundView> judged_coarsely(const SpreadCameras& spread, const WorstP
         progress.step();
     }
     return judged;
-}
-
-bool are_neighbours(const Camera& a, const Camera& b, double apart_m) {
-    const glm::dvec3 way_a = glm::normalize(a.target - a.position),
-                     way_b = glm::normalize(b.target - b.position);
-    return glm::distance(a.position, b.position) < apart_m &&
-           glm::dot(way_a, way_b) > std::cos(glm::radians(kOtherWay_deg));
 }
 
 /// The first views of the list that are no neighbours of each other.
