@@ -15,6 +15,7 @@ namespace {
 constexpr double kSpreadFovy_deg = 60, kLowest_deg = -45, kHighest_deg = 15;
 constexpr double kLeastCoverage = 0.4, kMostClose = 0.25, kUsualFronts = 0.5;
 constexpr double kSameWay_deg = 45;
+constexpr double kClearancePerSight = 0.1, kClosePerSight = 0.2;
 constexpr double kApartPerSight = 0.5, kApartPerDiagonal = 0.15;
 
 /// Number i of a sequence that fills the unit cube evenly (Roberts, The Unreasonable Effectiveness of
@@ -38,11 +39,17 @@ glm::dvec3 at_eye_level(const Scout& scout, const glm::dvec3& seat, const std::o
     return std::isfinite(down_m) ? seat + glm::dvec3(0, *height_m - down_m, 0) : seat;
 }
 
-Candidate inside_camera(const Trial& trial, const RoomSurvey& survey, std::size_t i,
-                        const std::optional<double>& height_m) {
+/// The seats with room around them, so that none is in a crack; all where none has.
+std::vector<Seat> roomy_seats(const RoomSurvey& survey) {
+    std::vector<Seat> roomy = survey.seats;
+    std::erase_if(roomy, [&](const Seat& s) { return s.clearance_m < kClearancePerSight * survey.sight_m; });
+    return roomy.empty() ? survey.seats : roomy;
+}
+
+Candidate inside_camera(const Trial& trial, const RoomSurvey& survey, const std::vector<Seat>& seats,
+                        std::size_t i, const std::optional<double>& height_m) {
     const glm::dvec3 at = even_point(i);
-    const Seat& seat =
-        survey.seats[static_cast<std::size_t>(at.x * static_cast<double>(survey.seats.size()))];
+    const Seat& seat = seats[static_cast<std::size_t>(at.x * static_cast<double>(seats.size()))];
     Camera camera;
     camera.fovy_rad = glm::radians(kSpreadFovy_deg);
     camera.position = at_eye_level(trial.scout, seat.position, height_m);
@@ -94,15 +101,16 @@ SpreadCameras spread_cameras(const Trial& trial, std::size_t count, std::optiona
     spread.tried = count;
     spread.apart_m =
         spread.inside ? kApartPerSight * survey.sight_m : kApartPerDiagonal * trial.main.bounds.diagonal();
+    const std::vector<Seat> seats = roomy_seats(survey);
     for (std::size_t i = 0; i < count; ++i) {
-        spread.cameras.push_back(spread.inside ? inside_camera(trial, survey, i, height_m)
+        spread.cameras.push_back(spread.inside ? inside_camera(trial, survey, seats, i, height_m)
                                                : outside_camera(trial, i));
     }
-    try_cameras(trial, 0, spread.cameras);
+    const double close_m = spread.inside ? std::max(kClosePerSight * survey.sight_m, trial.radius_m) : 0;
+    try_cameras(trial, close_m, spread.cameras);
     const double least_fronts = kUsualFronts * usual_fronts(spread.cameras);
     std::erase_if(spread.cameras, [&](const Candidate& c) {
-        const double close =
-            share_of(c.glance, [&](const Glance::Point& p) { return p.depth_m < trial.radius_m; });
+        const double close = share_of(c.glance, [&](const Glance::Point& p) { return p.depth_m < close_m; });
         return c.glance.coverage() < kLeastCoverage || fronts_of(c) < least_fronts || close > kMostClose;
     });
     return spread;

@@ -10,7 +10,7 @@ namespace {
 
 const ImageFormats& loaded_formats() {
     const std::string path = beside_program("aoscore-formats.so").string();
-    void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    void* library = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
     void* function = library != nullptr ? dlsym(library, kImageFormatsFunction) : nullptr;
     if (function == nullptr) throw internal_error(std::string("cannot be loaded: ") + dlerror(), path);
     return *reinterpret_cast<ImageFormatsFunction>(function)();
