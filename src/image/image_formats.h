@@ -27,8 +27,8 @@ inline constexpr const char* kImageFormatsFunction = "aoscore_image_formats";
 using ImageFormatsFunction = const ImageFormats* (*)();
 
 /// Loads them, once: OpenImageIO brings some 250 libraries, which take 0.3 s of processor time, so that only
-/// a process which reads a picture waits for them. A process that is about to lose the sight of its files
-/// calls this before. Throws internal_error where they cannot be loaded.
+/// a process which reads a picture that is no plain EXR waits for them. A process that is about to lose the
+/// sight of its files calls this before. Throws internal_error where they cannot be loaded.
 const ImageFormats& image_formats();
 
 }  // namespace aoscore

@@ -59,9 +59,11 @@ void require_page_parts() {
 fs::path write_page(const fs::path& results_folder, bool everything, const std::string& key) {
     const Results results = in_ranking_order(read_results(results_folder));
     const Results shown = pictured(results);
-    Pictures pictures = make_pictures(shown, results_folder, everything);
+    LiveData live = read_live_data(shown, results_folder);
+    Pictures pictures = make_pictures(shown, results_folder, everything,
+                                      [&](const ViewRecord& view, const ImageFile& gbuffer,
+                                          const fs::path& path) { add_gbuffer(live, view, gbuffer, path); });
     pictures.looks = first_looks(shown, results_folder);
-    const LiveData live = read_live_data(shown, results_folder);
     std::string html = page_html({results, pictures, live}, {shown, pictures, live});
     if (html.size() > kLargePage_bytes) {
         log_warning(

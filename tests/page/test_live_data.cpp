@@ -3,6 +3,7 @@
 #include "image/image_file.h"
 #include "page/live/live_data.h"
 #include "page/live/live_packing.h"
+#include "page/pictures/pictures.h"
 #include "page/synthetic_results.h"
 #include "results/live_file.h"
 #include "support/support.h"
@@ -88,7 +89,12 @@ struct LiveFolder {
     }
     LiveData read() const {
         write_atomically(folder / kLiveFile, live.dump());
-        return read_live_data(results, folder);
+        LiveData data = read_live_data(results, folder);
+        make_pictures(results, folder, false,
+                      [&](const ViewRecord& view, const ImageFile& gbuffer, const fs::path& path) {
+                          add_gbuffer(data, view, gbuffer, path);
+                      });
+        return data;
     }
 };
 

@@ -3,10 +3,12 @@
 #include "core/threads.h"
 #include "metrics/measures/convolution.h"
 #include "metrics/measures/mean_error.h"
+#include "metrics/measures/wide_lanes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace aoscore {
@@ -17,24 +19,37 @@ struct MaskCounts {
     std::size_t valid = 0, missing = 0, false_occlusion = 0;
 };
 
-MaskCounts mark_row(const MetricInput& input, double threshold, int y, OcclusionMasks& masks) {
-    MaskCounts counts;
-    const std::size_t first = input.valid.index(0, y);
-    for (std::size_t i = first; i < first + static_cast<std::size_t>(input.valid.width); ++i) {
-        const bool valid = input.valid.pixels[i] != 0;
-        const double difference = double{input.test.pixels[i]} - double{input.truth.pixels[i]};
-        const double noise = input.standard_error != nullptr
-                                 ? kMaskStandardErrors * double{input.standard_error->pixels[i]}
-                                 : 0.0;
-        const double limit = std::max(threshold, noise);
-        const bool missing = valid && difference > limit, false_occlusion = valid && difference < -limit;
-        masks.missing.pixels[i] = missing ? 1 : 0;
-        masks.false_occlusion.pixels[i] = false_occlusion ? 1 : 0;
-        counts.valid += valid ? 1 : 0;
-        counts.missing += missing ? 1 : 0;
-        counts.false_occlusion += false_occlusion ? 1 : 0;
+/// The error that a mask needs at each pixel of a row.
+AOSCORE_WIDER_WHERE_POSSIBLE
+void find_limits(const float* standard_error, double threshold, double* limits, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i)
+        limits[i] = std::max(threshold, kMaskStandardErrors * double{standard_error[i]});
+}
+
+AOSCORE_WIDER_WHERE_POSSIBLE
+void mark(const float* truth, const float* test, const std::uint8_t* valid, const double* limits,
+          std::uint8_t* missing, std::uint8_t* false_occlusion, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const double difference = double{test[i]} - double{truth[i]};
+        const bool brighter = difference > limits[i], darker = difference < -limits[i];
+        missing[i] = static_cast<std::uint8_t>(brighter & (valid[i] != 0));
+        false_occlusion[i] = static_cast<std::uint8_t>(darker & (valid[i] != 0));
     }
-    return counts;
+}
+
+std::size_t marked(const std::uint8_t* marks, std::size_t count) {
+    return count - static_cast<std::size_t>(std::count(marks, marks + count, std::uint8_t{0}));
+}
+
+MaskCounts mark_row(const MetricInput& input, double threshold, int y, OcclusionMasks& masks) {
+    const auto width = static_cast<std::size_t>(input.valid.width);
+    std::vector<double> limits(width, threshold);
+    if (input.standard_error != nullptr)
+        find_limits(&input.standard_error->at(0, y), threshold, limits.data(), width);
+    std::uint8_t *missing = &masks.missing.at(0, y), *false_occlusion = &masks.false_occlusion.at(0, y);
+    mark(&input.truth.at(0, y), &input.test.at(0, y), &input.valid.at(0, y), limits.data(), missing,
+         false_occlusion, width);
+    return {marked(&input.valid.at(0, y), width), marked(missing, width), marked(false_occlusion, width)};
 }
 
 /// Sums of weighted errors.

@@ -114,27 +114,14 @@ std::vector<const Channel*> wanted_inputs(const json& index) {
     return wanted;
 }
 
-void pack_views(LiveData& data, const Results& results, const fs::path& folder) {
-    const std::vector<const Channel*> wanted = wanted_inputs(data.index);
+void add_views(LiveData& data, const Results& results, const fs::path& folder) {
     for (const ViewRecord& view : results.views) {
         json& views = data.index.at("views");
         if (!views.contains(view.key)) {
             throw file_error("lacks the view " + view.key + " of the results beside it",
                              (folder / kLiveFile).string() + ": views");
         }
-        json& of_view = views.at(view.key);
-        add_view(of_view, view, results);
-        const fs::path path = stored_path(folder, view.gbuffer_file);
-        const ImageFile file = read_image(path);
-        const std::size_t first = data.blocks.size();
-        for (const Channel* input : wanted) {
-            const std::string name = fmt::format("live {} {}", view.key, input->id);
-            of_view["inputs"][std::string(input->id)] = {
-                {"kind", input->form == ChannelForm::number ? "floats" : "normals"}, {"data", name}};
-            data.blocks.emplace_back(name, "");
-        }
-        parallel_for(wanted.size(),
-                     [&](std::size_t i) { data.blocks[first + i].second = pack(*wanted[i], file, path); });
+        add_view(views.at(view.key), view, results);
     }
 }
 
@@ -156,8 +143,23 @@ LiveData read_live_data(const Results& results, const fs::path& folder) {
     data.index = parse_json_file(path);
     check_live_index(data.index, path.string());
     sort_out(data);
-    pack_views(data, results, folder);
+    add_views(data, results, folder);
     return data;
+}
+
+void add_gbuffer(LiveData& data, const ViewRecord& view, const ImageFile& gbuffer, const fs::path& path) {
+    if (!data.missing.empty()) return;
+    json& inputs = data.index.at("views").at(view.key).at("inputs");
+    const std::vector<const Channel*> wanted = wanted_inputs(data.index);
+    const std::size_t first = data.blocks.size();
+    for (const Channel* input : wanted) {
+        const std::string name = fmt::format("live {} {}", view.key, input->id);
+        inputs[std::string(input->id)] = {{"kind", input->form == ChannelForm::number ? "floats" : "normals"},
+                                          {"data", name}};
+        data.blocks.emplace_back(name, "");
+    }
+    parallel_for(wanted.size(),
+                 [&](std::size_t i) { data.blocks[first + i].second = pack(*wanted[i], gbuffer, path); });
 }
 
 std::string live_blocks(const LiveData& data) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "image/image_file.h"
 #include "results/results.h"
 
 #include <nlohmann/json.hpp>
@@ -32,9 +33,14 @@ struct LiveData {
     std::vector<std::pair<std::string, std::string>> blocks;
 };
 
-/// Reads the data. Throws file_error for a live.json that is damaged, and where the G-buffer's file lacks a
-/// channel.
+/// Reads the index, without the G-buffers' blocks. Throws file_error for a live.json that is damaged or lacks
+/// a view.
 LiveData read_live_data(const Results& results, const std::filesystem::path& folder);
+
+/// Adds the blocks of a view's G-buffer, from the file at `path`, where nothing is missing. Throws file_error
+/// where it lacks a channel.
+void add_gbuffer(LiveData& data, const ViewRecord& view, const ImageFile& gbuffer,
+                 const std::filesystem::path& path);
 
 /// The script elements that hold the data: "live index" and the blocks.
 std::string live_blocks(const LiveData& data);

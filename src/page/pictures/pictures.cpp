@@ -121,16 +121,21 @@ ViewPictures view_pictures(const ViewRecord& view, const Truth& truth, const Enc
         pictures.signals[record.id] = signal_picture(
             signal(record.id), truth.file, stored_path(folder, view.truth_file), kThumbnailWidth_px);
     }
-    if (!view.gbuffer_file.empty()) {
-        const fs::path path = stored_path(folder, view.gbuffer_file);
-        const ImageFile file = read_image(path);
-        const ImageF& depth = channel_of(file, path, "Z");
-        require_size(depth, view, path);
-        const double nearest = quantile(depth, truth.valid, 0.0);
-        pictures.depth_high_m = quantile(depth, truth.valid, 0.99);
-        pictures.depth = quantise(only_where(depth, truth.valid), nearest, nearest, kLevelsOfTwoBytes);
-    }
     return pictures;
+}
+
+/// Reads the view's G-buffer, where it was kept.
+void read_gbuffer(const ViewRecord& view, const Mask& valid, const fs::path& folder, const GBufferUse& use,
+                  ViewPictures& pictures) {
+    if (view.gbuffer_file.empty()) return;
+    const fs::path path = stored_path(folder, view.gbuffer_file);
+    const ImageFile file = read_image(path);
+    const ImageF& depth = channel_of(file, path, "Z");
+    require_size(depth, view, path);
+    const double nearest = quantile(depth, valid, 0.0);
+    pictures.depth_high_m = quantile(depth, valid, 0.99);
+    pictures.depth = quantise(only_where(depth, valid), nearest, nearest, kLevelsOfTwoBytes);
+    if (use) use(view, file, path);
 }
 
 CellPictures cell_pictures(const CellRecord& cell, const ViewRecord& view, const Encoding& encoding,
@@ -154,14 +159,18 @@ CellPictures cell_pictures(const CellRecord& cell, const ViewRecord& view, const
 
 }  // namespace
 
-Pictures make_pictures(const Results& results, const fs::path& folder, bool everything) {
+Pictures make_pictures(const Results& results, const fs::path& folder, bool everything,
+                       const GBufferUse& use) {
     const Encoding encoding = encoding_for(results, everything);
     Pictures pictures;
     for (const ViewRecord& view : results.views) {
         const Truth truth = read_truth(view, folder);
         ViewPictures& of_view = pictures.views[view.key];
         std::vector<std::function<void()>> jobs;
-        jobs.emplace_back([&] { of_view = view_pictures(view, truth, encoding, folder); });
+        jobs.emplace_back([&] {
+            of_view = view_pictures(view, truth, encoding, folder);
+            read_gbuffer(view, truth.valid, folder, use, of_view);
+        });
         for (const CellRecord& cell : results.cells) {
             if (cell.view_key != view.key || !cell.error.empty()) continue;
             CellPictures& of_cell = pictures.cells[cell.id];

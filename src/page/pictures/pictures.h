@@ -1,10 +1,12 @@
 #pragma once
 
+#include "image/image_file.h"
 #include "page/pictures/first_look.h"
 #include "page/pictures/quantised_image.h"
 #include "results/results.h"
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -47,10 +49,16 @@ struct Pictures {
     std::vector<FirstLook> looks;               ///< one for each view, in their order
 };
 
-/// Reads the EXR files of the results and encodes every picture of the page, on all threads. Small pages have
-/// 65535 levels of visibility, raw outputs and occlusion by cause; large ones have 255 levels, and the others
-/// only where `everything` is asked for. Throws file_error where a file or channel is missing, differs in
-/// size, or lies outside the folder.
-Pictures make_pictures(const Results& results, const std::filesystem::path& folder, bool everything = false);
+/// Receives the G-buffer of a view from its file, whose path is the last argument.
+using GBufferUse =
+    std::function<void(const ViewRecord& view, const ImageFile& gbuffer, const std::filesystem::path& path)>;
+
+/// Reads the EXR files of the results, each once, and encodes every picture of the page, on all threads.
+/// Small pages have 65535 levels of visibility, raw outputs and occlusion by cause; large ones have 255
+/// levels, and the others only where `everything` is asked for. Throws file_error where a file or channel is
+/// missing, differs in size, or lies outside the folder. G-buffers are shown to `use`, view by view, before
+/// they are dropped.
+Pictures make_pictures(const Results& results, const std::filesystem::path& folder, bool everything = false,
+                       const GBufferUse& use = {});
 
 }  // namespace aoscore
