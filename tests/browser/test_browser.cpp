@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <map>
 
 /// The page in headless Chromium, driven by playwright-core: each specs/*.spec.mjs begins with its claim.
 /// Screenshots stay in the test's output folder. A machine without Chromium, Node or the npm packages skips
@@ -29,6 +31,41 @@ std::vector<std::string> specs() {
     return names;
 }
 
+/// Results with names that a page must only show: markup, text from right to left, 200 letters without a
+/// space.
+Results with_odd_names(Results results) {
+    const std::array<std::string, 3> names = {
+        "</noscript></script><script>document.title = 'owned'</script><img src=x "
+        "onerror=alert(1)>\"&{{lead}}",
+        "חסימת אור סביבתי", std::string(200, 'N')};
+    std::map<std::string, std::string> labels;
+    for (CellRecord& cell : results.cells) {
+        const std::string& name = names.at(labels.size() % names.size());
+        cell.method_label = labels.emplace(cell.method, name).first->second;
+        if (!cell.error.empty()) cell.error = names[0];
+    }
+    for (RankingRecord& ranking : results.rankings) {
+        for (PlaceRecord& place : ranking.places) place.method_label = labels.at(place.method);
+    }
+    results.command = "aoscore score " + names[0];
+    return results;
+}
+
+/// Results of one method on one view.
+Results with_one_method(Results results) {
+    results.views.resize(1);
+    results.rankings.resize(1);
+    PlaceRecord first = results.rankings[0].places.at(0);
+    first.rank = RankRange{1, 1};
+    first.ties.clear();
+    results.rankings[0].places = {first};
+    std::erase_if(results.cells, [&](const CellRecord& cell) { return cell.id != first.cell_ids.front(); });
+    results.tables.clear();
+    results.sweeps.clear();
+    results.claims.clear();
+    return results;
+}
+
 class BrowserSpec : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(BrowserSpec, Holds) {
@@ -37,10 +74,13 @@ TEST_P(BrowserSpec, Holds) {
     const testing::ProgramRun run = testing::run_aoscore(
         "score atrium --methods alchemy,hbao,ssao --size 160x96 --samples 64 --quiet --out measured", folder);
     ASSERT_EQ(run.exit_code, 0) << run.err;
-    const fs::path measured = folder / "measured", synthetic = folder / "synthetic";
+    const fs::path measured = folder / "measured";
     write_atomically(folder / "values.json", testing::exr_values(read_results(measured), measured).dump());
-    testing::write_synthetic(testing::synthetic_results(), synthetic);
-    write_page(synthetic);
+    const Results results = testing::synthetic_results();
+    testing::write_synthetic(results, folder / "synthetic");
+    testing::write_synthetic(with_odd_names(results), folder / "odd-names");
+    testing::write_synthetic(with_one_method(results), folder / "one-method");
+    for (const char* made : {"synthetic", "odd-names", "one-method"}) write_page(folder / made);
     testing::expect_spec_holds(GetParam() + ".spec.mjs", folder);
 }
 

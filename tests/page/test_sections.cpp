@@ -407,8 +407,9 @@ TEST(FirstLook, ShowsTheFirstOfTheRankingItsErrorAndItsWorstRegion) {
     EXPECT_EQ(pictures[1]["title"], "Alchemy AO, quality");
     EXPECT_EQ(pictures[2]["link"],
               "#view=atrium/wide&cell=atrium/wide/alchemy/quality&picture=error&mode=beside");
-    EXPECT_EQ(pictures[3]["text"],
-              "It is too bright by 0.45 over 120 pixels: the occluder lies behind what the camera sees.");
+    EXPECT_EQ(
+        pictures[3]["text"],
+        "It is too bright by 0.45 over 120 pixels. There the occluder lies behind what the camera sees.");
     EXPECT_THAT(pictures[3]["link"].get<std::string>(), HasSubstr("&at=3,4,10,20"));
     EXPECT_EQ(pictures[3]["images"].size(), 2U) << "truth beside output";
     for (const json& picture : pictures) {

@@ -283,9 +283,9 @@ json section::sweeps(const PageSource& source) {
         settings += sweep.points.size();
         model["sweeps"].push_back(sweep_model(source.results, sweep));
     }
-    model["in_short"] = fmt::format("{} plot run time against error for {}.",
-                                    counted(model["sweeps"].size(), "sweep", "sweeps"),
-                                    counted(settings, "setting", "settings"));
+    model["in_short"] =
+        fmt::format("{} of {} {} timed and scored.", counted(settings, "setting", "settings"),
+                    counted(model["sweeps"].size(), "sweep", "sweeps"), settings == 1 ? "was" : "were");
     return model;
 }
 

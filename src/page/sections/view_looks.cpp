@@ -41,7 +41,7 @@ std::string worst_text(const ErrorRegion& worst) {
     const auto known = causes();
     const auto cause = std::ranges::find(known, worst.cause, &CauseText::id);
     if (!bright) return text + ": it adds occlusion that the truth lacks.";
-    return cause != known.end() ? fmt::format("{}: {}.", text, cause->meaning) : text + ".";
+    return cause != known.end() ? fmt::format("{}. There {}.", text, cause->meaning) : text + ".";
 }
 
 /// The part of the worst region that is cut out, as the stage's address names it.

@@ -9,7 +9,8 @@ export const require = createRequire(path.join(process.env.AOSCORE_HOME, 'packag
 const { chromium } = require('playwright-core');
 
 export const folder = process.env.AOSCORE_TEST_FOLDER;
-export const pages = { measured: path.join(folder, 'measured/index.html'), synthetic: path.join(folder, 'synthetic/index.html') };
+export const pages = Object.fromEntries(['measured', 'synthetic', 'odd-names', 'one-method']
+  .map((name) => [name, path.join(folder, name, 'index.html')]));
 export const results = JSON.parse(fs.readFileSync(path.join(folder, 'measured/results.json'), 'utf8'));
 
 const browser = await chromium.launch({
