@@ -30,23 +30,37 @@ double processor_ms(const std::function<void()>& work) {
     return watch.milliseconds();
 }
 
-void add_costs(ScreenRenderer& renderer, const View& view, RatioTable& table) {
+// A first drawing compiles, where Mesa keeps no program of an earlier run.
+void add_cost(ScreenRenderer& renderer, const DepthLayers& layers, RatioTable& table) {
     constexpr const char* kUnit = "processor ms";
+    const double first_ms = processor_ms([&] { renderer.draw_depth_layers(layers); });
+    std::vector<double> layers_ms, plain_ms;
+    for (int round = 0; round < kLayerRounds; ++round) {
+        layers_ms.push_back(processor_ms([&] { renderer.draw_depth_layers(layers); }));
+        plain_ms.push_back(layers.samples * processor_ms([&] { renderer.time_gbuffer(); }));
+    }
+    const std::string name = fmt::format("{} {} depth layers", layers.samples, layers.sampling);
+    const std::string plain = fmt::format("{} x plain depth, beside {}", layers.samples, layers.sampling);
+    table.add(plain, *summarize(plain_ms).median_ms, kUnit);
+    table.add(name, *summarize(layers_ms).median_ms, kUnit, plain);
+    table.add(name + ", first time", first_ms, kUnit);
+}
+
+void add_costs(ScreenRenderer& renderer, const View& view, RatioTable& table) {
     renderer.draw_gbuffer(CameraFrame(view.camera, kTimedWidth, kTimedHeight), {});
-    for (const int samples : kSampleCounts) {
-        DepthLayers layers;
-        layers.samples = samples;
-        layers.alpha = 0.2;
-        std::vector<double> layers_ms, plain_ms;
-        for (int round = 0; round < kLayerRounds; ++round) {
-            layers_ms.push_back(processor_ms([&] { renderer.draw_depth_layers(layers); }));
-            plain_ms.push_back(samples * processor_ms([&] { renderer.time_gbuffer(); }));
+    for (const DepthSampling& sampling : depth_samplings()) {
+        if (sampling.id == "peeled") continue;
+        for (const int samples : kSampleCounts) {
+            DepthLayers layers;
+            layers.samples = samples;
+            layers.alpha = 0.2;
+            layers.sampling = sampling.id;
+            add_cost(renderer, layers, table);
         }
-        const std::string plain = fmt::format("{} x plain depth, 1920x1080", samples);
-        const std::string name = fmt::format("{} stratified depth layers", samples);
-        table.add(plain, *summarize(plain_ms).median_ms, kUnit);
-        table.add(name, *summarize(layers_ms).median_ms, kUnit, plain);
-        table.add(name + ", memory", 1e-6 * kTimedWidth * kTimedHeight * samples * sizeof(float), "MB");
+    }
+    for (const int samples : kSampleCounts) {
+        table.add(fmt::format("{} depth layers, memory", samples),
+                  1e-6 * kTimedWidth * kTimedHeight * samples * sizeof(float), "MB");
     }
 }
 
@@ -151,6 +165,7 @@ void bench_layers(const Scene& scene, const View& view, std::uint64_t seed, Rati
     renderer.set_scene(scene);
     const double radius_m = ranking_radius({}, view, scene).metres;
     print_result("{}/{}, {}\n", scene.id, view.id, renderer.renderer());
+    print_result("costs at {}x{}\n", kTimedWidth, kTimedHeight);
     add_costs(renderer, view, table);
     renderer.draw_gbuffer(CameraFrame(view.camera, kSeenWidth, kSeenHeight), gbuffer_inputs());
     print_result("{}x{}, R {:g} m, without a filter, mean over {} seeds of the coins\n", kSeenWidth,
