@@ -93,7 +93,7 @@ void add_method_options(CLI::App& app, MethodOptions& options) {
                    options.chosen_modes.emplace(mode.id);
                },
                fmt::format("{} [{}]", mode.meaning, mode.choices.front()))
-            ->check(one_of(mode.choices));
+            ->type_name(fmt::format("{{{}}}", fmt::join(mode.choices, ",")));
     }
 }
 

@@ -101,7 +101,10 @@ void record_times(const StoredTimes& times, const ViewRecord& view, CellRecord& 
     record.lighting = summarize(times.lighting_ms);
     record.frame_at_once = summarize(times.frame_at_once_ms);
     record.frame_by_pass = summarize(times.frame_by_pass_ms);
-    const std::optional<double> gbuffer_ms = view.gbuffer.median_ms;
+    record.gbuffer = summarize(times.gbuffer_ms);
+    record.gbuffer_bytes = times.gbuffer_bytes;
+    const std::optional<double> gbuffer_ms =
+        record.gbuffer.median_ms ? record.gbuffer.median_ms : view.gbuffer.median_ms;
     if (!record.ao.median_ms || !gbuffer_ms) return;
     const FrameRecord frame = frame_of(*gbuffer_ms, record.lighting.median_ms.value_or(0),
                                        *record.ao.median_ms, record.filter_pass.median_ms.value_or(0));

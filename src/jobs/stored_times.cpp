@@ -31,7 +31,9 @@ nlohmann::json to_json(const StoredTimes& times) {
             {"frame_at_once_ms", times.frame_at_once_ms},
             {"frame_by_pass_ms", times.frame_by_pass_ms},
             {"ao_processor_ms", times.ao_processor_ms},
-            {"layers_processor_ms", times.layers_processor_ms}};
+            {"layers_processor_ms", times.layers_processor_ms},
+            {"gbuffer_ms", times.gbuffer_ms},
+            {"gbuffer_bytes", times.gbuffer_bytes}};
 }
 
 StoredTimes stored_times_from_json(const nlohmann::json& json, const std::string& where) {
@@ -45,6 +47,8 @@ StoredTimes stored_times_from_json(const nlohmann::json& json, const std::string
     times.frame_by_pass_ms = numbers(object, "frame_by_pass_ms");
     times.ao_processor_ms = numbers(object, "ao_processor_ms");
     times.layers_processor_ms = numbers(object, "layers_processor_ms");
+    times.gbuffer_ms = numbers(object, "gbuffer_ms");
+    times.gbuffer_bytes = object.number("gbuffer_bytes", 0, 1e15);
     object.finish();
     return times;
 }

@@ -19,6 +19,8 @@ struct StoredTimes {
     std::vector<double> lighting_ms;
     std::vector<double> frame_at_once_ms, frame_by_pass_ms;
     std::vector<double> ao_processor_ms, layers_processor_ms;
+    std::vector<double> gbuffer_ms;  ///< of the picture with its guard band
+    double gbuffer_bytes = 0;
 
     /// Whether these runs suffice for a request: as many as `goal` asks for (any number without one), and
     /// whole frames where they are wanted.

@@ -30,6 +30,7 @@ void time_pass(ScreenRenderer& renderer, const MethodRequest& request, RequestTi
     if (run.layers_processor_ms) times.layers_processor_ms.push_back(*run.layers_processor_ms);
     if (run.filter_ms) times.filter_ms.push_back(*run.filter_ms);
     if (run.lighting_ms) times.lighting_ms.push_back(*run.lighting_ms);
+    if (run.gbuffer_ms) times.gbuffer_ms.push_back(*run.gbuffer_ms);
 }
 
 // Times both kinds of frames. Their order changes from round to round, since one may warm caches for the
@@ -63,6 +64,7 @@ std::vector<RequestTimes> time_requests(ScreenRenderer& renderer, const std::vec
         throw_if_interrupted();
         succeeds(times[i], [&] {
             const double warm_up_ms = renderer.time(requests[i].request).ao_ms;
+            times[i].gbuffer_bytes = static_cast<double>(renderer.gbuffer_bytes(requests[i].request));
             runs_left[i] = goal ? goal->most : timed_runs(warm_up_ms);
         });
     }

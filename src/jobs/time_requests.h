@@ -22,6 +22,8 @@ struct RequestTimes {
     std::vector<double> layers_processor_ms;  ///< the part that draws depth layers; empty without them
     std::vector<double> filter_ms;            ///< empty without a filter
     std::vector<double> lighting_ms;          ///< empty without lighting
+    std::vector<double> gbuffer_ms;           ///< of the picture with its guard band; empty without one
+    double gbuffer_bytes = 0;                 ///< of the G-buffer, with its guard band
     std::vector<double> frame_at_once_ms, frame_by_pass_ms;  ///< empty where no whole frames are asked for
     std::string error;  ///< why the runs ended early; empty when they did not
 };

@@ -263,9 +263,10 @@ std::vector<std::string> ViewMaker::make_in_turns(std::span<const Job* const> jo
         errors.push_back(times[i].error);
         if (!errors.back().empty()) continue;
         const StoredTimes stored{
-            times[i].ao_ms,           times[i].filter_ms,          fixed_pass_ms,
-            fixed_pass.lighting_ms,   times[i].frame_at_once_ms,   times[i].frame_by_pass_ms,
-            times[i].ao_processor_ms, times[i].layers_processor_ms};
+            times[i].ao_ms,           times[i].filter_ms,           fixed_pass_ms,
+            fixed_pass.lighting_ms,   times[i].frame_at_once_ms,    times[i].frame_by_pass_ms,
+            times[i].ao_processor_ms, times[i].layers_processor_ms, times[i].gbuffer_ms,
+            times[i].gbuffer_bytes};
         times_[jobs[i]->key] = stored;
         keep(*jobs[i], to_json(stored));
     }

@@ -235,11 +235,9 @@ std::vector<CellPlan> scored_cells(const MethodDescriptor& method) {
     cell.method = method.id;
     for (const auto& [id, choice] : method.scored.modes) {
         const RunModeOption* mode = find_row(run_mode_options(), id);
-        if (mode == nullptr || std::ranges::find(mode->choices, choice) == mode->choices.end()) {
-            throw file_error(fmt::format("{} {} is no mode of running", id, choice),
-                             (method.folder / "method.json").string() + ": scored.modes");
-        }
-        mode->choose(cell.modes, choice);
+        const std::string where = (method.folder / "method.json").string() + ": scored.modes";
+        if (mode == nullptr) throw file_error(fmt::format("{} {} is no mode of running", id, choice), where);
+        choose_as_file_says(*mode, cell.modes, choice, where);
     }
     std::vector<CellPlan> cells;
     for (const std::string& preset : method.scored.presets) {

@@ -1,7 +1,10 @@
 #include "plan/run_modes.h"
 
+#include "core/error.h"
+#include "core/known_names.h"
 #include "screen/gbuffer/precision.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace aoscore {
@@ -16,10 +19,11 @@ RunModeOption option(std::string_view id, std::string_view meaning, Mode RunMode
                      const Names<Mode>& names) {
     RunModeOption row{id, meaning, {}, {}, {}};
     for (const auto& [name, value] : names) row.choices.push_back(name);
-    row.choose = [member, names](RunModes& modes, const std::string& choice) {
-        for (const auto& [name, value] : names) {
-            if (name == choice) modes.*member = value;
-        }
+    row.choose = [member, names, id, choices = row.choices](RunModes& modes, const std::string& choice) {
+        const auto found =
+            std::ranges::find_if(names, [&](const auto& named) { return named.first == choice; });
+        if (found == names.end()) throw unknown_name("no such choice", choice, choices, std::string(id));
+        modes.*member = found->second;
     };
     row.chosen = [member, names](const RunModes& modes) {
         for (const auto& [name, value] : names) {
@@ -28,6 +32,15 @@ RunModeOption option(std::string_view id, std::string_view meaning, Mode RunMode
         return std::string();
     };
     return row;
+}
+
+RunModeOption guard_band_option() {
+    return {
+        "guard-band",
+        "A band around the picture that methods see, in pixels or per cent of the picture; it is not scored",
+        {"0", "64", "10%"},
+        [](RunModes& modes, const std::string& text) { modes.guard_band = parse_guard_band(text); },
+        [](const RunModes& modes) { return text_of(modes.guard_band); }};
 }
 
 Names<Precision> precision_names() {
@@ -43,6 +56,7 @@ void RunModes::apply_to(MethodRequest& request) const {
     request.normals = normals;
     request.resolution = resolution;
     request.precision = precision;
+    request.guard_band = guard_band;
 }
 
 const std::vector<RunModeOption>& run_mode_options() {
@@ -64,8 +78,18 @@ const std::vector<RunModeOption>& run_mode_options() {
                             {"half-gbuffer", Resolution::half_gbuffer}}),
         option<Precision>("precision", "How depth and normals are stored", &RunModes::precision,
                           precision_names()),
+        guard_band_option(),
     };
     return table;
+}
+
+void choose_as_file_says(const RunModeOption& mode, RunModes& modes, const std::string& choice,
+                         const std::string& where) {
+    try {
+        mode.choose(modes, choice);
+    } catch (const Error& e) {
+        throw file_error(e.what(), where);
+    }
 }
 
 std::map<std::string, std::string> unusual_modes(const RunModes& modes) {

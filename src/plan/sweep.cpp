@@ -119,10 +119,7 @@ class Expansion {
         } else if (id == "size") {
             point.size = parse_image_size(word(value, id), "vary size");
         } else if (const RunModeOption* mode = find_row(run_mode_options(), id)) {
-            const std::string choice = word(value, id);
-            if (std::find(mode->choices.begin(), mode->choices.end(), choice) == mode->choices.end())
-                throw unknown_name("no " + id, choice, mode->choices, "vary " + id);
-            mode->choose(point.cell.modes, choice);
+            mode->choose(point.cell.modes, value.text());
         } else if (id.starts_with(kFilterPrefix)) {
             const std::string filter = filter_of(point.cell, method).filter;
             if (filter == "none") return false;

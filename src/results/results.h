@@ -178,6 +178,8 @@ struct CellRecord {
     Timing ao_processor, layers_processor;
     std::optional<double> fixed_pass_ms;  ///< sixteen fetches a pixel, timed in the same rounds
     Timing lighting;  ///< the lighting pass, timed in the same rounds; no runs where not asked for
+    Timing gbuffer;   ///< its G-buffer with the guard band, in place of the view's; no runs without one
+    std::optional<double> gbuffer_bytes;  ///< of the G-buffer, with the guard band; empty where not timed
     std::optional<double> frame_ms;  ///< G-buffer + AO + filter + lighting where it was timed, medians added
     std::optional<FrameRecord> frame;         ///< set where lighting was timed
     Timing frame_at_once, frame_by_pass;      ///< whole frames, waited for at the end or after every pass; no

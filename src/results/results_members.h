@@ -177,6 +177,8 @@ void visit_members(Visit& visit, Record& cell) {
     visit("layers_processor", cell.layers_processor);
     visit("fixed_pass_ms", cell.fixed_pass_ms);
     visit("lighting", cell.lighting);
+    visit("gbuffer", cell.gbuffer);
+    visit("gbuffer_bytes", cell.gbuffer_bytes);
     visit("frame_ms", cell.frame_ms);
     visit("frame", cell.frame);
     visit("frame_at_once", cell.frame_at_once);

@@ -38,30 +38,64 @@ void cut_off_above_one(ImageF& image) {
 }  // namespace
 
 struct ScreenRenderer::Impl {
+    /// A G-buffer, and the passes over it.
+    struct Stage {
+        GBuffer gbuffer;
+        MethodRunner runner{gbuffer};
+        glm::ivec2 band_px{0};  ///< the guard band
+
+        void draw_gbuffer_again() { gbuffer.draw(gbuffer.geometry(), Capture(gbuffer.capture())); }
+        double timed_gbuffer_ms() {
+            const Clock clock;
+            draw_gbuffer_again();
+            gl::Finish();
+            return clock.milliseconds();
+        }
+        template <class Pixel>
+        Image<Pixel> inner(const Image<Pixel>& drawn) const {
+            return without_band(drawn, band_px);
+        }
+    };
     std::unique_ptr<GlContext> context = new_gl_context();
     std::optional<SceneGeometry> geometry;
-    GBuffer gbuffer;
-    std::optional<MethodRunner> runner;
+    Stage stage;
+    /// With a guard band, for the requests that ask for one; of width 0 where the G-buffer has changed since.
+    std::optional<Stage> wide;
+    bool shows_scene = false;  ///< whether the current G-buffer is of the current scene
     std::uint64_t gbuffers_drawn = 0;
     std::vector<GBuffer> kept;         ///< the current one's place is empty
     std::optional<std::size_t> place;  ///< of the current G-buffer among the kept ones
 
-    Impl() { runner.emplace(gbuffer); }
-
     /// Leaves the current G-buffer, which stays where it is kept.
     void leave_gbuffer() {
-        if (place) kept[*place] = std::exchange(gbuffer, GBuffer());
+        if (place) kept[*place] = std::exchange(stage.gbuffer, GBuffer());
         place.reset();
-        runner->forget_derived();
+        stage.runner.forget_derived();
+        if (wide) wide->band_px = {0, 0};
     }
 
-    MethodRunner& ready_runner() {
+    Stage& ready_stage() {
         context->make_current();
-        if (!gbuffer.drawn()) throw internal_error("no G-buffer was drawn", "ScreenRenderer");
-        return *runner;
+        if (!stage.gbuffer.drawn()) throw internal_error("no G-buffer was drawn", "ScreenRenderer");
+        return stage;
     }
 
-    void draw_gbuffer_again() { gbuffer.draw(*geometry, Capture(gbuffer.capture())); }
+    // Draws the picture with the request's guard band, where it is not the one that was drawn last.
+    Stage& ready_stage(const MethodRequest& request) {
+        const GBuffer& gbuffer = ready_stage().gbuffer;
+        const glm::ivec2 band_px = request.guard_band.pixels(gbuffer.width(), gbuffer.height());
+        if (band_px == glm::ivec2(0)) return stage;
+        if (!shows_scene)
+            throw internal_error("a guard band needs the scene that the G-buffer shows", "ScreenRenderer");
+        if (!wide) wide.emplace();
+        if (wide->band_px != band_px) {
+            wide->runner.forget_derived();
+            wide->gbuffer.draw(*geometry, widened(gbuffer.capture(), band_px));
+            wide->band_px = band_px;
+            ++gbuffers_drawn;
+        }
+        return *wide;
+    }
 };
 
 ScreenRenderer::ScreenRenderer() : impl_(std::make_unique<Impl>()) {}
@@ -84,6 +118,7 @@ std::string ScreenRenderer::version() const {
 void ScreenRenderer::set_scene(const Scene& scene) {
     impl_->context->make_current();
     impl_->geometry.emplace(scene);
+    impl_->shows_scene = false;
 }
 
 double ScreenRenderer::draw_gbuffer(const Capture& capture) {
@@ -92,13 +127,14 @@ double ScreenRenderer::draw_gbuffer(const Capture& capture) {
     impl_->leave_gbuffer();
     ++impl_->gbuffers_drawn;
     const Clock clock;
-    impl_->gbuffer.draw(*impl_->geometry, capture);
+    impl_->stage.gbuffer.draw(*impl_->geometry, capture);
+    impl_->shows_scene = true;
     gl::Finish();
     return clock.milliseconds();
 }
 
 std::size_t ScreenRenderer::keep_gbuffer() {
-    impl_->ready_runner();
+    impl_->ready_stage();
     if (!impl_->place) {
         impl_->place = impl_->kept.size();
         impl_->kept.emplace_back();
@@ -111,65 +147,64 @@ void ScreenRenderer::use_gbuffer(std::size_t kept) {
     if (kept >= impl_->kept.size()) throw internal_error("no G-buffer was kept so", std::to_string(kept));
     if (impl_->place == kept) return;
     impl_->leave_gbuffer();
-    impl_->gbuffer = std::move(impl_->kept[kept]);
+    impl_->stage.gbuffer = std::move(impl_->kept[kept]);
     impl_->place = kept;
+    impl_->shows_scene = false;
 }
 
 double ScreenRenderer::time_gbuffer() {
-    impl_->ready_runner();
-    const Clock clock;
-    impl_->draw_gbuffer_again();
-    gl::Finish();
-    return clock.milliseconds();
+    return impl_->ready_stage().timed_gbuffer_ms();
 }
 
 GBufferImages ScreenRenderer::read_gbuffer(const CaptureIndex& index) {
-    impl_->ready_runner();
-    return impl_->gbuffer.read(index);
+    return impl_->ready_stage().gbuffer.read(index);
 }
 
 double ScreenRenderer::draw_depth_layers(const DepthLayers& layers) {
-    DepthLayerBuffer& buffer = impl_->ready_runner().depth_layers();
+    Impl::Stage& stage = impl_->ready_stage();
+    DepthLayerBuffer& buffer = stage.runner.depth_layers();
     buffer.forget();
     const Clock clock;
-    buffer.texture(impl_->gbuffer, layers, Mirror::none);
+    buffer.texture(stage.gbuffer, layers, Mirror::none);
     gl::Finish();
     return clock.milliseconds();
 }
 
 std::vector<ImageF> ScreenRenderer::read_depth_layers() {
-    return impl_->ready_runner().depth_layers().read();
+    return impl_->ready_stage().runner.depth_layers().read();
 }
 
 std::string ScreenRenderer::gbuffer_digest() {
-    impl_->ready_runner();
-    return impl_->gbuffer.digest();
+    return impl_->ready_stage().gbuffer.digest();
 }
 
 MethodOutput ScreenRenderer::run(const MethodRequest& request) {
-    MethodRunner& runner = impl_->ready_runner();
+    Impl::Stage& stage = impl_->ready_stage(request);
+    MethodRunner& runner = stage.runner;
     const MethodRunner::Frame frame = runner.prepare(request);
     runner.draw_method(frame);
     MethodOutput output;
-    output.raw = runner.raw();
+    output.raw = stage.inner(runner.raw());
     if (request.filter == nullptr) {
         output.visibility = output.raw;
     } else {
         runner.draw_filter(frame);
-        output.visibility = runner.filtered();
+        output.visibility = stage.inner(runner.filtered());
     }
     cut_off_above_one(output.raw);
     cut_off_above_one(output.visibility);
-    for (const std::string& id : request.signals) output.signals[id] = runner.signal_image(id);
+    for (const std::string& id : request.signals) {
+        for (const ImageF& plane : runner.signal_image(id)) output.signals[id].push_back(stage.inner(plane));
+    }
     if (request.lighting != nullptr) {
         runner.draw_lighting(frame);
-        output.lit = runner.lit();
+        output.lit = stage.inner(runner.lit());
     }
     return output;
 }
 
 ImageF ScreenRenderer::filter(const ImageF& visibility, const MethodRequest& request) {
-    MethodRunner& runner = impl_->ready_runner();
+    MethodRunner& runner = impl_->ready_stage().runner;
     const MethodRunner::Frame frame = runner.prepare(request);
     runner.take_raw(visibility);
     runner.draw_filter(frame);
@@ -179,11 +214,13 @@ ImageF ScreenRenderer::filter(const ImageF& visibility, const MethodRequest& req
 }
 
 ScreenRenderer::PassTimes ScreenRenderer::time(const MethodRequest& request) {
-    MethodRunner& runner = impl_->ready_runner();
+    Impl::Stage& stage = impl_->ready_stage(request);
+    MethodRunner& runner = stage.runner;
     const MethodRunner::Frame frame = runner.prepare(request);  // compiling is not part of a frame
     runner.forget_derived();  // a method's cost includes the inputs made for it
     gl::Finish();
     PassTimes times;
+    if (stage.band_px != glm::ivec2(0)) times.gbuffer_ms = stage.timed_gbuffer_ms();
     const Clock ao;
     const ProcessorWatch on_processor;
     if (runner.draw_depth_layers(frame)) {
@@ -210,7 +247,8 @@ ScreenRenderer::PassTimes ScreenRenderer::time(const MethodRequest& request) {
 }
 
 double ScreenRenderer::time_frame(const MethodRequest& request, Waits waits) {
-    MethodRunner& runner = impl_->ready_runner();
+    Impl::Stage& stage = impl_->ready_stage(request);
+    MethodRunner& runner = stage.runner;
     const MethodRunner::Frame frame = runner.prepare(request);
     runner.forget_derived();
     gl::Finish();
@@ -218,7 +256,7 @@ double ScreenRenderer::time_frame(const MethodRequest& request, Waits waits) {
         if (waits == Waits::after_every_pass) gl::Finish();
     };
     const Clock clock;
-    impl_->draw_gbuffer_again();
+    stage.draw_gbuffer_again();
     pass_drawn();
     runner.draw_method(frame);
     pass_drawn();
@@ -229,12 +267,23 @@ double ScreenRenderer::time_frame(const MethodRequest& request, Waits waits) {
     return clock.milliseconds();
 }
 
+std::size_t ScreenRenderer::gbuffer_bytes(const MethodRequest& request) {
+    return impl_->ready_stage(request).gbuffer.bytes();
+}
+
 ScreenRenderer::Work ScreenRenderer::work() const {
-    return {impl_->gbuffers_drawn, impl_->runner->passes_drawn(), impl_->runner->programs_compiled()};
+    Work work{.gbuffers = impl_->gbuffers_drawn};
+    for (const Impl::Stage* stage : {&impl_->stage, impl_->wide ? &*impl_->wide : nullptr}) {
+        if (stage == nullptr) continue;
+        work.passes += stage->runner.passes_drawn();
+        work.compilations += stage->runner.programs_compiled();
+    }
+    return work;
 }
 
 ImageF ScreenRenderer::count_fetches(const MethodRequest& request) {
-    return impl_->ready_runner().count_fetches(request);
+    Impl::Stage& stage = impl_->ready_stage(request);
+    return stage.inner(stage.runner.count_fetches(request));
 }
 
 }  // namespace aoscore

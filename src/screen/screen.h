@@ -4,6 +4,7 @@
 #include "core/signal.h"
 #include "scene/scene.h"
 #include "screen/gbuffer/capture.h"
+#include "screen/gbuffer/guard_band.h"
 #include "screen/method/depth_layers.h"
 #include "screen/method/method.h"
 
@@ -69,6 +70,7 @@ struct MethodRequest {
     Normals normals = Normals::as_described;
     Resolution resolution = Resolution::full;
     Precision precision = Precision::full;
+    GuardBand guard_band;  ///< every pass is drawn over the picture with it, filter and lighting too
     /// Makes parameters and kernels uniforms instead of constants, which gives the same picture more slowly.
     bool uniform_form = false;
     Mirror mirror = Mirror::none;
@@ -114,7 +116,8 @@ class ScreenRenderer {
         return draw_gbuffer(Capture(frame, channels));
     }
     /// Keeps the current G-buffer beside those that are drawn after it, and returns a number for
-    /// use_gbuffer(). It serves methods over one layer of depth, also after set_scene().
+    /// use_gbuffer(). It serves methods over one layer of depth and without a guard band, also after
+    /// set_scene().
     std::size_t keep_gbuffer();
     /// Makes a G-buffer that was kept the current one again, without drawing it. Throws internal_error for
     /// another number.
@@ -137,7 +140,7 @@ class ScreenRenderer {
     MethodOutput run(const MethodRequest& request);
 
     /// Runs the request's filter over visibility of the G-buffer's size that was made elsewhere; returns that
-    /// itself without a filter.
+    /// itself without a filter. A guard band has no part in it.
     ImageF filter(const ImageF& visibility, const MethodRequest& request);
 
     /// The work since the renderer was made.
@@ -156,6 +159,7 @@ class ScreenRenderer {
         std::optional<double> layers_processor_ms;
         std::optional<double> filter_ms;
         std::optional<double> lighting_ms;
+        std::optional<double> gbuffer_ms;  ///< of the picture with its guard band; empty without one
     };
     /// Runs once for the clock (nothing is read back; glFinish before it stops).
     PassTimes time(const MethodRequest& request);
@@ -165,6 +169,9 @@ class ScreenRenderer {
     enum class Waits { after_every_pass, at_the_end };
     /// Times a whole frame in milliseconds: draws the last G-buffer again, then the request's passes.
     double time_frame(const MethodRequest& request, Waits waits);
+
+    /// The bytes of the G-buffer that the request reads, with its guard band.
+    std::size_t gbuffer_bytes(const MethodRequest& request);
 
     /// Counts the texture fetches a pixel of the AO passes by an instrumented build of the same shader; 0 on
     /// background, row 0 at the top.

@@ -23,6 +23,9 @@ std::set<std::string> inputs_of(const std::vector<CellPlan>& cells, const Regist
             throw usage_error(cell.method + " reads several layers of depth, which no search keeps",
                               "tune --methods", "methods over one layer");
         }
+        if (resolved.request.guard_band != GuardBand())
+            throw usage_error("a search keeps its G-buffers, which have no guard band", "tune --guard-band",
+                              "0");
         inputs.merge(needed_gbuffer_inputs(resolved.request));
     }
     return inputs;

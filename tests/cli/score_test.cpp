@@ -172,7 +172,8 @@ TEST(Score, ModesAndParametersAreTakenAndRecorded) {
     const auto folder = output_dir();
     const auto run = run_aoscore(
         "score wall --view oblique --methods alchemy,gtao --set radius=0.25 --normals from-depth-accurate "
-        "--resolution half --precision packed-rgba8 --border clamp --filter none --error 0.05 --size 96x64 "
+        "--resolution half --precision packed-rgba8 --border clamp --guard-band 10% --filter none --error "
+        "0.05 --size 96x64 "
         "--out page",
         folder);
     ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -183,6 +184,9 @@ TEST(Score, ModesAndParametersAreTakenAndRecorded) {
         EXPECT_EQ(cell.parameters.at("normals"), "from-depth-accurate") << cell.id;
         EXPECT_EQ(cell.parameters.at("resolution"), "half") << cell.id;
         EXPECT_EQ(cell.parameters.at("border"), "clamp") << cell.id;
+        EXPECT_EQ(cell.parameters.at("guard-band"), "10%") << cell.id;
+        EXPECT_FALSE(cell.gbuffer.runs_ms.empty()) << cell.id;
+        EXPECT_EQ(cell.gbuffer_bytes, 116 * 78 * 4 * 6) << "window depth, view depth and normals";
         EXPECT_EQ(cell.filter, "none") << cell.id;
     }
     EXPECT_EQ(results.views.at(0).max_error, 0.05);

@@ -35,7 +35,8 @@ TEST(Timing, GroupsGrowWhileTheyAreQuickAndShrinkWhereTheyAreSlow) {
 }
 
 TEST(StoredTimes, SurviveTheStore) {
-    const StoredTimes times{{1.5, 2.5}, {0.25}, 3.0, {4.5}, {5.5}, {6.5, 7.5}, {8.5, 9.5}, {10.5}};
+    const StoredTimes times{{1.5, 2.5}, {0.25},     3.0,    {4.5},  {5.5},
+                            {6.5, 7.5}, {8.5, 9.5}, {10.5}, {11.5}, 1024};
     const StoredTimes back = stored_times_from_json(to_json(times), "test");
     EXPECT_EQ(back.ao_ms, times.ao_ms);
     EXPECT_EQ(back.filter_ms, times.filter_ms);
@@ -45,6 +46,8 @@ TEST(StoredTimes, SurviveTheStore) {
     EXPECT_EQ(back.frame_by_pass_ms, times.frame_by_pass_ms);
     EXPECT_EQ(back.ao_processor_ms, times.ao_processor_ms);
     EXPECT_EQ(back.layers_processor_ms, times.layers_processor_ms);
+    EXPECT_EQ(back.gbuffer_ms, times.gbuffer_ms);
+    EXPECT_EQ(back.gbuffer_bytes, times.gbuffer_bytes);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Tests the modes of a run, which results list among a cell's parameters.
 #include "plan/run_modes.h"
 
+#include "core/error.h"
 #include "plan/resolved_cell.h"
 
 #include <gtest/gtest.h>
@@ -17,6 +18,21 @@ TEST(RunModes, ShareNoNameWithAParameterOfAMethodOrFilter) {
                     << descriptor.id << ", " << mode.id;
             }
         }
+    }
+}
+
+TEST(RunModes, AreSetToEachOfTheirChoicesAndRefuseOthers) {
+    for (const RunModeOption& mode : run_mode_options()) {
+        for (const std::string& choice : mode.choices) {
+            RunModes modes;
+            mode.choose(modes, choice);
+            EXPECT_EQ(mode.chosen(modes), choice) << mode.id;
+            EXPECT_EQ(unusual_modes(modes).contains(std::string(mode.id)), choice != mode.choices.front());
+        }
+        RunModes modes;
+        EXPECT_THROW(mode.choose(modes, "nonsense"), Error) << mode.id;
+        EXPECT_THROW(choose_as_file_says(mode, modes, "nonsense", "a file"), Error) << mode.id;
+        EXPECT_EQ(modes, RunModes()) << mode.id;
     }
 }
 

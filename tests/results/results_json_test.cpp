@@ -107,6 +107,8 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     cell.frame_ms = 3.25;
     cell.fixed_pass_ms = 12.5;
     cell.lighting = {{8}, 8.0, 0.0};
+    cell.gbuffer = {{5}, 5.0, 0.0};
+    cell.gbuffer_bytes = 4096;
     cell.frame = frame_of(10, 8, 2, 0);
     cell.frame_at_once = {{19}, 19.0, 0.0};
     cell.frame_by_pass = {{21}, 21.0, 0.0};
@@ -118,9 +120,9 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     results.cells = {cell};
     const CellRecord back = results_from_json(to_json(results), "results.json").cells.at(0);
     const auto& [id, view_key, method, method_label, role, preset, setting, filter, parameters, lengths,
-                 error, ao, filter_pass, ao_processor, layers_processor, fixed_pass_ms, lighting, frame_ms,
-                 frame, frame_at_once, frame_by_pass, fetches_per_pixel, nonfinite, ranked_truth, own_truth,
-                 ranked, own, raw, signals, analysis, repeats, image_file] = back;
+                 error, ao, filter_pass, ao_processor, layers_processor, fixed_pass_ms, lighting, gbuffer,
+                 gbuffer_bytes, frame_ms, frame, frame_at_once, frame_by_pass, fetches_per_pixel, nonfinite,
+                 ranked_truth, own_truth, ranked, own, raw, signals, analysis, repeats, image_file] = back;
     EXPECT_EQ(std::tie(id, view_key, method, method_label, role, preset, setting, filter, parameters, error),
               std::tie(cell.id, cell.view_key, cell.method, cell.method_label, cell.role, cell.preset,
                        cell.setting, cell.filter, cell.parameters, cell.error));
@@ -142,6 +144,8 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     EXPECT_EQ(fetches_per_pixel, std::nullopt);
     EXPECT_EQ(fixed_pass_ms, 12.5);
     EXPECT_EQ(lighting.median_ms, 8.0);
+    EXPECT_EQ(gbuffer.median_ms, 5.0);
+    EXPECT_EQ(gbuffer_bytes, 4096.0);
     ASSERT_TRUE(frame);
     EXPECT_EQ(frame->frame_ms, 20.0);
     EXPECT_EQ(frame_at_once.median_ms, 19.0);

@@ -250,11 +250,7 @@ class Reader {
     static void read_modes(StrictObject object, RunModes& modes) {
         for (const RunModeOption& mode : run_mode_options()) {
             if (!object.has(mode.id)) continue;
-            const std::string choice = object.text(mode.id);
-            if (std::find(mode.choices.begin(), mode.choices.end(), choice) == mode.choices.end())
-                throw file_error("is " + choice, object.where(mode.id),
-                                 fmt::format("{}", fmt::join(mode.choices, ", ")));
-            mode.choose(modes, choice);
+            choose_as_file_says(mode, modes, object.text(mode.id), object.where(mode.id));
         }
         object.finish();
     }

@@ -84,8 +84,10 @@ Measured lighting_ms(const CellRecord& cell, const ViewRecord&, std::uint64_t se
 }
 // The time of a frame without AO.
 Measured geometry_lighting_ms(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed) {
-    return combined({timed(view.gbuffer, view.key + " G-buffer", seed), lighting_ms(cell, view, seed)},
-                    [](const auto& v) { return v[0] + v[1]; });
+    const bool own = !cell.gbuffer.runs_ms.empty();
+    const Measured gbuffer = own ? timed(cell.gbuffer, cell.id + " G-buffer", seed)
+                                 : timed(view.gbuffer, view.key + " G-buffer", seed);
+    return combined({gbuffer, lighting_ms(cell, view, seed)}, [](const auto& v) { return v[0] + v[1]; });
 }
 Measured frame_ms(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed) {
     return combined({cost_ms(cell, view, seed), geometry_lighting_ms(cell, view, seed)},

@@ -27,6 +27,10 @@ TextureFormat format_of(const Channel& channel) {
     return channel.form == ChannelForm::number ? kR32F : kRgba32F;
 }
 
+std::size_t values_of(const TextureFormat& format) {
+    return format.transfer == GL_RGBA ? 4 : 1;
+}
+
 template <class Pixel>
 Image<Pixel> read_pixels(const gl::Texture& texture, GLenum transfer, const ViewUniforms& view) {
     Image<Pixel> image(view.width, view.height);
@@ -160,14 +164,22 @@ GBufferImages GBuffer::read(const CaptureIndex& index) const {
     return images;
 }
 
+std::size_t GBuffer::bytes() const {
+    std::size_t values = 0;
+    for (const Picture& drawn : pictures_) {
+        for (const auto& [name, texture] : drawn.textures)
+            values += values_of(format_of(*find_row(gbuffer_channels(), name)));
+    }
+    return values * sizeof(float) * static_cast<std::size_t>(width()) * static_cast<std::size_t>(height());
+}
+
 std::string GBuffer::digest() const {
     Digest digest;
     for (const Picture& drawn : pictures_) {
         for (const auto& [name, texture] : drawn.textures) {
             const TextureFormat format = format_of(*find_row(gbuffer_channels(), name));
-            const std::size_t values = format.transfer == GL_RGBA ? 4 : 1;
             std::vector<float> all(static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()) *
-                                   values);
+                                   values_of(format));
             read_texture(texture.name(), format.transfer, all.data());
             digest.text(name).array(std::span<const float>(all));
         }

@@ -39,6 +39,8 @@ class GBuffer {
     GLuint texture(std::string_view channel, const CaptureIndex& index = {}) const;
 
     GBufferImages read(const CaptureIndex& index = {}) const;
+    /// The size of all pictures' textures.
+    std::size_t bytes() const;
     /// The digest of all pictures.
     std::string digest() const;
 

@@ -51,7 +51,7 @@ void add_input_shaders(Digest& digest) {
 std::string request_digest(const MethodRequest& request, bool orthographic) {
     Digest digest;
     digest.value(request.seed).value(request.border).value(request.normals).value(request.resolution);
-    digest.value(request.precision);
+    digest.value(request.precision).text(text_of(request.guard_band));
     add_descriptor(digest, request, *request.method, request.parameters, orthographic);
     digest.value(request.filter != nullptr);
     if (request.filter != nullptr)
