@@ -119,6 +119,7 @@ CellWork cell_work(const ResolvedCell& cell, const ExperimentPlan& plan, const P
     work.timed = cell.request;
     if (cell.plan.own_truth && !plan.first_answer) work.own = cell.own;
     work.keep_image = cell.plan.keep_image;
+    work.wants_times = cell.plan.timed;
     work.whole_frames = cell.plan.whole_frames;
     work.repeats = cell.plan.repeats && !plan.first_answer;
     if (work.whole_frames) light(work.timed, registry.lighting, drawn_for_m);

@@ -76,6 +76,8 @@ class Layout {
             Job fetches = of_cell(keys_.fetches(cell), ArtifactKind::fetches, {gbuffer_, contract_});
             fetches.after = {keys.score};
             keys.fetches = jobs_.graph.want(fetches).key;
+        }
+        if (work_.timed && cell.wants_times && cell.contestant->timed_request() != nullptr) {
             Job times = of_cell(keys_.times(cell), ArtifactKind::times, {gbuffer_});
             times.after = {keys.score};
             times.in_turns = true;

@@ -24,6 +24,7 @@ struct CellWork {
     std::shared_ptr<const Contestant> contestant;
     std::optional<TruthQuery> own;  ///< the method's own truth, to score against beside the ranking's
     bool keep_image = true;         ///< write its output
+    bool wants_times = true;        ///< whether its passes are timed, where the view's costs are wanted
     /// Whole lit frames are timed too, with a wait at their end and with one after every pass.
     bool whole_frames = false;
     bool repeats = false;  ///< whether it is drawn again with other seeds (jobs/repeats.h)

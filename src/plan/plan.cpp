@@ -291,6 +291,7 @@ std::size_t shared_cell(ViewPlan& view, CellPlan cell) {
     }
     found->own_truth |= cell.own_truth;
     found->keep_image |= cell.keep_image;
+    found->timed |= cell.timed;
     found->whole_frames |= cell.whole_frames;
     found->repeats |= cell.repeats;
     return static_cast<std::size_t>(found - view.cells.begin());

@@ -33,6 +33,7 @@ struct CellPlan {
     RunModes modes;
     bool own_truth = false;  ///< also scored against the method's own radius and falloff
     bool keep_image = true;  ///< write its output
+    bool timed = true;       ///< its passes are timed
     /// Whole lit frames are timed too, with a wait at their end and with one after every pass.
     bool whole_frames = false;
     /// It is drawn again with other seeds, and held against what one depth layer hides (jobs/repeats.h).

@@ -252,7 +252,7 @@ TEST_F(Claims, AListIsChosenByItsIdAndAClaimByItsOwn) {
     EXPECT_THROW(count({"fields"}), Error);
 }
 
-TEST_F(Claims, NothingIsLitOrDrawnAsAWholeThatNoQuantityNeeds) {
+TEST_F(Claims, NothingIsTimedLitOrDrawnAsAWholeThatNoQuantityNeeds) {
     const auto planned = [&](const char* quantity) {
         json check = order();
         check["quantity"] = quantity;
@@ -260,6 +260,8 @@ TEST_F(Claims, NothingIsLitOrDrawnAsAWholeThatNoQuantityNeeds) {
         plan_claims(plan, {list_of(check)});
         return plan.views.at(0);
     };
+    EXPECT_FALSE(planned("rmse").cells.at(0).timed || planned("fetches").cells.at(0).timed);
+    EXPECT_TRUE(planned("cost_ms").cells.at(0).timed && planned("layers_processor_ms").cells.at(0).timed);
     EXPECT_FALSE(planned("cost_ms").lit);
     EXPECT_TRUE(planned("frame_ms").lit);
     EXPECT_FALSE(planned("frame_ms").cells.at(0).whole_frames);

@@ -46,6 +46,13 @@ std::optional<double> number_of(const json& row, const char* key) {
     return found == row.end() ? std::nullopt : std::optional(found->get<double>());
 }
 
+/// The noise at the strength that is right against the truth where nothing is hidden.
+std::optional<double> noise_of(const std::optional<Repeats>& repeats) {
+    if (!repeats || !repeats->of_truth) return std::nullopt;
+    const std::optional<double> noise = noise_over_seeds(*repeats);
+    return noise ? std::optional(*noise * repeats->of_truth->strength) : std::nullopt;
+}
+
 std::optional<double> without_layers(const CellRecord& cell) {
     std::vector<double> runs_ms = runs_without_layers_ms(cell);
     return runs_ms.empty() ? std::nullopt : std::optional(median(std::move(runs_ms)));
@@ -91,7 +98,7 @@ json printed_times(const SweepRecord& sweep, const std::vector<const SweepRow*>&
              {"error", fixed_text(row.measured->fitted_error, 4)},
              {"found", fixed_text(repeats ? found_share(repeats->of_layers) : std::nullopt, 2)},
              {"found_of_truth", fixed_text(repeats ? found_share(repeats->of_truth) : std::nullopt, 2)},
-             {"noise", fixed_text(repeats ? noise_over_seeds(*repeats) : std::nullopt, 4)}});
+             {"noise", fixed_text(noise_of(repeats), 4)}});
     }
     return model;
 }

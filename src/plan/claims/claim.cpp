@@ -322,10 +322,11 @@ void plan_check(ExperimentPlan& plan, const ClaimList& list, const ClaimCheck& c
     for (const ClaimCell& cell : check.cells) {
         ViewPlan view = list.views.at(cell.view);
         view.own_parameters = true;
-        view.lit = needs.lighting || needs.whole_frames;
+        view.lit = needs.lit();
         view.extras = extras_for(cell.plan.signals);
         view.extras.causes = needs.repeats;
         CellPlan asked = cell.plan;
+        asked.timed = needs.timed();
         asked.whole_frames = needs.whole_frames;
         asked.repeats = needs.repeats;
         shared_cell(plan.views[shared_view(plan, std::move(view))], std::move(asked));

@@ -21,6 +21,7 @@ namespace {
 
 using namespace repeat_quantities;
 
+constexpr QuantityNeeds kTimes{.times = true};
 constexpr QuantityNeeds kRepeats{.repeats = true};
 constexpr QuantityNeeds kBentWhereHidden{.repeats = true, .signal = "bent_normal"};
 constexpr QuantityNeeds kConeWhereHidden{.repeats = true, .signal = "cone_angle"};
@@ -244,14 +245,14 @@ Measured combined(const std::vector<Measured>& of,
 
 const std::vector<Quantity>& quantities() {
     static const std::vector<Quantity> table = {
-        {"ao_ms", "AO pass", "ms", 2, ao_ms},
-        {"filter_ms", "filter", "ms", 2, filter_ms},
-        {"cost_ms", "AO pass and filter", "ms", 2, cost_ms},
-        {"filter_share", "filter's share of AO and filter", "", 3, filter_share},
-        {"filter_over_ao", "filter over AO pass", "", 3, filter_over_ao},
-        {"ms_per_fetch", "AO pass for each fetch a pixel", "ms", 3, per_fetch},
-        {"relative_cost", "AO pass in fixed passes", "", 2, relative},
-        {"variation", "half the quartiles' distance over the median of the runs", "", 3, variation},
+        {"ao_ms", "AO pass", "ms", 2, ao_ms, kTimes},
+        {"filter_ms", "filter", "ms", 2, filter_ms, kTimes},
+        {"cost_ms", "AO pass and filter", "ms", 2, cost_ms, kTimes},
+        {"filter_share", "filter's share of AO and filter", "", 3, filter_share, kTimes},
+        {"filter_over_ao", "filter over AO pass", "", 3, filter_over_ao, kTimes},
+        {"ms_per_fetch", "AO pass for each fetch a pixel", "ms", 3, per_fetch, kTimes},
+        {"relative_cost", "AO pass in fixed passes", "", 2, relative, kTimes},
+        {"variation", "half the quartiles' distance over the median of the runs", "", 3, variation, kTimes},
         {"lighting_ms", "lighting pass", "ms", 2, lighting_ms, {.lighting = true}},
         {"frame_ms", "lit frame", "ms", 2, frame_ms, {.lighting = true}},
         {"cost_share", "share of AO and filter in a lit frame", "", 3, cost_share, {.lighting = true}},
@@ -287,16 +288,17 @@ const std::vector<Quantity>& quantities() {
         {"edge_rmse", "RMSE beside depth edges", "", 4, edge_rmse},
         {"steep_rmse", "RMSE on the steepest surfaces", "", 4, steep_rmse},
         {"own_truth_brighter", "own truth less the binary one", "", 4, own_truth_brighter},
-        {"ms_per_megapixel", "AO pass for a million shaded pixels", "ms", 2, per_megapixel},
+        {"ms_per_megapixel", "AO pass for a million shaded pixels", "ms", 2, per_megapixel, kTimes},
         {"false_area", "area of false occlusion", "", 4, false_area},
         {"darker_at_edges", "bias less that beside depth edges", "", 4, darker_at_edges},
         {"ao_processor_ms", "AO pass without its depth layers, processor time", "processor ms", 2,
-         ao_processor},
-        {"layers_processor_ms", "pass of depth layers, processor time", "processor ms", 2, layers_processor},
+         ao_processor, kTimes},
+        {"layers_processor_ms", "pass of depth layers, processor time", "processor ms", 2, layers_processor,
+         kTimes},
         {"cost_processor_ms", "AO pass and its depth layers, processor time", "processor ms", 2,
-         cost_processor},
+         cost_processor, kTimes},
         {"processor_ms_per_fetch", "AO pass without its depth layers, for each fetch a pixel", "processor ms",
-         3, processor_per_fetch},
+         3, processor_per_fetch, kTimes},
         {"noise", "noise over seeds", "", 4, repeats_noise, kRepeats},
         {"raw_noise", "noise over seeds before the filter", "", 4, repeats_raw_noise, kRepeats},
         {"fitted_noise", "noise over seeds at the fitted strength", "", 4, repeats_fitted_noise, kRepeats},

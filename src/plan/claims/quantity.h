@@ -29,12 +29,16 @@ struct Measured {
 Measured combined(const std::vector<Measured>& of,
                   const std::function<double(const std::vector<double>&)>& f);
 
-/// What a cell must be measured for beside its score, its fetches and the times of its passes.
+/// What a cell must be measured for beside its score and its fetches.
 struct QuantityNeeds {
-    bool lighting = false;      ///< the time of the lighting pass of its view
-    bool whole_frames = false;  ///< times of whole frames, which are lit
+    bool times = false;         ///< the times of its passes
+    bool lighting = false;      ///< and that of the lighting pass of its view
+    bool whole_frames = false;  ///< and times of whole frames, which are lit
     bool repeats = false;       ///< drawn again with other seeds, and held against the truth's causes
     std::string_view signal{};  ///< a signal beside visibility; empty: none
+
+    bool lit() const { return lighting || whole_frames; }
+    bool timed() const { return times || lit(); }
 };
 
 /// A quantity that is measured of a cell.
