@@ -164,7 +164,7 @@ TEST(Exports, SayOfABoundThatItIsOne) {
     EXPECT_THAT(read_file(folder / "out.csv"), HasSubstr("wall/facing,1,alchemy,method,default"))
         << "what a bound reaches takes no rank away";
     const std::string page = read_file(folder / "o/index.html");
-    EXPECT_THAT(page, HasSubstr("Alchemy AO alone was scored"));
+    EXPECT_THAT(page, HasSubstr("Alchemy AO is the only method scored"));
     EXPECT_THAT(page, HasSubstr("My limit (bound)"));
 }
 

@@ -186,7 +186,8 @@ TEST(Score, ModesAndParametersAreTakenAndRecorded) {
         EXPECT_EQ(cell.parameters.at("border"), "clamp") << cell.id;
         EXPECT_EQ(cell.parameters.at("guard-band"), "10%") << cell.id;
         EXPECT_FALSE(cell.gbuffer.runs_ms.empty()) << cell.id;
-        EXPECT_EQ(cell.gbuffer_bytes, 116 * 78 * 4 * 6) << "window depth, view depth and normals";
+        EXPECT_EQ(cell.gbuffer_bytes, 116 * 78 * 4 * (1 + 1 + 4 + 4))
+            << "window depth, view depth, geometric and smooth normals of four floats";
         EXPECT_EQ(cell.filter, "none") << cell.id;
     }
     EXPECT_EQ(results.views.at(0).max_error, 0.05);

@@ -36,6 +36,13 @@ float occlusion_at(vec2 image_px, vec3 position) {
     float most = 0.0;
     for (only_layer = 0; only_layer < p_depth_samples; ++only_layer)
         most = max(most, tapped_occlusion(image_px, position, normal));
+#ifdef OPEN_CONE
+    // The horizon of a direction is the highest of all layers.
+    only_layer = -1;
+    turned_sum = vec3(0.0);
+    cone_sum = 0.0;
+    tapped_occlusion(image_px, position, normal);
+#endif
     return most;
 }
 
