@@ -306,5 +306,14 @@ TEST(ResultsFile, TruncatedOrAbsentIsAnErrorThatNamesTheFile) {
     EXPECT_THAT(message(), HasSubstr("results.json"));
 }
 
+// All claims together make some 80 MB.
+TEST(ResultsFile, MayBeLargerThanOtherFiles) {
+    Results results;
+    results.command = std::string(std::size_t{65} << 20, 'x');
+    const std::filesystem::path folder = testing::output_dir();
+    write_results(results, folder);
+    EXPECT_EQ(read_results(folder).command.size(), results.command.size());
+}
+
 }  // namespace
 }  // namespace aoscore
