@@ -18,14 +18,12 @@ struct TrainingOptions {
 };
 
 ExitCode run(const TrainingOptions& options, const GlobalOptions& global) {
-    if (options.radii.size() > 1 || (!options.radii.empty() && !std::isfinite(options.radii[0])))
-        throw usage_error("truths are traced at one finite radius", "--radius", "one length in metres");
     TrainingPlan plan = options.plan;
     plan.seed = global.seed;
     plan.command = global.command_line;
     plan.width = options.size.width;
     plan.height = options.size.height;
-    if (!options.radii.empty()) plan.radius_m = options.radii[0];
+    plan.radius_m = one_finite_radius(options.radii, "truths are traced");
     print_path(export_training(plan, results_folder(options.out, "training")));
     return ExitCode::ok;
 }

@@ -1,6 +1,5 @@
 #include "cli/command.h"
 #include "cli/shared_options.h"
-#include "core/files.h"
 #include "core/output.h"
 #include "jobs/image_output.h"
 #include "screen/screen.h"
@@ -27,15 +26,9 @@ ExitCode run(const GbufferOptions& options, const GlobalOptions& global) {
     ScreenRenderer renderer;
     renderer.set_scene(scene);
     const double ms = renderer.draw_gbuffer(frame, gbuffer_inputs());
-    std::map<std::string, std::string> attributes = camera_attributes(frame, scene.origin);
-    attributes.merge(std::map<std::string, std::string>{{"aoscore:scene", scene.id},
-                                                        {"aoscore:scene_digest", scene.digest},
-                                                        {"aoscore:view", view.id},
-                                                        {"aoscore:gl_renderer", renderer.renderer()},
-                                                        {"aoscore:version", std::string(version())},
-                                                        {"comments", global.command_line}});
     const GBufferImages gbuffer = renderer.read_gbuffer();
-    write_gbuffer(options.out, gbuffer, view_positions(gbuffer, frame), attributes);
+    write_gbuffer(options.out, gbuffer, view_positions(gbuffer, frame),
+                  gbuffer_attributes(scene, view.id, frame, renderer.renderer(), global.command_line));
     log_info(
         fmt::format("{} triangles drawn in {:.1f} ms by {}", scene.triangle_count, ms, renderer.renderer()));
     print_path(options.out);

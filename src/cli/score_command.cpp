@@ -60,9 +60,6 @@ void add_folders(const ScoreOptions& options, ExperimentPlan& plan, ViewPlan& vi
 }
 
 ExitCode run(const ScoreOptions& options, const GlobalOptions& global) {
-    if (options.radii.size() > 1 || (!options.radii.empty() && !std::isfinite(options.radii[0]))) {
-        throw usage_error("a score is ranked at one finite radius", "--radius", "one length in metres");
-    }
     ExperimentPlan plan;
     plan.seed = global.seed;
     plan.methods_dir = options.methods_dir;
@@ -77,7 +74,7 @@ ExitCode run(const ScoreOptions& options, const GlobalOptions& global) {
     view.max_error = options.effort.max_error;
     view.own_parameters = options.method_options.own_parameters;
     view.score_goal = score_goal(options.effort);
-    if (!options.radii.empty()) view.radius_m = options.radii[0];
+    view.radius_m = one_finite_radius(options.radii, "a score is ranked");
     std::vector<MethodDescriptor> methods = chosen_methods(options, plan.warnings);
     plan.preset_files = options.method_options.preset_files();
     view.cells = plan_cells(methods, load_filters(), options.method_options, plan.warnings);

@@ -141,6 +141,13 @@ void add_cache_option(CLI::App& app, std::filesystem::path& folder) {
         "Trace and measure everything anew, and keep nothing of it (see the subcommand cache)");
 }
 
+std::optional<double> one_finite_radius(const std::vector<double>& radii, const std::string& work) {
+    if (radii.empty()) return std::nullopt;
+    if (radii.size() > 1 || !std::isfinite(radii[0]))
+        throw usage_error(work + " at one finite radius", "--radius", "one length in metres");
+    return radii[0];
+}
+
 CLI::Validator even_count() {
     return CLI::Range(2, kMostSamples) &
            CLI::Validator(

@@ -27,6 +27,9 @@ void add_exr_option(CLI::App& app, std::filesystem::path& path);
 
 /// Adds --radius R[,R…], in metres, with "inf" allowed.
 void add_radii_option(CLI::App& app, std::vector<double>& radii);
+/// The one finite radius, metres, that `work` is done at; empty where the user named none. Throws usage_error
+/// for several, and for an infinite one.
+std::optional<double> one_finite_radius(const std::vector<double>& radii, const std::string& work);
 /// Accepts an even number of rays a pixel: a truth of two halves.
 CLI::Validator even_count();
 

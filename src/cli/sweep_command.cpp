@@ -56,9 +56,6 @@ SweepRequest request_of(const SweepOptions& options, const Registry& registry) {
 }
 
 ExitCode run(const SweepOptions& options, const GlobalOptions& global) {
-    if (options.radii.size() > 1 || (!options.radii.empty() && !std::isfinite(options.radii[0]))) {
-        throw usage_error("a sweep is ranked at one finite radius", "--radius", "one length in metres");
-    }
     ExperimentPlan plan;
     plan.seed = global.seed;
     plan.truth_cache = options.truth_cache;
@@ -71,7 +68,7 @@ ExitCode run(const SweepOptions& options, const GlobalOptions& global) {
     view.samples = options.effort.least_samples();
     view.max_error = options.effort.max_error;
     view.own_parameters = options.method_options.own_parameters;
-    if (!options.radii.empty()) view.radius_m = options.radii[0];
+    view.radius_m = one_finite_radius(options.radii, "a sweep is ranked");
     view.extras = {};  // extras describe one picture in detail, which curves cannot show
     view.timing_goal = TimingGoal();
     view.lit = true;

@@ -26,8 +26,6 @@ struct TuneOptions {
 };
 
 ExitCode run(const TuneOptions& options, const GlobalOptions& global) {
-    if (options.radii.size() > 1 || (!options.radii.empty() && !std::isfinite(options.radii[0])))
-        throw usage_error("settings are tuned at one finite radius", "--radius", "one length in metres");
     if (options.scenes.size() > 1 && (options.view.load.camera || !options.view.load.view_file.empty()))
         throw usage_error("several scenes", "--views, --eye", "one scene: a camera is a place in it");
     TuningPlan plan = options.plan;
@@ -35,7 +33,7 @@ ExitCode run(const TuneOptions& options, const GlobalOptions& global) {
     plan.command = global.command_line;
     plan.width = options.size.width;
     plan.height = options.size.height;
-    if (!options.radii.empty()) plan.radius_m = options.radii[0];
+    plan.radius_m = one_finite_radius(options.radii, "settings are tuned");
     for (const std::string& scene : options.scenes)
         plan.scenes.push_back({scene, options.view.load, planned_views(options.view)});
     std::vector<std::string> warnings;

@@ -2,7 +2,9 @@
 #include "cli/method_options.h"
 #include "cli/run_and_page.h"
 #include "cli/shared_options.h"
+#include "core/files.h"
 #include "core/output.h"
+#include "plan/view_description.h"
 #include "results/results_folder.h"
 #include "worst/worst_views.h"
 
@@ -74,21 +76,17 @@ ExperimentPlan score_of(const WorstOptions& options, std::vector<CellPlan> cells
 }
 
 ExitCode run(const WorstOptions& options, const GlobalOptions& global) {
-    if (options.radii.size() > 1 || (!options.radii.empty() && !std::isfinite(options.radii[0])))
-        throw usage_error("views are judged at one finite radius", "--radius", "one length in metres");
     if (!options.between.empty() && options.between.size() != 2)
         throw usage_error("names no pair", "--between", "two methods: a,b");
     if (options.methods.empty() == options.between.empty())
         throw usage_error("nothing says what to judge by", "worst", "either --methods or --between");
     WorstOptions chosen = options;
     WorstPlan& plan = chosen.plan;
-    plan.scene = options.scene;
-    plan.load = options.load;
     plan.seed = global.seed;
     plan.command = global.command_line;
     plan.width = options.size.width;
     plan.height = options.size.height;
-    if (!options.radii.empty()) plan.radius_m = options.radii[0];
+    plan.radius_m = one_finite_radius(options.radii, "views are judged");
     std::vector<std::string> warnings;
     const bool pair = !options.between.empty();
     const std::vector<CellPlan> cells = cells_of(chosen, pair ? options.between : options.methods, warnings);
@@ -98,13 +96,12 @@ ExitCode run(const WorstOptions& options, const GlobalOptions& global) {
     for (std::size_t i = 0; i < (pair ? 1 : cells.size()); ++i) {
         plan.method = cells[i];
         if (pair) plan.rival = cells[1];
-        const WorstViews found = find_worst_views(plan);
+        const WorstViews found = find_worst_views(plan, scene);
         const std::filesystem::path place = cells.size() > 1 && !pair ? folder / cells[i].method : folder;
         const std::filesystem::path views = place / (stem + ".views.json");
-        const std::string title =
-            pair ? fmt::format("Where {} is farthest behind {}", cells[0].method, cells[1].method)
-                 : fmt::format("Where {} errs most", cells[i].method);
-        write_views(found, scene, title, views);
+        std::vector<View> worst;
+        for (const FoundView& one : found.views) worst.push_back(one.view);
+        write_atomically(views, view_file_text(scene, worst) + "\n");
         print(plan, found);
         print_path(views);
         const ExitCode code =
@@ -123,6 +120,7 @@ CommandEntry add_worst_command(CLI::App& program, const GlobalOptions& global) {
                                            "the paths of a view file and a page");
     const auto options = std::make_shared<WorstOptions>();
     app->add_option("scene", options->scene, "Built-in id (see list scenes) or a scene's file")->required();
+    add_frame_options(*app, options->load);
     app->add_option("--methods", options->methods,
                     "Methods to search for, one after the other (see list methods)")
         ->delimiter(',')

@@ -1,5 +1,6 @@
 #include "jobs/image_output.h"
 
+#include "core/files.h"
 #include "image/channels.h"
 #include "image/image_file.h"
 #include "jobs/own_truth.h"
@@ -101,6 +102,19 @@ std::map<std::string, std::string> camera_attributes(const CameraFrame& frame, c
                         : std::pair("aoscore:half_height_m", fmt::format("{}", camera.half_height)),
             {"aoscore:near_m", fmt::format("{}", camera.near)},
             {"aoscore:far_m", fmt::format("{}", camera.far)}};
+}
+
+std::map<std::string, std::string> gbuffer_attributes(const Scene& scene, const std::string& view,
+                                                      const CameraFrame& frame, const std::string& renderer,
+                                                      const std::string& command) {
+    std::map<std::string, std::string> attributes = camera_attributes(frame, scene.origin);
+    attributes.merge(std::map<std::string, std::string>{{"aoscore:scene", scene.id},
+                                                        {"aoscore:scene_digest", scene.digest},
+                                                        {"aoscore:view", view},
+                                                        {"aoscore:gl_renderer", renderer},
+                                                        {"aoscore:version", std::string(version())},
+                                                        {"comments", command}});
+    return attributes;
 }
 
 void write_gbuffer(const std::filesystem::path& path, const GBufferImages& gbuffer,

@@ -2,6 +2,7 @@
 
 #include "reference/truth.h"
 #include "scene/camera.h"
+#include "scene/scene.h"
 #include "screen/screen.h"
 
 #include <filesystem>
@@ -20,6 +21,12 @@ void write_truth(const std::filesystem::path& path, const Truth& truth, const Ma
 /// `aoscore:near_m` and `aoscore:far_m`, `aoscore:projection`, and its angle or height. `origin` is the
 /// offset of scene space (Scene::origin).
 std::map<std::string, std::string> camera_attributes(const CameraFrame& frame, const glm::dvec3& origin);
+
+/// The attributes of a G-buffer's file: those of its camera, the scene, the view's id, the renderer's name,
+/// and `command`, which draws it again.
+std::map<std::string, std::string> gbuffer_attributes(const Scene& scene, const std::string& view,
+                                                      const CameraFrame& frame, const std::string& renderer,
+                                                      const std::string& command);
 
 /// View-space positions of the surfaces drawn, in metres; 0 where there is none.
 Image<glm::vec3> view_positions(const GBufferImages& gbuffer, const CameraFrame& frame);

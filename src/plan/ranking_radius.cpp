@@ -21,6 +21,14 @@ RankingRadius ranking_radius(const std::optional<double>& asked_m, const View& v
     return RankingRadii(scene).of(asked_m, view);
 }
 
+double search_radius_m(const std::optional<double>& asked_m, const Scene& scene) {
+    if (asked_m) return *asked_m;
+    for (const View& view : scene.views) {
+        if (view.radius_m) return *view.radius_m;
+    }
+    return ranking_radius({}, View(), scene).metres;
+}
+
 std::string radius_warning(const RankingRadius& radius, const View& view) {
     if (!radius.automatic) return {};
     return fmt::format("no radius is named for view {}; ranked, and methods drawn, at {:.4g} m, {}", view.id,

@@ -30,6 +30,10 @@ class RankingRadii {
 /// The radius of one view alone.
 RankingRadius ranking_radius(const std::optional<double>& asked_m, const View& view, const Scene& scene);
 
+/// The radius of a search among cameras of a scene that are no views yet, metres: the one asked for; else
+/// that of the scene's first view that names one; else automatic.
+double search_radius_m(const std::optional<double>& asked_m, const Scene& scene);
+
 /// A warning about an automatic radius; empty for one that somebody chose.
 std::string radius_warning(const RankingRadius& radius, const View& view);
 

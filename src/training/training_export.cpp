@@ -11,6 +11,8 @@
 #include "jobs/truth_channels.h"
 #include "jobs/truth_provenance.h"
 #include "plan/ranking_radius.h"
+#include "plan/view_description.h"
+#include "results/view_piece.h"
 #include "screen/screen.h"
 
 #include <fmt/format.h>
@@ -27,14 +29,6 @@ using nlohmann::json;
 
 /// So many cameras are tried for each that is wanted, and so many at least.
 constexpr std::size_t kTriedForEach = 6, kLeastTried = 100;
-
-double radius_of(const TrainingPlan& plan, const Scene& scene) {
-    if (plan.radius_m) return *plan.radius_m;
-    for (const View& view : scene.views) {
-        if (view.radius_m) return *view.radius_m;
-    }
-    return ranking_radius({}, View(), scene).metres;
-}
 
 std::vector<View> chosen_views(const TrainingPlan& plan, const Scene& scene, double radius_m) {
     const Scout scout(scene);
@@ -56,31 +50,12 @@ std::vector<View> chosen_views(const TrainingPlan& plan, const Scene& scene, dou
     return views;
 }
 
-json numbers(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
-
-json camera_json(const Camera& camera, const Scene& scene) {
-    return {{"position", numbers(camera.position + scene.origin)},
-            {"target", numbers(camera.target + scene.origin)},
-            {"up", numbers(camera.up)},
-            {"fovy_deg", glm::degrees(camera.fovy_rad)},
-            {"near_m", camera.near},
-            {"far_m", camera.far}};
-}
-
 void write_drawn(ScreenRenderer& renderer, const Scene& scene, const View& view, const CameraFrame& frame,
                  const TrainingPlan& plan, const fs::path& file) {
     renderer.draw_gbuffer(frame, gbuffer_inputs());
-    std::map<std::string, std::string> attributes = camera_attributes(frame, scene.origin);
-    attributes.merge(std::map<std::string, std::string>{{"aoscore:scene", scene.id},
-                                                        {"aoscore:scene_digest", scene.digest},
-                                                        {"aoscore:view", view.id},
-                                                        {"aoscore:gl_renderer", renderer.renderer()},
-                                                        {"aoscore:version", std::string(version())},
-                                                        {"comments", plan.command}});
     const GBufferImages gbuffer = renderer.read_gbuffer();
-    write_gbuffer(file, gbuffer, view_positions(gbuffer, frame), attributes);
+    write_gbuffer(file, gbuffer, view_positions(gbuffer, frame),
+                  gbuffer_attributes(scene, view.id, frame, renderer.renderer(), plan.command));
 }
 
 void write_traced(const ReferenceScene& reference, const Scene& scene, const View& view,
@@ -116,7 +91,7 @@ json channels_json() {
 }
 
 json exported_scene(const TrainingPlan& plan, const Scene& scene, const fs::path& folder) {
-    const double radius_m = radius_of(plan, scene);
+    const double radius_m = search_radius_m(plan.radius_m, scene);
     const ReferenceScene reference = ReferenceScene::built_when_needed(scene);
     ScreenRenderer renderer;
     renderer.set_scene(scene);
@@ -125,13 +100,13 @@ json exported_scene(const TrainingPlan& plan, const Scene& scene, const fs::path
         throw_if_interrupted();
         const fs::path stem = fs::path(scene.id) / view.id;
         const fs::path drawn = stem.string() + ".gbuffer.exr", traced = stem.string() + ".truth.exr";
-        write_drawn(renderer, scene, view, CameraFrame(view.camera, plan.width, plan.height), plan,
-                    folder / drawn);
+        const CameraFrame frame(view.camera, plan.width, plan.height);
+        write_drawn(renderer, scene, view, frame, plan, folder / drawn);
         write_traced(reference, scene, view, plan, folder / traced);
-        items.push_back({{"view", view.id},
-                         {"camera", camera_json(view.camera, scene)},
-                         {"gbuffer", drawn.string()},
-                         {"truth", traced.string()}});
+        ViewRecord record = describe_view(scene, view, frame, scene.id + "/" + view.id);
+        record.radius_m = radius_m;
+        items.push_back(
+            {{"view", view_piece(record)}, {"gbuffer", drawn.string()}, {"truth", traced.string()}});
     }
     return {{"scene", scene.id},
             {"scene_digest", scene.digest},

@@ -32,7 +32,8 @@ struct TrainingPlan {
 std::vector<std::string> splits_of(const std::vector<std::string>& digests);
 
 /// Writes for each view, below a folder of its scene, VIEW.gbuffer.exr with all channels and VIEW.truth.exr
-/// with standard errors and causes; and manifest.json, which names them with cameras, radii and splits. Views
+/// with standard errors and causes; and manifest.json, which names them with their views, as in a
+/// view file, radii and splits. Views
 /// are spread over the scene (spread_cameras()), those worth most first, and no neighbours. Returns the
 /// manifest's path. Throws gate_failed for a scene without a camera that can be judged.
 std::filesystem::path export_training(const TrainingPlan& plan, const std::filesystem::path& folder);

@@ -1,7 +1,6 @@
 #include "worst/worst_views.h"
 
 #include "core/error.h"
-#include "core/files.h"
 #include "core/log.h"
 #include "core/progress.h"
 #include "framing/automatic_views.h"
@@ -10,7 +9,6 @@
 #include "tuning/objective.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -64,14 +62,6 @@ class Judge {
     std::set<std::string> inputs_;
 };
 
-double radius_of(const WorstPlan& plan, const Scene& scene) {
-    if (plan.radius_m) return *plan.radius_m;
-    for (const View& view : scene.views) {
-        if (view.radius_m) return *view.radius_m;
-    }
-    return ranking_radius({}, View(), scene).metres;
-}
-
 /// Judges all cameras by small pictures. One on which nothing can be compared is left out.
 std::vector<FoundView> judged_coarsely(const SpreadCameras& spread, const WorstPlan& plan, Judge& judge) {
     const int width = kCoarseHeight_px * plan.width / plan.height;
@@ -106,11 +96,9 @@ std::vector<FoundView> distinct(const std::vector<FoundView>& sorted, double apa
 
 }  // namespace
 
-WorstViews find_worst_views(const WorstPlan& plan) {
-    const Scene scene = load_scene(plan.scene, plan.load);
-    for (const std::string& warning : scene.warnings) log_warning(warning);
+WorstViews find_worst_views(const WorstPlan& plan, const Scene& scene) {
     WorstViews result;
-    result.radius_m = radius_of(plan, scene);
+    result.radius_m = search_radius_m(plan.radius_m, scene);
     const Scout scout(scene);
     const MainPart main = main_part(scene);
     const Trial trial{scout, main, result.radius_m, static_cast<double>(plan.width) / plan.height,
@@ -118,8 +106,7 @@ WorstViews find_worst_views(const WorstPlan& plan) {
     const SpreadCameras spread = spread_cameras(trial, plan.cameras, plan.height_m);
     Judge judge(plan, scene, result.radius_m);
     std::vector<FoundView> judged = judged_coarsely(spread, plan, judge);
-    if (judged.empty())
-        throw Error(ExitCode::gate_failed, "no camera of this scene can be judged", plan.scene);
+    if (judged.empty()) throw Error(ExitCode::gate_failed, "no camera of this scene can be judged", scene.id);
     std::ranges::sort(judged, std::ranges::greater(), &FoundView::coarse);
     result.tried = spread.tried;
     result.judged = judged.size();
@@ -138,31 +125,6 @@ WorstViews find_worst_views(const WorstPlan& plan) {
         result.views[i].view.radius_m = result.radius_m;
     }
     return result;
-}
-
-void write_views(const WorstViews& found, const Scene& scene, const std::string& title,
-                 const std::filesystem::path& file) {
-    const auto numbers = [](const glm::dvec3& v) { return nlohmann::json{v.x, v.y, v.z}; };
-    nlohmann::json views = nlohmann::json::array();
-    for (const FoundView& one : found.views) {
-        const Camera& camera = one.view.camera;
-        views.push_back({{"id", one.view.id},
-                         {"position", numbers(camera.position + scene.origin)},
-                         {"target", numbers(camera.target + scene.origin)},
-                         {"up", numbers(camera.up)},
-                         {"fovy_deg", glm::degrees(camera.fovy_rad)},
-                         {"near_m", camera.near},
-                         {"far_m", camera.far},
-                         {"radius_m", found.radius_m}});
-    }
-    const nlohmann::json json = {{"title", title},
-                                 {"bounds",
-                                  {{"low", numbers(scene.bounds.low + scene.origin)},
-                                   {"high", numbers(scene.bounds.high + scene.origin)},
-                                   {"tolerance_m", 1e-5 * scene.bounds.diagonal()}}},
-                                 {"verified", true},
-                                 {"views", std::move(views)}};
-    write_atomically(file, json.dump(2) + "\n");
 }
 
 }  // namespace aoscore

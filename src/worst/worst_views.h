@@ -14,8 +14,6 @@ namespace aoscore {
 
 /// A search for the views of a scene on which a method errs most.
 struct WorstPlan {
-    std::string scene;
-    LoadOptions load;
     CellPlan method;
     /// Where given, the views are those on which `method` is farthest behind this one.
     std::optional<CellPlan> rival;
@@ -47,10 +45,6 @@ struct WorstViews {
 
 /// Searches. The worst that was found is not the worst that there is: cameras between those tried may be
 /// worse. Throws gate_failed where no camera can be judged.
-WorstViews find_worst_views(const WorstPlan& plan);
-
-/// Writes the views as a view file, which --views takes.
-void write_views(const WorstViews& found, const Scene& scene, const std::string& title,
-                 const std::filesystem::path& file);
+WorstViews find_worst_views(const WorstPlan& plan, const Scene& scene);
 
 }  // namespace aoscore
