@@ -7,9 +7,18 @@
 
 layout(location = 0) out vec4 o_depths[kOutputs];
 
+#ifdef FACING
+uniform mat4 u_view_from_mesh;
+// The picture is drawn upside down, which turns the winding round, as a mirrored mesh does (glTF 2.0, "Instantiation").
+bool is_front() { return gl_FrontFacing == (determinant(mat3(u_view_from_mesh)) < 0.0); }
+#endif
+
 void main() {
     bvec4 accepted[kOutputs] = accepted_samples();
     float depth = linear_depth();
+#ifdef FACING
+    depth = is_front() ? depth : -depth;
+#endif
     if (is_passed_over()) {
 #if defined(SAMPLING_PEELED)
         discard;  // its depth must not be stored

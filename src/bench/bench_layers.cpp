@@ -49,7 +49,7 @@ void add_cost(ScreenRenderer& renderer, const DepthLayers& layers, RatioTable& t
 void add_costs(ScreenRenderer& renderer, const View& view, RatioTable& table) {
     renderer.draw_gbuffer(CameraFrame(view.camera, kTimedWidth, kTimedHeight), {});
     for (const DepthSampling& sampling : depth_samplings()) {
-        if (sampling.id == "peeled") continue;
+        if (sampling.id == "peeled" || !is_rasterised(sampling.id)) continue;
         for (const int samples : kSampleCounts) {
             DepthLayers layers;
             layers.samples = samples;
@@ -90,8 +90,8 @@ class LayeredMethod {
         return image;
     }
     Hidden hidden(std::uint64_t seed) const {
-        return {occlusion(first_layer_alone(*method_->depth_layers).value(), seed),
-                occlusion(all_layers(*method_->depth_layers).value(), seed)};
+        return {occlusion(first_layer_alone(*method_).value(), seed),
+                occlusion(all_layers(*method_).value(), seed)};
     }
 
   private:

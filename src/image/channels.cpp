@@ -58,6 +58,11 @@ const std::vector<MadeInput>& made_inputs() {
          .meaning = "several view depths a texel, metres, u_far where there is none; the descriptor's "
                     "depth_layers says how they are gathered",
          .layered = true},
+        {.id = "side_layers",
+         .meaning =
+             "the same of further cameras beside the view's own; the descriptor's side_layers says where "
+             "they stand",
+         .layered = true},
         {.id = "noise_4x4", .meaning = "four numbers in [0,1) a texel, each a permutation of (i + ½)/16"},
         {.id = "coarser", .meaning = "visibility of the pass before, at 1/COARSER_SCALE"},
         {.id = "visibility", .meaning = "to be filtered or lit", .filters_only = true},

@@ -43,8 +43,8 @@ struct MadeInput {
     std::string_view meaning;
     bool is_direction = false;  ///< three values; a pass reads the shaded pixel's by centre_<id>()
     bool filters_only = false;  ///< declared by contract/filter_pass.glsl
-    /// It holds several depths a texel, drawn from the scene's triangles; contract/depth_layers.glsl declares
-    /// it.
+    /// It holds several depths a texel, drawn from the scene's triangles; contract/depth_layers.glsl or
+    /// contract/side_cameras.glsl declares it.
     bool layered = false;
 };
 const std::vector<MadeInput>& made_inputs();

@@ -70,6 +70,7 @@ PixelFacts pixel_facts(const CameraFrame& frame, const Truth& truth) {
         if (truth.occlusion_by_cause[c].empty()) continue;
         facts.causes.push_back({std::string(kCauseIds[c]), &truth.occlusion_by_cause[c]});
     }
+    if (!truth.one_layer_bound.empty()) facts.one_layer = &truth.one_layer_bound;
     return facts;
 }
 

@@ -16,7 +16,7 @@
 namespace aoscore {
 namespace {
 
-constexpr std::string_view kHiddenCause = "hidden";
+constexpr std::string_view kHiddenCause = "hidden", kGrazingCause = "grazing";
 
 MethodRequest changed(MethodRequest request, const ParameterValues& changes) {
     for (const auto& [id, value] : changes) request.parameters[id] = value;
@@ -52,9 +52,8 @@ ImageF mean_occlusion(ScreenRenderer& renderer, MethodRequest request) {
 /// for a method without layers, and for one whose layers cannot be chosen.
 const HiddenOcclusion* hidden_by_first_layer(ScreenRenderer& renderer, const MethodRequest& request,
                                              LayersDrawn& drawn) {
-    if (!request.method->depth_layers) return nullptr;
-    const auto first = first_layer_alone(*request.method->depth_layers);
-    const auto all = all_layers(*request.method->depth_layers);
+    const auto first = first_layer_alone(*request.method);
+    const auto all = all_layers(*request.method);
     if (!first || !all) return nullptr;
     const MethodRequest of_first = changed(request, *first);
     // Members that have no effect on what is drawn must not divide what can be shared.
@@ -71,12 +70,13 @@ const HiddenOcclusion* hidden_by_first_layer(ScreenRenderer& renderer, const Met
     return &occlusion;
 }
 
-/// The truth's occlusion and the part of it that is hidden; empty where it was traced without causes.
-std::optional<HiddenOcclusion> hidden_in_truth(const Truth& truth, const Ground& ground) {
+/// The truth's occlusion and the part of it that has this cause; empty where it was traced without causes.
+std::optional<HiddenOcclusion> part_of_truth(const Truth& truth, const Ground& ground,
+                                             std::string_view name) {
     const auto& causes = ground.facts.causes;
-    const auto hidden = std::ranges::find(causes, kHiddenCause, &PixelFacts::Cause::name);
-    if (hidden == causes.end()) return std::nullopt;
-    HiddenOcclusion occlusion{truth.visibility[0], *hidden->occlusion};
+    const auto cause = std::ranges::find(causes, name, &PixelFacts::Cause::name);
+    if (cause == causes.end()) return std::nullopt;
+    HiddenOcclusion occlusion{truth.visibility[0], *cause->occlusion};
     for (float& v : occlusion.whole.pixels) v = 1 - v;
     return occlusion;
 }
@@ -110,7 +110,8 @@ Repeats repeat_image(ScreenRenderer& renderer, const MethodRequest& request, con
                      const Ground& ground, LayersDrawn& drawn) {
     const Mask& valid = ground.contract.valid;
     const HiddenOcclusion* of_layers = hidden_by_first_layer(renderer, request, drawn);
-    const std::optional<HiddenOcclusion> of_truth = hidden_in_truth(truth, ground);
+    const std::optional<HiddenOcclusion> of_truth = part_of_truth(truth, ground, kHiddenCause);
+    const std::optional<HiddenOcclusion> of_grazing = part_of_truth(truth, ground, kGrazingCause);
     std::vector<MethodOutput> pictures = drawn_with_seeds(renderer, request);
     Repeats repeats;
     if (of_truth) measure_signals(pictures.front(), truth, *of_truth, valid, repeats);
@@ -119,8 +120,9 @@ Repeats repeat_image(ScreenRenderer& renderer, const MethodRequest& request, con
     repeats.counts = valid_counts(valid);
     repeats.variance = variance_sums(filtered, valid);
     repeats.raw_variance = variance_sums(raw, valid);
-    if (of_truth)
-        repeats.of_truth = found_occlusion(*of_truth, mean_image(filtered), valid, Findings::within_hidden);
+    const ImageF mean = mean_image(filtered);
+    if (of_truth) repeats.of_truth = found_occlusion(*of_truth, mean, valid, Findings::within_hidden);
+    if (of_grazing) repeats.of_grazing = found_occlusion(*of_grazing, mean, valid, Findings::within_hidden);
     if (of_layers != nullptr)
         repeats.of_layers = found_occlusion(*of_layers, mean_image(raw), valid, Findings::free);
     return repeats;

@@ -2,6 +2,13 @@
 
 namespace aoscore {
 
+SceneTools::SceneTools() {
+    renderer_.set_ray_layers([this](const CameraFrame& frame, const DepthLayers& layers) {
+        return reference().ray_layers(
+            frame, {.samples = layers.samples, .reach_m = layers.reach_m, .seed = layers.seed});
+    });
+}
+
 void SceneTools::choose(const Scene& scene) {
     // Another scene may have the address of an earlier one.
     if (scene_ == &scene && digest_ == scene.digest) return;

@@ -14,6 +14,10 @@ namespace aoscore {
 /// in the store builds nothing.
 class SceneTools {
   public:
+    SceneTools();
+    SceneTools(const SceneTools&) = delete;  // the renderer asks this one for layers by rays
+    SceneTools& operator=(const SceneTools&) = delete;
+
     /// Chooses the scene to measure from here on, which must outlive its use.
     void choose(const Scene& scene);
 

@@ -12,6 +12,7 @@
 #include "reference/integrator/truth_resolve.h"
 #include "reference/sampling/pilot.h"
 #include "reference/tracer/scene_builds.h"
+#include "reference/truth_impl.h"
 
 #include <fmt/format.h>
 
@@ -137,11 +138,6 @@ void check_truth_request(const std::vector<TruthQuery>& queries, const TruthSett
         }
     }
 }
-
-struct ReferenceScene::Impl {
-    Impl(const Scene& scene, const TraceBuild& build) : builds(scene, build) {}
-    mutable SceneBuilds builds;
-};
 
 ReferenceScene::ReferenceScene(const Scene& scene, const TraceBuild& build)
     : ReferenceScene(std::make_unique<Impl>(scene, build)) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/image.h"
+#include "reference/ray_layers.h"
 #include "scene/scene.h"
 
 #include <array>
@@ -211,6 +212,10 @@ class ReferenceScene {
     const TraceBuild& build() const;
 
     PrimaryHits primary_hits(const CameraFrame& frame) const;
+
+    /// Several depths of each pixel, by rays through the pixels' centres: a picture of view depth in metres
+    /// for each sample, the far plane's where it is empty, row 0 at the top. The same for any thread count.
+    std::vector<ImageF> ray_layers(const CameraFrame& frame, const RayLayers& wanted) const;
 
     /// Integrates all queries from the same rays. The same image for any thread count. `what` names the work
     /// for its progress bar. With a store, tiles that it has are taken from there and all others are put

@@ -112,6 +112,7 @@ void visit_members(Visit& visit, Record& record) {
     visit("splits", record.splits);
     visit("distribution", record.distribution);
     visit("tile_pattern", record.tile_pattern);
+    visit("found_beyond_layer", record.found_beyond_layer);
     visit("truth_noise", record.truth_noise);
     visit("blocks", record.blocks);
 }

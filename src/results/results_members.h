@@ -30,6 +30,8 @@ void visit_members(Visit& visit, Record& found) {
     visit("kept", found.kept);
     visit("pixels", found.pixels);
     visit("finders", found.finders);
+    visit("parts", found.parts);
+    visit("squared_parts", found.squared_parts);
 }
 
 template <class Visit, RecordOf<Repeats> Record>
@@ -39,6 +41,7 @@ void visit_members(Visit& visit, Record& repeats) {
     visit("raw_variance", repeats.raw_variance);
     visit("of_truth", repeats.of_truth);
     visit("of_layers", repeats.of_layers);
+    visit("of_grazing", repeats.of_grazing);
     visit("hidden_signals", repeats.hidden_signals);
     visit("other_signals", repeats.other_signals);
 }

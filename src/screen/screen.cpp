@@ -61,6 +61,7 @@ struct ScreenRenderer::Impl {
     Stage stage;
     /// With a guard band, for the requests that ask for one; of width 0 where the G-buffer has changed since.
     std::optional<Stage> wide;
+    RayLayerSource ray_layers;
     bool shows_scene = false;  ///< whether the current G-buffer is of the current scene
     std::uint64_t gbuffers_drawn = 0;
     std::vector<GBuffer> kept;         ///< the current one's place is empty
@@ -87,7 +88,7 @@ struct ScreenRenderer::Impl {
         if (band_px == glm::ivec2(0)) return stage;
         if (!shows_scene)
             throw internal_error("a guard band needs the scene that the G-buffer shows", "ScreenRenderer");
-        if (!wide) wide.emplace();
+        if (!wide) wide.emplace().runner.set_ray_layers(&ray_layers);
         if (wide->band_px != band_px) {
             wide->runner.forget_derived();
             wide->gbuffer.draw(*geometry, widened(gbuffer.capture(), band_px));
@@ -119,6 +120,13 @@ void ScreenRenderer::set_scene(const Scene& scene) {
     impl_->context->make_current();
     impl_->geometry.emplace(scene);
     impl_->shows_scene = false;
+}
+
+void ScreenRenderer::set_ray_layers(RayLayerSource source) {
+    impl_->ray_layers = std::move(source);
+    impl_->stage.runner.set_ray_layers(&impl_->ray_layers);
+    impl_->stage.runner.forget_derived();
+    if (impl_->wide) impl_->wide->runner.forget_derived();
 }
 
 double ScreenRenderer::draw_gbuffer(const Capture& capture) {
@@ -165,7 +173,7 @@ double ScreenRenderer::draw_depth_layers(const DepthLayers& layers) {
     DepthLayerBuffer& buffer = stage.runner.depth_layers();
     buffer.forget();
     const Clock clock;
-    buffer.texture(stage.gbuffer, layers, Mirror::none);
+    buffer.texture(stage.gbuffer.geometry(), {layers, {stage.gbuffer.frame()}});
     gl::Finish();
     return clock.milliseconds();
 }
@@ -275,6 +283,7 @@ ScreenRenderer::Work ScreenRenderer::work() const {
     Work work{.gbuffers = impl_->gbuffers_drawn};
     for (const Impl::Stage* stage : {&impl_->stage, impl_->wide ? &*impl_->wide : nullptr}) {
         if (stage == nullptr) continue;
+        work.layered_pictures += stage->runner.layered_pictures_drawn();
         work.passes += stage->runner.passes_drawn();
         work.compilations += stage->runner.programs_compiled();
     }

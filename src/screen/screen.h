@@ -96,6 +96,11 @@ const std::set<std::string>& filter_inputs();
 /// The G-buffer inputs that a request reads, which draw_gbuffer() must draw before it runs.
 std::set<std::string> needed_gbuffer_inputs(const MethodRequest& request);
 
+/// Gathers depth layers by rays: a picture of view depth in metres for each sample, the far plane's where it
+/// is empty, row 0 at the top.
+using RayLayerSource =
+    std::function<std::vector<ImageF>(const CameraFrame& frame, const DepthLayers& layers)>;
+
 /// OpenGL 3.3 on OSMesa: draws one G-buffer and runs screen-space methods on it. A thread may have one
 /// instance at a time.
 class ScreenRenderer {
@@ -108,6 +113,9 @@ class ScreenRenderer {
 
     /// Uploads geometry and cut-out textures.
     void set_scene(const Scene& scene);
+    /// Sets who gathers the depth layers of the sampling "rays", of the scene that is set. Without one,
+    /// requests for them throw usage_error.
+    void set_ray_layers(RayLayerSource source);
     /// Draws the G-buffer: the capture's channels, and depth always. All requests after it use it. Returns
     /// milliseconds to glFinish.
     double draw_gbuffer(const Capture& capture);
@@ -145,9 +153,10 @@ class ScreenRenderer {
 
     /// The work since the renderer was made.
     struct Work {
-        std::uint64_t gbuffers = 0;      ///< G-buffers drawn, without those for the clock
-        std::uint64_t passes = 0;        ///< passes of methods, filters and lighting
-        std::uint64_t compilations = 0;  ///< programs compiled
+        std::uint64_t gbuffers = 0;          ///< G-buffers drawn, without those for the clock
+        std::uint64_t layered_pictures = 0;  ///< depth layers drawn, those of one camera as one
+        std::uint64_t passes = 0;            ///< passes of methods, filters and lighting
+        std::uint64_t compilations = 0;      ///< programs compiled
     };
     Work work() const;
 

@@ -19,7 +19,7 @@ std::set<std::string> inputs_of(const std::vector<CellPlan>& cells, const Regist
     std::set<std::string> inputs;
     for (const CellPlan& cell : cells) {
         const ResolvedCell resolved = resolve(cell, registry, seed, std::nullopt);
-        if (resolved.request.method->depth_layers) {
+        if (resolved.request.method->depth_layers || resolved.request.method->side_layers) {
             throw usage_error(cell.method + " reads several layers of depth, which no search keeps",
                               "tune --methods", "methods over one layer");
         }

@@ -52,6 +52,19 @@ TEST(FoundOcclusion, APictureOfTheWholeFindsAllAndOneOfTheRestNothing) {
     }
 }
 
+// Of .3 that are hidden, the upper half of the picture finds two thirds and the lower half one third.
+TEST(FoundOcclusion, APictureFindsPartsOfEachPixelsHiddenOcclusion) {
+    ImageF uneven = filled(0.6F, 0.6F);
+    for (int y = kSide / 2; y < kSide; ++y) {
+        for (int x = kSide / 2; x < kSide; ++x) uneven.at(x, y) = 0.7F;
+    }
+    const auto found = found_occlusion(half_hidden(), uneven, all_valid(), Findings::within_hidden);
+    ASSERT_TRUE(found);
+    const double pixels = sum(found->pixels), mean = sum(found->parts) / pixels;
+    EXPECT_NEAR(mean, 0.5, 1e-5);
+    EXPECT_NEAR(sum(found->squared_parts) / pixels - mean * mean, 1.0 / 36, 1e-5);
+}
+
 TEST(FoundOcclusion, AFaintPictureFindsAtItsFittedStrengthWhatItFindsAtTheRightOne) {
     const auto faint =
         found_occlusion(half_hidden(), filled(1 - 0.1F, 1 - 0.125F), all_valid(), Findings::within_hidden);

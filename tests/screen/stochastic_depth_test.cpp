@@ -74,8 +74,9 @@ TEST_F(StochasticDepth, EqualsItsParentBitForBitWhereEverySurfaceIsKept) {
                 const MethodDescriptor& method = find_method(methods_, id);
                 if (method.values(preset).at("sampling").word() == "peeled") continue;
                 for (const int samples : {1, 2, 16}) {
-                    const ParameterValues kept =
+                    ParameterValues kept =
                         method.values(preset, {{"alpha", 1.0}, {"depth_samples", samples}});
+                    if (kept.contains("side_cameras")) kept["side_cameras"] = 0;
                     for (const Border border : {Border::far, Border::clamp}) {
                         EXPECT_EQ(run(id, kept, border).pixels, run_parent(parent, kept, border).pixels)
                             << id << "/" << preset << " S " << samples;
@@ -170,6 +171,54 @@ TEST_F(StochasticDepth, FindsWhatAScreenHidesTheMoreSurelyTheMoreSamplesItHas) {
         EXPECT_GT(few, many) << id;
         EXPECT_LT(many - all, 0.5 * (one - all)) << id;
     }
+}
+
+/// A wall before which a box floats, its faces turned outward, or inward.
+Scene box_before_wall(bool outward) {
+    Scene scene = empty_scene();
+    add_quad(scene, {-20, -20, -6}, {40, 0, 0}, {0, 40, 0});
+    const glm::dvec3 low(-1, -0.7, -5.9), size(2, 1.4, 0.6);
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 a(0), b(0), across(0);
+        a[(axis + 1) % 3] = size[(axis + 1) % 3];
+        b[(axis + 2) % 3] = size[(axis + 2) % 3];
+        across[axis] = size[axis];
+        const bool turned = !outward;
+        add_quad(scene, low + across, turned ? b : a, turned ? a : b);
+        add_quad(scene, low, turned ? a : b, turned ? b : a);
+    }
+    return scene;
+}
+
+// By the counting of faces, a point is in a solid or is not: a sheet hides nothing, however far it floats
+// before the wall, nor does a box whose faces are turned inward, and one that a mirroring placement turns
+// back does.
+TEST_F(StochasticDepth, OfClosedMeshesHidesWhatLiesInside) {
+    const CameraFrame frame(front_camera(), 160, 90);
+    const auto seen = [&](const Scene& scene) {
+        look_at(scene, frame);
+        const MethodDescriptor& method = find_method(methods_, "sd-ssao");
+        return run("sd-ssao", method.values("closed-meshes", {{"radius", 0.8}, {"depth_samples", 6}}));
+    };
+    const Mask all(160, 90, 1);
+    Scene sheet = empty_scene();
+    add_quad(sheet, {-20, -20, -6}, {40, 0, 0}, {0, 40, 0});
+    add_quad(sheet, {-1, -0.7, -5.5}, {2, 0, 0}, {0, 1.4, 0});
+    EXPECT_EQ(mean_over(seen(sheet), all), 1);
+    EXPECT_LT(mean_over(run("ssao", values("ssao", {{"radius", 0.8}})), all), 0.99)
+        << "nobody sees the sheet";
+
+    const ImageF solid = seen(box_before_wall(true));
+    EXPECT_LT(mean_over(solid, all), 0.995);
+    for (int y = 0; y < 90; ++y) ASSERT_EQ(solid.at(0, y), 1) << "beyond the radius";
+    EXPECT_EQ(mean_over(seen(box_before_wall(false)), all), 1);
+
+    Scene mirrored = box_before_wall(false);
+    for (Mesh& mesh : mirrored.meshes) {
+        for (glm::vec3& p : mesh.positions) p.x = -p.x;
+    }
+    for (Instance& instance : mirrored.instances) instance.scene_from_mesh[0] *= -1.0;
+    EXPECT_EQ(seen(mirrored).pixels, solid.pixels);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "lib/hbao_plus.glsl"
 #include "lib/limits.glsl"
 #include "lib/stochastic_depth.glsl"
+#include "side.glsl"
 
 int only_layer = -1;  // the one layer that taps read; -1: all
 
@@ -47,6 +48,11 @@ float occlusion_at(vec2 image_px, vec3 position) {
 }
 
 float visibility(vec2 image_px, vec3 position) {
-    float occlusion = occlusion_at(image_px, position) / float(p_directions * p_steps);
-    return limited_visibility(1.0 - with_strength(occlusion));
+    float most = occlusion_at(image_px, position);
+    // Mesa keeps the inputs of a loop that never turns, but not those of a branch that is never taken.
+    if (p_side_cameras > 0) {
+        for (int camera = 0; camera < p_side_cameras; ++camera)
+            most = max(most, side_occlusion(camera, position, shading_normal()));
+    }
+    return limited_visibility(1.0 - with_strength(most / float(p_directions * p_steps)));
 }

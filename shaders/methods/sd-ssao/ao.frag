@@ -22,8 +22,25 @@ float hidden_by_layers(vec2 tap_px, vec3 point, vec3 position) {
     return most;
 }
 
+// Whether the nearest layer in front of the point is a front face, and the next behind it a back face.
+bool is_inside(vec2 tap_px, vec3 point) {
+    bool entered = false;
+    for (int picture = 0; picture < depth_pictures(); ++picture) {
+        vec4 depths = tap_depths(tap_px, picture);
+        for (int k = 0; k < 4; ++k) {
+            float depth = abs(depths[k]);
+            if (is_background(depth)) return false;
+            bool is_front = depths[k] > 0.0;
+            if (!hides(-depth, point, p_bias)) return entered && !is_front;
+            entered = is_front;
+        }
+    }
+    return false;
+}
+
 float hidden_part(vec3 point, vec3 position) {
     vec2 tap_px = image_of(point);
+    if (p_closed_meshes) return is_inside(tap_px, point) ? 1.0 : 0.0;
     if (p_use == use_always) return hidden_by_layers(tap_px, point, position);
     float z = -tap_linear_depth(tap_px), difference = z - position.z;
     if (first_is_enough(difference * difference)) return hidden_by(z, point, position);

@@ -1,9 +1,13 @@
 #include "jobs/contest/contestant.h"
 
+#include "core/hash.h"
 #include "jobs/contest/few_rays.h"
 #include "jobs/contest/truth_image.h"
 #include "jobs/draw_image.h"
+#include "reference/truth.h"
+#include "screen/method/depth_layers.h"
 #include "screen/method/request_digest.h"
+#include "store/code_digest.h"
 
 #include <utility>
 
@@ -33,6 +37,11 @@ class ShaderMethod final : public Requested {
     using Requested::Requested;
 
     std::string_view code() const override { return "image"; }
+    std::string digest(bool orthographic) const override {
+        const std::string drawn = Requested::digest(orthographic);
+        if (!reads_ray_layers(*request().method, request().parameters)) return drawn;
+        return Digest().text(drawn).text(code_digest("ray_layers")).text(tracer_version()).hex();
+    }
     std::vector<std::string> signals() const override { return request().signals; }
     const MethodRequest* timed_request() const override { return &request(); }
     MethodOutput image(const ContestantSources& sources) const override {

@@ -1,5 +1,6 @@
 #include "metrics/analysis/analysis.h"
 
+#include "metrics/analysis/beyond_layer.h"
 #include "metrics/analysis/tile_pattern.h"
 #include "metrics/intervals/extrapolation.h"
 #include "metrics/intervals/truth_noise.h"
@@ -24,6 +25,7 @@ std::optional<ErrorAnalysis> analyse(const MetricInput& input, const PixelFacts&
         divisions != nullptr ? error_splits(input, facts, *divisions) : error_splits(input, facts);
     analysis.distribution = error_distribution(input);
     analysis.tile_pattern = tile_pattern(input);
+    if (facts.one_layer != nullptr) analysis.found_beyond_layer = found_beyond_layer(input, *facts.one_layer);
     analysis.blocks = block_errors(input, masks);
     if (input.halves != nullptr) {
         const BlockErrors first = block_errors(against_half(input, 0), masks);

@@ -27,6 +27,8 @@ struct ErrorAnalysis {
     std::vector<Split> splits;                  ///< error by property of the pixel
     ErrorDistribution distribution;
     std::optional<double> tile_pattern;  ///< see tile_pattern()
+    /// See found_beyond_layer(); empty where the bound was not traced.
+    std::optional<double> found_beyond_layer;
     /// The half width of an interval that holds a metric's value against a truth without noise with 95 %
     /// confidence, by id (see truth_noise()). Empty where the truth has no halves.
     std::map<std::string, double> truth_noise;

@@ -19,6 +19,8 @@ struct PixelFacts {
         const ImageF* occlusion = nullptr;
     };
     std::vector<Cause> causes;
+    /// The occlusion of the truth that one depth layer shows at most; null where it is not known.
+    const ImageF* one_layer = nullptr;
 };
 
 }  // namespace aoscore

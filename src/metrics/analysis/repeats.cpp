@@ -64,6 +64,9 @@ std::optional<FoundOcclusion> found_occlusion(const HiddenOcclusion& occlusion, 
     sums.found = over_hidden([&](std::size_t i) { return found(i, 1); });
     sums.found_fitted = over_hidden([&](std::size_t i) { return found(i, sums.strength); });
     sums.pixels = over_hidden([](std::size_t) { return 1.0; });
+    const auto part = [&](std::size_t i) { return found(i, sums.strength) / hidden(i); };
+    sums.parts = over_hidden(part);
+    sums.squared_parts = over_hidden([&](std::size_t i) { return part(i) * part(i); });
     sums.finders = over_hidden([&](std::size_t i) {
         return found(i, sums.strength) >= FoundOcclusion::kFinds * hidden(i) ? 1.0 : 0.0;
     });

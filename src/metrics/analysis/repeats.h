@@ -34,6 +34,8 @@ struct FoundOcclusion {
     std::vector<double> kept;          ///< the picture's occlusion there
     std::vector<double> pixels;        ///< pixels with hidden occlusion
     std::vector<double> finders;  ///< those of them where a fifth of it or more is found at that strength
+    /// The part of it that is found at that strength, and its square, summed over those pixels.
+    std::vector<double> parts, squared_parts;
 
     static constexpr double kFinds = 0.2;
 };
@@ -55,8 +57,9 @@ struct Repeats {
     std::vector<double> raw_variance;  ///< the same before the filter
     /// What is found of the truth's hidden occlusion (its cause "hidden"), by the filtered picture; and of
     /// what the same estimator finds over all layers and not over the first, by the unfiltered one. Both are
-    /// means over the seeds.
-    std::optional<FoundOcclusion> of_truth, of_layers;
+    /// means over the seeds. Of grazing: what is found of the truth's occlusion by surfaces that the camera
+    /// sees at a grazing angle (its cause "grazing"), as of the hidden one.
+    std::optional<FoundOcclusion> of_truth, of_layers, of_grazing;
     /// Metrics of signals beside visibility where the truth has hidden occlusion, and where it has none.
     std::map<std::string, std::map<std::string, MetricValue>> hidden_signals, other_signals;
 };

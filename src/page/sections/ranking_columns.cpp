@@ -5,12 +5,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace aoscore {
 namespace {
 
 MeasuredMetric metric_of(const CellRecord& cell, const std::string& id) {
     const auto found = cell.ranked.find(id);
     return found == cell.ranked.end() ? MeasuredMetric{std::nullopt, "not measured"} : found->second;
+}
+
+/// Whether its method reads several layers of depth, which are timed apart.
+bool reads_layers(const CellRecord& cell) {
+    return !cell.layers_processor.runs_ms.empty();
 }
 
 }  // namespace
@@ -33,6 +40,19 @@ std::vector<RankingColumn> ranking_columns(const Results& results) {
                  return MeasuredMetric{value(*cell.analysis) * 100, ""};
              },
              2});
+    }
+    if (std::ranges::any_of(results.cells, reads_layers)) {
+        list.push_back(
+            {"", "Beyond one layer", "%",
+             "Of the occlusion that no method over one depth layer can find, the part that the image "
+             "shows, at the strength that is right where one layer is enough. A picture that is too "
+             "dark has some of it by chance, so that the same method over one layer is to be compared.",
+             [](const CellRecord& cell) {
+                 if (!cell.analysis || !cell.analysis->found_beyond_layer)
+                     return MeasuredMetric{std::nullopt, "nothing is beyond one layer, or not traced"};
+                 return MeasuredMetric{*cell.analysis->found_beyond_layer * 100, ""};
+             },
+             0});
     }
     list.push_back({"", "Fetches", "a pixel",
                     "Texture reads of the AO pass, counted, mean over valid pixels.",

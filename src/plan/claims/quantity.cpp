@@ -160,6 +160,12 @@ Measured false_area(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
     return exact(cell.analysis ? std::optional(cell.analysis->false_occlusion.area) : std::nullopt);
 }
 
+// Occlusion over the truth's: the bias is what it lacks of it.
+Measured share_of_truth(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed) {
+    double occlusion = 0;
+    for (const CauseRecord& cause : view.causes) occlusion += cause.mean_occlusion;
+    return combined({bias(cell, view, seed)}, [occlusion](const auto& v) { return 1 - v[0] / occlusion; });
+}
 Measured tile_pattern(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
     return exact(cell.analysis ? cell.analysis->tile_pattern : std::nullopt);
 }
@@ -304,6 +310,16 @@ const std::vector<Quantity>& quantities() {
         {"fitted_noise", "noise over seeds at the fitted strength", "", 4, repeats_fitted_noise, kRepeats},
         {"truth_found", "part of the truth's hidden occlusion that is found at the fitted strength", "", 3,
          found_of_truth, kRepeats},
+        {"truth_share", "mean occlusion over the truth's", "", 3, share_of_truth, kRepeats},
+        {"grazing_found",
+         "part of the truth's occlusion by surfaces at a grazing angle that is found at the fitted strength",
+         "", 3, found_of_grazing, kRepeats},
+        {"truth_unevenness",
+         "standard deviation over pixels of the part of the truth's hidden occlusion that is found, over its "
+         "mean",
+         "", 3, unevenness_of_truth, kRepeats},
+        {"grazing_unevenness", "the same of occlusion by surfaces at a grazing angle", "", 3,
+         unevenness_of_grazing, kRepeats},
         {"layers_found", "part that is found of what the first layer hides", "", 3, found_of_layers,
          kRepeats},
         {"layers_found_fitted", "part that is found of what the first layer hides, at the fitted strength",

@@ -3,6 +3,7 @@
 #include "metrics/analysis/repeats.h"
 #include "metrics/roles.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -66,6 +67,18 @@ Measured part(const FoundOcclusion* found, Blocks FoundOcclusion::*some, Blocks 
         {&(found->*some), &(found->*all)}, [](const auto& s) { return s[0] / s[1]; }, seed);
 }
 
+/// The standard deviation over pixels of the part that is found, over its mean.
+Measured unevenness(const FoundOcclusion* found, std::uint64_t seed) {
+    if (found == nullptr) return {};
+    return of_blocks(
+        {&found->parts, &found->squared_parts, &found->pixels},
+        [](const auto& s) {
+            const double mean = s[0] / s[2];
+            return std::sqrt(std::max(s[1] / s[2] - mean * mean, 0.0)) / mean;
+        },
+        seed);
+}
+
 Measured signal_metric(const CellRecord& cell,
                        std::map<std::string, std::map<std::string, MetricValue>> Repeats::*where,
                        const char* signal, const char* metric) {
@@ -96,6 +109,19 @@ Measured repeats_fitted_noise(const CellRecord& cell, const ViewRecord&, std::ui
 Measured found_of_truth(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
     return part(found_in(cell, &Repeats::of_truth), &FoundOcclusion::found_fitted, &FoundOcclusion::hidden,
                 seed);
+}
+
+Measured found_of_grazing(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return part(found_in(cell, &Repeats::of_grazing), &FoundOcclusion::found_fitted, &FoundOcclusion::hidden,
+                seed);
+}
+
+Measured unevenness_of_truth(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return unevenness(found_in(cell, &Repeats::of_truth), seed);
+}
+
+Measured unevenness_of_grazing(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return unevenness(found_in(cell, &Repeats::of_grazing), seed);
 }
 
 Measured found_of_layers(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {

@@ -12,6 +12,9 @@ Measured repeats_noise(const CellRecord& cell, const ViewRecord& view, std::uint
 Measured repeats_raw_noise(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed);
 Measured repeats_fitted_noise(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed);
 Measured found_of_truth(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed);
+Measured found_of_grazing(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed);
+Measured unevenness_of_truth(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed);
+Measured unevenness_of_grazing(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed);
 Measured found_of_layers(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed);
 Measured found_fitted_of_layers(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed);
 Measured kept_of_layers(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed);

@@ -4,10 +4,18 @@
 #include "core/known_names.h"
 #include "image/channels.h"
 #include "screen/gbuffer/precision.h"
+#include "screen/gbuffer/side_cameras.h"
 #include "screen/gl/texture.h"
 #include "screen/method/kernel.h"
 
+#include <algorithm>
+
 namespace aoscore {
+namespace {
+
+constexpr std::string_view kSideLayers = "side_layers";
+
+}  // namespace
 
 std::string replaced_normal(const std::string& input, Normals normals) {
     if (!input.starts_with("normal_")) return input;
@@ -62,14 +70,30 @@ GLuint InputTextures::texture(const std::string& listed, const PassBuild& build,
     if (listed == "linear_depth") return linear_depth(settings.precision);
     if (listed == "half_depth") return derived_.half_depth(*gbuffer_, linear_depth(settings.precision));
     if (listed == "depth_layers") {
-        return layers_.texture(*gbuffer_,
-                               asked_depth_layers(*build.method->depth_layers, *build.parameters, build.seed),
-                               build.mirror);
+        return layers_.texture(gbuffer_->geometry(), {asked_depth_layers(*build.method->depth_layers,
+                                                                         *build.parameters, build.seed),
+                                                      {gbuffer_->frame()},
+                                                      build.mirror});
     }
+    if (listed == kSideLayers) return side_layers_.texture(gbuffer_->geometry(), side_pictures(build));
     if (listed == "depth_mips") return depth_mips(build, linear_depth(settings.precision));
     if (listed.starts_with("normal_"))
         return normal(replaced_normal(listed, settings.normals), settings.precision);
     return drawn(listed);
+}
+
+// A program whose parameters are uniforms samples the input whatever their values are: it gets one camera at
+// least.
+LayeredPictures InputTextures::side_pictures(const PassBuild& build) const {
+    SideLayers side = asked_side_layers(*build.method->side_layers, *build.parameters, build.seed);
+    side.cameras = std::max(side.cameras, 1);
+    return {side.layers, side_cameras(gbuffer_->frame(), side, build.mirror), build.mirror};
+}
+
+void InputTextures::set_uniforms(const ShaderProgram& program, const std::vector<std::string>& inputs,
+                                 const PassBuild& build) const {
+    if (std::ranges::find(inputs, kSideLayers) != inputs.end())
+        set_side_uniforms(program, gbuffer_->frame(), side_pictures(build).cameras);
 }
 
 GLuint InputTextures::depth_mips(const PassBuild& build, GLuint linear_depth) {

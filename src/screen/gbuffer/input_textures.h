@@ -10,6 +10,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace aoscore {
 
@@ -35,13 +36,23 @@ class InputTextures {
     GLuint texture(const std::string& listed, const PassBuild& build, const InputSettings& settings,
                    GLuint previous);
 
+    /// Sets the uniforms that belong to inputs, in a program that is in use and samples these.
+    void set_uniforms(const ShaderProgram& program, const std::vector<std::string>& inputs,
+                      const PassBuild& build) const;
+
     /// Forgets inputs that were computed from the G-buffer, or drawn beside it.
     void forget_derived() {
         derived_.forget();
         layers_.forget();
+        side_layers_.forget();
     }
 
+    void set_ray_layers(const RayLayerSource* source) {
+        layers_.set_ray_layers(source);
+        side_layers_.set_ray_layers(source);
+    }
     DepthLayerBuffer& depth_layers() { return layers_; }
+    std::uint64_t layered_pictures_drawn() const { return layers_.drawings() + side_layers_.drawings(); }
 
   private:
     GLuint noise(std::uint64_t seed);
@@ -49,10 +60,11 @@ class InputTextures {
     GLuint linear_depth(Precision precision);
     GLuint normal(const std::string& input, Precision precision);
     GLuint drawn(const std::string& input) const;
+    LayeredPictures side_pictures(const PassBuild& build) const;
 
     const GBuffer* gbuffer_;
     DerivedInputs derived_;
-    DepthLayerBuffer layers_;
+    DepthLayerBuffer layers_, side_layers_;
     std::map<std::uint64_t, gl::Texture> noise_4x4_;
 };
 

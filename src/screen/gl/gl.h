@@ -57,6 +57,7 @@
     X(TEXIMAGE2D, TexImage2D)                           \
     X(TEXIMAGE3D, TexImage3D)                           \
     X(TEXPARAMETERI, TexParameteri)                     \
+    X(TEXSUBIMAGE3D, TexSubImage3D)                     \
     X(UNIFORM1F, Uniform1f)                             \
     X(UNIFORM1I, Uniform1i)                             \
     X(UNIFORM1UI, Uniform1ui)                           \

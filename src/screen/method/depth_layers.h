@@ -11,19 +11,21 @@
 
 namespace aoscore {
 
-class StrictObject;
-
 /// A rule for the depths that a texel keeps of all that are drawn over it: a row of the one table.
 struct DepthSampling {
     std::string_view id;     ///< its name in descriptors
-    std::string_view macro;  ///< its macro in shaders/gbuffer/depth_layers.frag
+    std::string_view macro;  ///< its macro in shaders/gbuffer/depth_layers.frag; empty: no pass draws it
     std::string_view meaning;
 };
 const std::vector<DepthSampling>& depth_samplings();
 
+/// Whether layers of this sampling are drawn by passes over the scene, or met by rays.
+bool is_rasterised(std::string_view sampling);
+
 /// Several depths a texel for a method: a stochastic-depth buffer (Vermeer, Stochastic-Depth Ambient
 /// Occlusion, 2020, chapter 5 and section 6.1; after Enderton et al., Stochastic Transparency, 2010), or
-/// layers that were peeled off (Everitt, Interactive Order-Independent Transparency, 2001).
+/// layers that were peeled off (Everitt, Interactive Order-Independent Transparency, 2001) or met by rays
+/// (Brüll, Kern and Grosch, Ray Traced Stochastic Depth Map for Ambient Occlusion, 2024).
 struct DepthLayers {
     static constexpr int kMost = 16;
     int samples = 1;   ///< depths a texel, 1 to kMost
@@ -35,24 +37,28 @@ struct DepthLayers {
     /// McGuire, Nowrouzezahrai and Luebke, Deep G-Buffers for Stable Global Illumination Approximation,
     /// 2016).
     double least_gap_m = 0;
+    /// Peeled layers alone: the depth of a surface that is seen from behind its front face is negative.
+    bool facing = false;
+    /// Layers by rays alone: those behind the first lie at most so far behind it, metres; 0: anywhere.
+    double reach_m = 0;
 
     auto operator<=>(const DepthLayers&) const = default;
 };
 
-/// Reads a descriptor's "depth_layers". Throws file_error for a value that a member does not accept, and for
-/// a parameter that may have such a value.
-DepthLayersDescriptor parse_depth_layers(const MethodDescriptor& method, StrictObject object);
+/// The members of a descriptor's "depth_layers" with the values that they accept.
+const std::vector<Parameter>& depth_layers_members();
 
-/// Whether some member names this parameter.
-bool names_parameter(const DepthLayersDescriptor& descriptor, std::string_view parameter);
-
-/// The depth layers for these parameters, in a run of this seed.
-DepthLayers asked_depth_layers(const DepthLayersDescriptor& descriptor, const ParameterValues& parameters,
+/// The depth layers for these parameters, in a run of this seed. The input may have further members.
+DepthLayers asked_depth_layers(const InputMembers& input, const ParameterValues& parameters,
                                std::uint64_t run_seed);
 
-/// Changes of a method's parameters by which each texel holds the first layer alone, or all layers from front
-/// to back, kMost at most. Empty where the descriptor fixes a member that would have to change.
-std::optional<ParameterValues> first_layer_alone(const DepthLayersDescriptor& descriptor);
-std::optional<ParameterValues> all_layers(const DepthLayersDescriptor& descriptor);
+/// Whether the method, with these parameters, reads layers that rays meet.
+bool reads_ray_layers(const MethodDescriptor& method, const ParameterValues& parameters);
+
+/// Changes of a method's parameters by which each texel of "depth_layers" holds the first layer alone, or all
+/// layers from front to back, kMost at most, and no side camera adds any. Empty for a method without the
+/// input, and where its descriptor fixes a member that would have to change.
+std::optional<ParameterValues> first_layer_alone(const MethodDescriptor& method);
+std::optional<ParameterValues> all_layers(const MethodDescriptor& method);
 
 }  // namespace aoscore

@@ -50,9 +50,9 @@ struct DepthMips {
     std::string radius_parameter;  ///< "weighted" only
 };
 
-/// The settings of the input "depth_layers" for a method (see depth_layers.h): each member is a value, or "@"
-/// and the parameter that holds it.
-struct DepthLayersDescriptor {
+/// The settings of an input for a method (see input_members.h): each member is a value, or "@" and the
+/// parameter that holds it.
+struct InputMembers {
     ParameterValues members;  ///< complete
 };
 
@@ -119,7 +119,7 @@ struct MethodDescriptor {
     std::map<std::string, std::string> absolute_presets;
     std::vector<Kernel> kernels;
     DepthMips depth_mips;
-    std::optional<DepthLayersDescriptor> depth_layers;  ///< set where a pass lists the input
+    std::optional<InputMembers> depth_layers, side_layers;  ///< set where a pass lists the input
     std::vector<Pass> passes;
     OwnTruth truth;
     ScoredAs scored;

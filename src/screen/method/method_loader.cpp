@@ -4,10 +4,11 @@
 #include "core/printable.h"
 #include "core/signal.h"
 #include "core/strict_json.h"
-#include "screen/method/depth_layers.h"
+#include "screen/method/input_members.h"
 #include "screen/method/kernel.h"
 #include "screen/method/method.h"
 #include "screen/method/method_files.h"
+#include "screen/method/side_layers.h"
 #include "screen/passes/processors.h"
 #include "screen/passes/shader_source.h"
 #include "screen/screen.h"
@@ -294,6 +295,21 @@ std::map<std::string, std::string> parse_limits(StrictObject object) {
     return limits;
 }
 
+/// An input that holds several depths a texel, with its member of the descriptor.
+struct LayeredInput {
+    const char* id;
+    std::optional<InputMembers> MethodDescriptor::*layers;
+    const std::vector<Parameter>& (*members)();
+};
+
+const std::vector<LayeredInput>& layered_inputs() {
+    static const std::vector<LayeredInput> all = {
+        {"depth_layers", &MethodDescriptor::depth_layers, &depth_layers_members},
+        {"side_layers", &MethodDescriptor::side_layers, &side_layers_members},
+    };
+    return all;
+}
+
 // Checks that every parameter has an effect, since some pass or kernel names it.
 void check_parameters_used(const MethodDescriptor& method, const std::string& where) {
     std::string text;
@@ -317,7 +333,10 @@ void check_parameters_used(const MethodDescriptor& method, const std::string& wh
                 return k.size == reference || k.directions == reference || k.radii == reference ||
                        k.scale == reference || k.sequence == reference;
             });
-        const bool in_layers = method.depth_layers && names_parameter(*method.depth_layers, p.id);
+        const bool in_layers = std::ranges::any_of(layered_inputs(), [&](const LayeredInput& input) {
+            const std::optional<InputMembers>& layers = method.*input.layers;
+            return layers && names_parameter(*layers, p.id);
+        });
         if (!in_kernel && !in_layers && !processed.contains(p.id) && !mentions(text, "p_" + p.id)) {
             throw file_error(fmt::format("no pass uses the parameter (as p_{})", p.id),
                              where + ": parameters." + p.id);
@@ -331,17 +350,20 @@ void check_parameters_used(const MethodDescriptor& method, const std::string& wh
     }
 }
 
-// Checks that depth layers are both declared and read, or neither.
-void check_depth_layers(const MethodDescriptor& method, const StrictObject& top) {
-    const bool listed = std::ranges::any_of(method.passes, [](const Pass& pass) {
-        return std::ranges::find(pass.inputs, "depth_layers") != pass.inputs.end();
-    });
-    if (listed && !method.depth_layers) {
-        throw file_error("is missing, though a pass lists the input depth_layers", top.where("depth_layers"),
-                         "an object that says how they are gathered");
+// Checks that layers of depth are both declared and read, or neither.
+void check_layers(const MethodDescriptor& method, const StrictObject& top) {
+    for (const LayeredInput& input : layered_inputs()) {
+        const bool listed = std::ranges::any_of(method.passes, [&](const Pass& pass) {
+            return std::ranges::find(pass.inputs, input.id) != pass.inputs.end();
+        });
+        const bool declared = (method.*input.layers).has_value();
+        if (listed && !declared) {
+            throw file_error(fmt::format("is missing, though a pass lists the input {}", input.id),
+                             top.where(input.id), "an object that says how they are gathered");
+        }
+        if (declared && !listed)
+            throw file_error(fmt::format("no pass lists the input {}", input.id), top.where(input.id));
     }
-    if (method.depth_layers && !listed)
-        throw file_error("no pass lists the input depth_layers", top.where("depth_layers"));
 }
 
 ScoredAs parse_scored(const MethodDescriptor& method, StrictObject object) {
@@ -406,7 +428,10 @@ MethodDescriptor load_descriptor(const fs::path& folder, const std::set<std::str
         }
     }
     if (top.has("depth_mips")) method.depth_mips = parse_depth_mips(method, top.object("depth_mips"));
-    if (top.has("depth_layers")) method.depth_layers = parse_depth_layers(method, top.object("depth_layers"));
+    for (const LayeredInput& input : layered_inputs()) {
+        if (top.has(input.id))
+            method.*input.layers = parse_input_members(method, top.object(input.id), input.members());
+    }
     for (const StrictObject& pass : top.objects("passes"))
         method.passes.push_back(parse_pass(pass, folder, inputs));
     if (method.passes.empty()) throw file_error("is empty", top.where("passes"), "at least one pass");
@@ -416,7 +441,7 @@ MethodDescriptor load_descriptor(const fs::path& folder, const std::set<std::str
         if (!pass.outputs.empty() && (is_filter || &pass != &method.passes.back()))
             throw file_error("only the last pass of a method has outputs", top.where("passes"));
     }
-    check_depth_layers(method, top);
+    check_layers(method, top);
     if (!is_filter && top.has("truth")) method.truth = parse_truth(method, top.object("truth"));
     if (!is_filter && top.has("scored")) method.scored = parse_scored(method, top.object("scored"));
     top.finish();

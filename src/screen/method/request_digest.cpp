@@ -18,7 +18,9 @@ void add_descriptor(Digest& digest, const MethodRequest& request, const MethodDe
                     const ParameterValues& parameters, bool orthographic) {
     digest.text(json_text(parameters));
     digest.text(method.depth_mips.filter).text(method.depth_mips.radius_parameter);
-    if (method.depth_layers) digest.text(json_text(method.depth_layers->members));
+    for (const std::optional<InputMembers>* layers : {&method.depth_layers, &method.side_layers}) {
+        if (*layers) digest.text(json_text((*layers)->members));
+    }
     for (const Pass& pass : method.passes) {
         digest.text(pass.processor).value(pass.scale);
         for (const std::string& input : pass.inputs) digest.text(input);

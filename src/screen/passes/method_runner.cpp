@@ -218,6 +218,7 @@ void MethodRunner::draw(const Step& step, const std::vector<Target>& targets, co
     }
     gl::ActiveTexture(GL_TEXTURE0);
     gbuffer_->set_view_uniforms(compiled.program());
+    inputs_.set_uniforms(compiled.program(), compiled.samplers(), step.build);
     gl::Uniform1ui(compiled.program().location("u_seed"), static_cast<GLuint>(step.build.seed));
     if (step.build.uniform_form) compiled.set_parameters(step.build);
     gl::BindVertexArray(empty_vertices_.name());
@@ -288,13 +289,16 @@ MethodRunner::Frame MethodRunner::prepare(const MethodRequest& request) {
 }
 
 bool MethodRunner::draw_depth_layers(const Frame& frame) {
-    constexpr const char* kInput = "depth_layers";
+    bool drawn = false;
     for (const Step& step : frame.method) {
-        if (std::ranges::find(step.pass->inputs, kInput) == step.pass->inputs.end()) continue;
-        inputs_.texture(kInput, step.build, frame.settings, 0);
-        return true;
+        if (step.program == nullptr) continue;
+        for (const std::string& input : step.program->samplers()) {
+            if (texture_target(input) != GL_TEXTURE_2D_ARRAY) continue;
+            inputs_.texture(input, step.build, frame.settings, 0);
+            drawn = true;
+        }
     }
-    return false;
+    return drawn;
 }
 
 void MethodRunner::draw_method(const Frame& frame) {

@@ -59,8 +59,11 @@ class MethodRunner {
     /// Reads the lit picture in linear RGB. draw_lighting() must have drawn it since the G-buffer was drawn.
     Image<glm::vec3> lit() const;
 
+    /// Who gathers layers by rays; the function must live as long as this.
+    void set_ray_layers(const RayLayerSource* source) { inputs_.set_ray_layers(source); }
     DepthLayerBuffer& depth_layers() { return inputs_.depth_layers(); }
 
+    std::uint64_t layered_pictures_drawn() const { return inputs_.layered_pictures_drawn(); }
     std::uint64_t passes_drawn() const { return passes_; }
     std::uint64_t programs_compiled() const { return compilations_; }
 

@@ -17,7 +17,9 @@ namespace aoscore {
 namespace {
 
 const std::set<std::string>& contract_uniforms() {
-    static const std::set<std::string> all = {"u_size_px", "u_pixel_size", "u_near", "u_far", "u_seed"};
+    static const std::set<std::string> all = {
+        "u_size_px",      "u_pixel_size",      "u_near",          "u_far", "u_seed",
+        "u_side_size_px", "u_side_pixel_size", "u_side_from_view"};
     return all;
 }
 
@@ -134,7 +136,7 @@ void add_body(ShaderSource& source, const PassBuild& build, const Pass& pass) {
     source.add_block(fmt::format("({}: kernels)", build.method->id), kernel_block(build));
     // Loops over all depths of a texel would multiply the length of unrolled code, and take the compiler
     // minutes.
-    if (!build.uniform_form && !build.method->depth_layers) {
+    if (!build.uniform_form && !build.method->depth_layers && !build.method->side_layers) {
         std::map<std::string, int> counts;
         for (const Parameter& p : build.method->parameters) {
             if (p.type == Parameter::Type::integer)
