@@ -5,6 +5,7 @@
 #include "core/output.h"
 #include "metrics/metric.h"
 #include "results/results_folder.h"
+#include "tuning/preset_files.h"
 #include "tuning/tuning_definition.h"
 #include "tuning/tuning_run.h"
 
@@ -21,6 +22,7 @@ struct TuneOptions {
     std::vector<std::string> scenes, methods, parameters;
     std::string definition;
     std::filesystem::path scenes_dir;
+    bool install = false;
     ViewChoice view;
     MethodOptions method_options;
     ImageSize size{640, 360};
@@ -68,6 +70,7 @@ ExitCode run(const TuneOptions& options, const GlobalOptions& global) {
     const std::filesystem::path folder = results_folder(options.out, folder_name(plan));
     const TuningResults results = tune(plan);
     write_tuning(results, plan, folder);
+    if (options.install) install_presets(results, plan);
     print_tuning(results, plan);
     print_path(folder / "tune.json");
     return ExitCode::ok;
@@ -88,6 +91,8 @@ void add_definition_options(CLI::App& app, TuneOptions& options) {
                    "Folder of the definition's scenes that the program does not generate [this folder]")
         ->needs(definition)
         ->check(CLI::ExistingDirectory);
+    app.add_flag("--install", options.install,
+                 "Also write the presets into the folders of the program's own methods, as tuned.json");
 }
 
 }  // namespace
