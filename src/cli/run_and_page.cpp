@@ -5,6 +5,7 @@
 #include "experiment/experiment.h"
 #include "experiment/job_list.h"
 #include "page/page.h"
+#include "results/advice_text.h"
 #include "store/code_digest.h"
 
 #include <optional>
@@ -62,6 +63,9 @@ ExitCode run_and_page(ExperimentPlan plan, const std::filesystem::path& folder, 
     const Results results =
         run_experiment(plan, folder, [&](const fs::path& staged) { pages.write(staged); });
     pages.announce();
+    for (const AdviceRecord& advice : results.advice) print_result("\n{}", advice_table(results, advice));
+    if (!results.advice.empty())
+        print_result("\nMilliseconds are those of a software renderer; fetches carry over to a GPU.\n");
     return outcome.conclude(results);
 }
 

@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/known_names.h"
 #include "jobs/truth_signals.h"
+#include "plan/advice_steps.h"
 #include "plan/plan.h"
 #include "results/results_folder.h"
 
@@ -27,6 +28,7 @@ struct ScoreOptions {
     TruthEffort effort;
     std::filesystem::path methods_dir;
     std::vector<std::filesystem::path> contestants;
+    bool advise = false;
     std::filesystem::path out;
     OutcomeOptions outcome;
     std::filesystem::path truth_cache;
@@ -59,6 +61,14 @@ void add_folders(const ScoreOptions& options, ExperimentPlan& plan, ViewPlan& vi
     }
 }
 
+/// The methods and filters that the plan may name, with its presets.
+Registry registry_for(const ExperimentPlan& plan) {
+    std::vector<std::string> said;  // warnings given for the chosen methods
+    Registry registry = load_registry(plan.methods_dir, {}, said);
+    for (const std::filesystem::path& file : plan.preset_files) add_presets(registry.methods, file);
+    return registry;
+}
+
 ExitCode run(const ScoreOptions& options, const GlobalOptions& global) {
     ExperimentPlan plan;
     plan.seed = global.seed;
@@ -84,6 +94,7 @@ ExitCode run(const ScoreOptions& options, const GlobalOptions& global) {
         view.view = id;
         shared_view(plan, view);
     }
+    if (options.advise) add_advice(plan, registry_for(plan));
     const std::string stem = std::filesystem::path(options.choice.scene).stem().string();
     const std::filesystem::path folder = results_folder(options.out, "score-" + stem);
     return run_and_page(std::move(plan), folder, options.outcome, global);
@@ -109,6 +120,10 @@ CommandEntry add_score_command(CLI::App& program, const GlobalOptions& global) {
                     "A folder of images that another program has made of the views, with contestant.json: "
                     "ranked among the methods")
         ->allow_extra_args(false);
+    app->add_flag(
+        "--advise", options->advise,
+        "Also measure what the next step from each method would buy: more taps, exact normals, a guard "
+        "band, … ; prints a table");
     add_cache_option(*app, options->truth_cache);
     app->add_option("--out", options->out, "Folder of page, results and images [reports/out/score-SCENE]");
     add_outcome_options(*app, options->outcome);

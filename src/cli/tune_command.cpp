@@ -5,18 +5,24 @@
 #include "core/output.h"
 #include "metrics/metric.h"
 #include "results/results_folder.h"
+#include "tuning/preset_files.h"
+#include "tuning/tuning_definition.h"
 #include "tuning/tuning_run.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <memory>
+#include <utility>
 
 namespace aoscore {
 namespace {
 
 struct TuneOptions {
-    std::vector<std::string> scenes, methods;
+    std::vector<std::string> scenes, methods, parameters;
+    std::string definition;
+    std::filesystem::path scenes_dir;
+    bool install = false;
     ViewChoice view;
     MethodOptions method_options;
     ImageSize size{640, 360};
@@ -25,12 +31,12 @@ struct TuneOptions {
     std::filesystem::path out;
 };
 
-ExitCode run(const TuneOptions& options, const GlobalOptions& global) {
+/// What the options say of scenes and methods.
+void read_options(const TuneOptions& options, TuningPlan& plan) {
+    if (options.scenes.empty() || options.methods.empty())
+        throw usage_error("nothing says what to tune", "tune", "SCENE… --methods M, or --definition");
     if (options.scenes.size() > 1 && (options.view.load.camera || !options.view.load.view_file.empty()))
         throw usage_error("several scenes", "--views, --eye", "one scene: a camera is a place in it");
-    TuningPlan plan = options.plan;
-    plan.seed = global.seed;
-    plan.command = global.command_line;
     plan.width = options.size.width;
     plan.height = options.size.height;
     plan.radius_m = one_finite_radius(options.radii, "settings are tuned");
@@ -40,17 +46,53 @@ ExitCode run(const TuneOptions& options, const GlobalOptions& global) {
     const Registry registry = load_registry(plan.methods_dir, options.methods, warnings);
     std::vector<MethodDescriptor> methods;
     for (const std::string& id : options.methods) methods.push_back(find_method(registry.methods, id));
-    plan.cells = plan_cells(methods, registry.filters, options.method_options, warnings);
+    for (CellPlan& cell : plan_cells(methods, registry.filters, options.method_options, warnings))
+        plan.methods.push_back({std::move(cell), options.parameters});
+}
+
+/// The name of the folder of results where the user names none.
+std::string folder_name(const TuningPlan& plan) {
+    if (!plan.definition.empty()) return "tune-" + plan.definition;
     std::vector<std::string> stems;
-    for (const std::string& scene : options.scenes)
-        stems.push_back(std::filesystem::path(scene).stem().string());
-    const std::filesystem::path folder =
-        results_folder(options.out, fmt::format("tune-{}", fmt::join(stems, "-")));
+    for (const TuningPlan::OnScene& on : plan.scenes)
+        stems.push_back(std::filesystem::path(on.scene).stem().string());
+    return fmt::format("tune-{}", fmt::join(stems, "-"));
+}
+
+ExitCode run(const TuneOptions& options, const GlobalOptions& global) {
+    TuningPlan plan = options.plan;
+    plan.seed = global.seed;
+    plan.command = global.command_line;
+    if (options.definition.empty())
+        read_options(options, plan);
+    else
+        read_tuning_definition(tuning_definition_file(options.definition), options.scenes_dir, plan);
+    const std::filesystem::path folder = results_folder(options.out, folder_name(plan));
     const TuningResults results = tune(plan);
     write_tuning(results, plan, folder);
+    if (options.install) install_presets(results, plan);
     print_tuning(results, plan);
     print_path(folder / "tune.json");
     return ExitCode::ok;
+}
+
+/// A definition says all that decides the result: no other option may.
+void add_definition_options(CLI::App& app, TuneOptions& options) {
+    std::vector<CLI::Option*> others;
+    for (CLI::Option* option : app.get_options()) {
+        if (option != app.get_help_ptr()) others.push_back(option);
+    }
+    CLI::Option* definition = app.add_option(
+        "--definition", options.definition,
+        "A tuning that is written down: the name of a file in reports/tunings/, or the path of "
+        "one; it says scenes, views, methods and effort");
+    for (CLI::Option* option : others) definition->excludes(option);
+    app.add_option("--scenes-dir", options.scenes_dir,
+                   "Folder of the definition's scenes that the program does not generate [this folder]")
+        ->needs(definition)
+        ->check(CLI::ExistingDirectory);
+    app.add_flag("--install", options.install,
+                 "Also write the presets into the folders of the program's own methods, as tuned.json");
 }
 
 }  // namespace
@@ -61,15 +103,13 @@ CommandEntry add_tune_command(CLI::App& program, const GlobalOptions& global) {
         "Find the parameters of methods that come closest to the truth, and what they are worth on "
         "views that they were not tuned on; prints the path of tune.json");
     const auto options = std::make_shared<TuneOptions>();
-    app->add_option("scene", options->scenes, "Built-in scenes (see list scenes), or files of scenes")
-        ->required();
+    app->add_option("scene", options->scenes, "Built-in scenes (see list scenes), or files of scenes");
     add_view_options(*app, options->view);
     app->add_option("--methods", options->methods, "Methods to tune (see list methods)")
         ->delimiter(',')
-        ->allow_extra_args(false)
-        ->required();
+        ->allow_extra_args(false);
     app->add_option(
-           "--parameters", options->plan.parameters,
+           "--parameters", options->parameters,
            "Parameters to tune [real numbers that affect visibility; with --max-fetches integers too]")
         ->delimiter(',')
         ->allow_extra_args(false);
@@ -96,6 +136,7 @@ CommandEntry add_tune_command(CLI::App& program, const GlobalOptions& global) {
         ->capture_default_str()
         ->check(even_count());
     app->add_option("--methods-dir", options->plan.methods_dir, "A folder of methods of your own");
+    add_definition_options(*app, *options);
     add_cache_option(*app, options->plan.truth_cache);
     app->add_option("--out", options->out,
                     "Folder of tune.json and of the presets METHOD.tuned.json [reports/out/tune-SCENE]");

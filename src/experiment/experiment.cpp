@@ -12,6 +12,7 @@
 #include "experiment/work_plan.h"
 #include "plan/live_output.h"
 #include "results/sweep_rows.h"
+#include "verdict/advice.h"
 #include "verdict/baseline.h"
 #include "verdict/claim_verdicts.h"
 #include "verdict/rankings.h"
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -64,6 +66,7 @@ class ExperimentRun {
         describe();
         measure_views();
         count_work();
+        advise();
         judge();
         results_.total_seconds = watch_.seconds();
         results_.peak_memory_mib = peak_memory_mib();
@@ -123,6 +126,23 @@ class ExperimentRun {
         results_.work.gbuffers = drawn.gbuffers;
         results_.work.passes = drawn.passes;
         results_.work.compilations = drawn.compilations;
+    }
+
+    /// Judges the steps, whose cells then leave the results: they are no contestants.
+    void advise() {
+        for (const AdvicePlan& advice : plan_.advice) {
+            for (const std::vector<std::string>& ids : cell_ids_[advice.view_index])
+                results_.advice.push_back(judge_advice(advice, ids, results_));
+        }
+        std::set<std::string> steps;
+        for (std::size_t v = 0; v < plan_.views.size(); ++v) {
+            for (const std::vector<std::string>& ids : cell_ids_[v]) {
+                for (std::size_t c = 0; c < ids.size(); ++c) {
+                    if (plan_.views[v].cells[c].step) steps.insert(ids[c]);
+                }
+            }
+        }
+        std::erase_if(results_.cells, [&](const CellRecord& cell) { return steps.contains(cell.id); });
     }
 
     void judge() {

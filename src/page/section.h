@@ -38,6 +38,7 @@ const std::vector<Section>& sections();
 namespace section {
 nlohmann::json verdict(const PageSource& source);
 nlohmann::json ranking(const PageSource& source);
+nlohmann::json advice(const PageSource& source);
 nlohmann::json pictures(const PageSource& source);
 nlohmann::json cost(const PageSource& source);
 nlohmann::json failures(const PageSource& source);

@@ -37,6 +37,10 @@ bool has_claims(const Results& results) {
     return !results.claims.empty();
 }
 
+bool has_advice(const Results& results) {
+    return !results.advice.empty();
+}
+
 bool has_sweeps(const Results& results) {
     return !results.sweeps.empty();
 }
@@ -51,6 +55,7 @@ const std::vector<Section>& sections() {
         {"pictures", "Pictures", section::pictures, pictured, has_pictures, false},
         {"sweeps", "Sweeps", section::sweeps, all, has_sweeps},
         {"cost", "Run time against error", section::cost, pictured, has_costs},
+        {"advice", "The next step", section::advice, pictured, has_advice},
         {"failures", "Where it fails", section::failures, pictured, has_analyses},
         {"distributions", "Errors in detail", section::distributions, pictured, has_analyses},
         {"signals", "Bent normals and cones", section::signals, pictured, has_signals},

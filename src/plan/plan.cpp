@@ -250,7 +250,7 @@ std::vector<CellPlan> scored_cells(const MethodDescriptor& method) {
 bool CellPlan::same_as(const CellPlan& other) const {
     return method == other.method && preset == other.preset && overrides == other.overrides &&
            filter == other.filter && filter_overrides == other.filter_overrides && modes == other.modes &&
-           signals == other.signals;
+           radius_factor == other.radius_factor && signals == other.signals;
 }
 
 bool has_score_goal(const ExperimentPlan& plan) {
@@ -259,7 +259,9 @@ bool has_score_goal(const ExperimentPlan& plan) {
 
 ExperimentPlan first_answer_of(ExperimentPlan plan) {
     plan.first_answer = true;
+    plan.advice.clear();
     for (ViewPlan& view : plan.views) {
+        std::erase_if(view.cells, [](const CellPlan& cell) { return cell.step; });
         if (view.score_goal) view.score_goal->every_metric = false;
     }
     return plan;
@@ -294,6 +296,7 @@ std::size_t shared_cell(ViewPlan& view, CellPlan cell) {
     found->timed |= cell.timed;
     found->whole_frames |= cell.whole_frames;
     found->repeats |= cell.repeats;
+    found->step &= cell.step;
     return static_cast<std::size_t>(found - view.cells.begin());
 }
 

@@ -36,6 +36,9 @@ struct CellPlan {
     bool timed = true;       ///< its passes are timed
     /// Whole lit frames are timed too, with a wait at their end and with one after every pass.
     bool whole_frames = false;
+    /// The method's lengths follow so many times the view's radius; what the view is ranked by does not.
+    double radius_factor = 1;
+    bool step = false;  ///< measured for advice alone: it stands in no table, ranking or gate
     /// It is drawn again with other seeds, and held against what one depth layer hides (jobs/repeats.h).
     bool repeats = false;
     /// Signals beside visibility to score where the method gives them (see core/signal.h).
@@ -102,11 +105,28 @@ struct SweepPlan {
     std::vector<std::string> notes;   ///< axes and presets left out, with the reason
 };
 
+/// One change of a cell that advice measures.
+struct StepPlan {
+    std::string id;    ///< a row of advice_steps()
+    std::string what;  ///< what is changed: "slices 3 to 6"
+    std::optional<std::size_t>
+        cell_index;  ///< into the view's cells; empty where the cell's own analysis tells
+};
+
+/// The steps from one cell, and those that it does not have.
+struct AdvicePlan {
+    std::size_t view_index = 0;  ///< into ExperimentPlan::views
+    std::size_t cell_index = 0;  ///< into that view's cells
+    std::vector<StepPlan> steps;
+    std::vector<SkippedStep> skipped;
+};
+
 /// Everything that one run will measure.
 struct ExperimentPlan {
     std::vector<ViewPlan> views;
     std::vector<TablePlan> tables;
     std::vector<SweepPlan> sweeps;
+    std::vector<AdvicePlan> advice;
     std::vector<std::string> claim_ids;  ///< claims to be judged by this run
     double claim_scale = 1;              ///< scale of the claims' views
     std::uint64_t seed = 1;
@@ -115,7 +135,8 @@ struct ExperimentPlan {
     std::vector<ImageFolder> folders;                 ///< images of other programs that cells name
     std::filesystem::path truth_cache;  ///< folder for truths and measurements; empty: none are kept
     bool keep_gbuffer = true;           ///< write the G-buffer beside the results
-    /// Only the first answer is measured: goals are without ScoreGoal::every_metric, and nothing is timed.
+    /// Only the first answer is measured: goals are without ScoreGoal::every_metric, nothing is timed, and no
+    /// advice is given.
     /// The whole plan goes on from its artifacts.
     bool first_answer = false;
     std::string command;                      ///< the command that runs it again

@@ -36,6 +36,7 @@ std::vector<std::string> changes_of(const CellPlan& plan, std::string_view equal
     for (const auto& [id, value] : plan.overrides) add(id, value);
     for (const auto& [id, value] : plan.filter_overrides) add(std::string(kFilterPrefix) + id, value);
     for (const auto& [mode, choice] : unusual_modes(plan.modes)) add(mode, choice);
+    if (plan.radius_factor != 1) add("radius-factor", plan.radius_factor);
     return changes;
 }
 
@@ -113,7 +114,9 @@ ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64
                          : drawn_for_m ? LengthRecord::kRun
                                        : LengthRecord::kOwn;
     cell.request.method = &method;
-    cell.request.parameters = drawn_values(method, plan.preset, plan.overrides, drawn_for_m);
+    const std::optional<double> method_for_m =
+        drawn_for_m ? std::optional(*drawn_for_m * plan.radius_factor) : std::nullopt;
+    cell.request.parameters = drawn_values(method, plan.preset, plan.overrides, method_for_m);
     if (const ImageFolder* folder = find_folder(registry, plan.method))
         cell.request.parameters = folder->stated;
     cell.request.seed = seed;

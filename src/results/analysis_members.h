@@ -19,6 +19,7 @@ void visit_members(Visit& visit, Record& record) {
     visit("rmse", record.rmse);
     visit("rmse_debiased", record.rmse_debiased);
     visit("bias", record.bias);
+    visit("squared_sums", record.squared_sums);
 }
 
 template <class Visit, RecordOf<CauseShare> Record>

@@ -5,6 +5,7 @@
 #include "metrics/analysis/repeats.h"
 #include "metrics/intervals/simultaneous.h"
 #include "metrics/metric.h"
+#include "results/advice.h"
 
 #include <nlohmann/json.hpp>
 
@@ -325,7 +326,7 @@ struct WorkRecord {
 };
 
 struct Results {
-    static constexpr int kSchemaVersion = 8;
+    static constexpr int kSchemaVersion = 9;
     std::string program_version;
     std::string created_utc;  ///< 2026-11-22T02:11:47Z
     std::string command;      ///< the command that runs it again
@@ -344,6 +345,7 @@ struct Results {
     std::optional<BaselineRecord> baseline;  ///< empty where none was asked for
     std::vector<TableRecord> tables;
     std::vector<SweepRecord> sweeps;
+    std::vector<AdviceRecord> advice;
     std::vector<ClaimRecord> claims;
     std::vector<std::string> warnings;
 };

@@ -276,6 +276,37 @@ void visit_members(Visit& visit, Record& sweep) {
     visit("notes", sweep.notes);
 }
 
+template <class Visit, RecordOf<StepRecord> Record>
+void visit_members(Visit& visit, Record& step) {
+    visit("id", step.id);
+    visit("what", step.what);
+    visit("error", step.error);
+    visit("change", step.change);
+    visit("verdict", step.verdict);
+    visit("ms", step.ms);
+    visit("ms_interval", step.ms_interval);
+    visit("fetches", step.fetches);
+    visit("reason", step.reason);
+}
+
+template <class Visit, RecordOf<SkippedStep> Record>
+void visit_members(Visit& visit, Record& step) {
+    visit("id", step.id);
+    visit("reason", step.reason);
+}
+
+template <class Visit, RecordOf<AdviceRecord> Record>
+void visit_members(Visit& visit, Record& advice) {
+    visit("cell_id", advice.cell_id);
+    visit("metric", advice.metric);
+    visit("error", advice.error);
+    visit("ms", advice.ms);
+    visit("fixed_pass_ms", advice.fixed_pass_ms);
+    visit("fetches", advice.fetches);
+    visit("steps", advice.steps);
+    visit("skipped", advice.skipped);
+}
+
 template <class Visit, RecordOf<ClaimFinding> Record>
 void visit_members(Visit& visit, Record& finding) {
     visit("about", finding.about);
@@ -334,6 +365,7 @@ void visit_members(Visit& visit, Record& results) {
     visit("baseline", results.baseline);
     visit("tables", results.tables);
     visit("sweeps", results.sweeps);
+    visit("advice", results.advice);
     visit("claims", results.claims);
     visit("warnings", results.warnings);
 }

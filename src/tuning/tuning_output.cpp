@@ -1,12 +1,11 @@
 #include "core/files.h"
 #include "core/output.h"
 #include "metrics/evaluate.h"
+#include "tuning/preset_files.h"
 #include "tuning/tuning_run.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <map>
 
 namespace aoscore {
 namespace {
@@ -23,17 +22,6 @@ std::string_view verdict_id(HeldOut::Verdict verdict) {
             break;
     }
     return "tie";
-}
-
-json values_json(const std::vector<SearchAxis>& axes, const Settings& settings) {
-    json values = json::object();
-    for (std::size_t i = 0; i < axes.size(); ++i) {
-        if (axes[i].whole)
-            values[axes[i].parameter] = static_cast<std::int64_t>(settings[i]);
-        else
-            values[axes[i].parameter] = settings[i];
-    }
-    return values;
 }
 
 json budget_json(const MethodTuning& tuning, const TunedMethod& t) {
@@ -61,43 +49,6 @@ json budget_json(const MethodTuning& tuning, const TunedMethod& t) {
             {"tuned", {{"loss", t.fitted_loss}, {"fetches", t.fetches}, {"loss_by_view", t.fitted_by_view}}},
             {"held_out", std::move(held_out)},
             {"worth", std::move(worth)}};
-}
-
-/// The id of the preset that was tuned from one, for a budget: "tuned", "nvidia-tuned-24".
-std::string preset_id(const std::string& from, const TunedMethod& t) {
-    return fmt::format("{}tuned{}", from == "default" ? "" : from + "-",
-                       t.most_fetches ? fmt::format("-{:g}", *t.most_fetches) : "");
-}
-
-json filter_json(const PresetFilter& filter) {
-    if (filter.preset == "default") return filter.filter;
-    return {{"filter", filter.filter}, {"preset", filter.preset}};
-}
-
-/// Adds the presets of a tuning to a method's file, in the form of its descriptor's.
-void add_presets_of(const MethodTuning& tuning, const MethodDescriptor& method, json& file) {
-    for (const TunedMethod& t : tuning.budgets) {
-        const std::string id = preset_id(tuning.cell.preset, t);
-        json values = method.presets.at(tuning.cell.preset);
-        values.update(values_json(tuning.axes, t.settings));
-        file["presets"][id] = std::move(values);
-        file["preset_filters"][id] = filter_json(filter_of(tuning.cell, method));
-        const auto absolute = method.absolute_presets.find(tuning.cell.preset);
-        if (absolute != method.absolute_presets.end()) file["absolute_presets"][id] = absolute->second;
-    }
-}
-
-/// The files of presets by method, which a run takes by --preset.
-std::map<std::string, json> preset_files(const TuningResults& results, const TuningPlan& plan) {
-    std::vector<std::string> warnings;
-    const Registry registry = load_registry(plan.methods_dir, {}, warnings);
-    std::map<std::string, json> files;
-    for (const MethodTuning& tuning : results.methods) {
-        json& file = files[tuning.cell.method];
-        file["method"] = tuning.cell.method;
-        add_presets_of(tuning, find_method(registry.methods, tuning.cell.method), file);
-    }
-    return files;
 }
 
 void print_budget(const MethodTuning& tuning, const TunedMethod& t) {

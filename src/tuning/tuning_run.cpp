@@ -14,10 +14,10 @@ namespace aoscore {
 namespace {
 
 /// The inputs that any of the methods reads.
-std::set<std::string> inputs_of(const std::vector<CellPlan>& cells, const Registry& registry,
+std::set<std::string> inputs_of(const std::vector<TuningPlan::Method>& methods, const Registry& registry,
                                 std::uint64_t seed) {
     std::set<std::string> inputs;
-    for (const CellPlan& cell : cells) {
+    for (const auto& [cell, parameters] : methods) {
         const ResolvedCell resolved = resolve(cell, registry, seed, std::nullopt);
         if (resolved.request.method->depth_layers || resolved.request.method->side_layers) {
             throw usage_error(cell.method + " reads several layers of depth, which no search keeps",
@@ -71,18 +71,17 @@ void require_several(const TuningPlan& plan, std::size_t views) {
 TuningResults tune(const TuningPlan& plan) {
     std::vector<std::string> warnings;
     std::vector<std::string> asked;
-    for (const CellPlan& cell : plan.cells) asked.push_back(cell.method);
+    for (const TuningPlan::Method& method : plan.methods) asked.push_back(method.cell.method);
     const Registry registry = load_registry(plan.methods_dir, asked, warnings);
     for (const std::string& warning : warnings) log_warning(warning);
     std::vector<TuningSubject> subjects;
-    for (const CellPlan& cell : plan.cells) {
+    for (const auto& [cell, parameters] : plan.methods) {
         const MethodDescriptor& method = find_method(registry.methods, cell.method);
-        subjects.push_back({cell,
-                            search_axes(method, cell.preset, plan.parameters, !plan.most_fetches.empty()),
+        subjects.push_back({cell, search_axes(method, cell.preset, parameters, !plan.most_fetches.empty()),
                             plan.metric, plan.seed});
     }
     const ArtifactStore store(ArtifactStore::folder_in(plan.truth_cache));
-    ReadyViews ready(plan, inputs_of(plan.cells, registry, plan.seed), store);
+    ReadyViews ready(plan, inputs_of(plan.methods, registry, plan.seed), store);
     require_several(plan, ready.views().size());
 
     TuningResults results;

@@ -19,9 +19,12 @@ struct TuningPlan {
         LoadOptions load;                ///< options for reading the scene and its views
         std::vector<std::string> views;  ///< choices for choose_views()
     };
+    struct Method {
+        CellPlan cell;                        ///< with the preset to begin from
+        std::vector<std::string> parameters;  ///< to tune; empty: see search_axes()
+    };
     std::vector<OnScene> scenes;
-    std::vector<CellPlan> cells;          ///< a method with the preset to begin from, each
-    std::vector<std::string> parameters;  ///< to tune; empty: see search_axes()
+    std::vector<Method> methods;
     std::string metric = kRankingMetric;
     std::vector<double> most_fetches;  ///< budgets, each tuned by itself; empty: none
     SearchEffort effort;
@@ -32,6 +35,7 @@ struct TuningPlan {
     std::uint64_t seed = 1;
     std::filesystem::path truth_cache, methods_dir;
     std::string command;
+    std::string definition;  ///< the id of the definition that the plan was read from; empty: none
 };
 
 /// A method's tuning, for every budget.

@@ -1,6 +1,7 @@
 #include "metrics/analysis/best_fit.h"
 
 #include "core/threads.h"
+#include "metrics/intervals/block_grid.h"
 #include "metrics/measures/mean_error.h"
 #include "metrics/measures/noise.h"
 #include "metrics/measures/power.h"
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <numbers>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace aoscore {
@@ -129,21 +131,24 @@ Curve search(Levels& levels) {
 /// Mean squared error and mean error of the image after the curve, rounded as an image is.
 struct FittedError {
     double squared = 0, signed_sum = 0, count = 0;
+    std::vector<double> squared_by_block;  ///< of the blocks of one row, or of all
     double mse() const { return squared / count; }
     double bias() const { return signed_sum / count; }
 };
 
-FittedError error_of_row(const MetricInput& input, const Curve& curve, int y) {
+FittedError error_of_row(const MetricInput& input, const Curve& curve, const BlockGrid& grid, int y) {
     const std::size_t first = input.valid.index(0, y), width = static_cast<std::size_t>(input.valid.width);
     std::vector<double> values(width);
     for (std::size_t x = 0; x < width; ++x)
         values[x] = input.valid.pixels[first + x] != 0 ? double{input.test.pixels[first + x]} : 0.0;
     curve.apply(values);
     FittedError sum;
+    sum.squared_by_block.resize(static_cast<std::size_t>(grid.across));
     for (std::size_t x = 0; x < width; ++x) {
         if (input.valid.pixels[first + x] == 0) continue;
         const double error = double{static_cast<float>(values[x])} - double{input.truth.pixels[first + x]};
         sum.squared += error * error;
+        sum.squared_by_block[x / static_cast<std::size_t>(grid.side_px)] += error * error;
         sum.signed_sum += error;
         ++sum.count;
     }
@@ -151,14 +156,20 @@ FittedError error_of_row(const MetricInput& input, const Curve& curve, int y) {
 }
 
 FittedError fitted_error(const MetricInput& input, const Curve& curve) {
+    const BlockGrid grid(input.valid.width, input.valid.height);
     std::vector<FittedError> rows(static_cast<std::size_t>(input.valid.height));
     parallel_for(rows.size(),
-                 [&](std::size_t y) { rows[y] = error_of_row(input, curve, static_cast<int>(y)); });
+                 [&](std::size_t y) { rows[y] = error_of_row(input, curve, grid, static_cast<int>(y)); });
     FittedError all;
-    for (const FittedError& row : rows) {
+    all.squared_by_block.resize(grid.size());
+    for (std::size_t y = 0; y < rows.size(); ++y) {
+        const FittedError& row = rows[y];
         all.squared += row.squared;
         all.signed_sum += row.signed_sum;
         all.count += row.count;
+        const std::size_t first = y / static_cast<std::size_t>(grid.side_px) * row.squared_by_block.size();
+        for (std::size_t i = 0; i < row.squared_by_block.size(); ++i)
+            all.squared_by_block[first + i] += row.squared_by_block[i];
     }
     return all;
 }
@@ -175,7 +186,8 @@ std::optional<BestFit> best_fit(const MetricInput& input) {
         curve = {};
         error = fitted_error(input, curve);
     }
-    BestFit fit{curve.strength, curve.exponent, std::sqrt(error.mse()), {}, error.bias()};
+    BestFit fit{curve.strength, curve.exponent, std::sqrt(error.mse()), {}, error.bias(), {}};
+    fit.squared_sums = std::move(error.squared_by_block);
     if (knows_noise(input)) {
         const double variance = *mean_noise_variance(input);
         if (std::isfinite(variance)) fit.rmse_debiased = std::sqrt(std::max(error.mse() - variance, 0.0));

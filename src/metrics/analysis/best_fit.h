@@ -3,6 +3,7 @@
 #include "metrics/metric.h"
 
 #include <optional>
+#include <vector>
 
 namespace aoscore {
 
@@ -15,6 +16,7 @@ struct BestFit {
     double rmse = 0;                      ///< of V'
     std::optional<double> rmse_debiased;  ///< that of V'; empty without the truth's standard error
     double bias = 0;                      ///< of V'
+    std::vector<double> squared_sums;     ///< of V' - truth, squared, over the blocks of BlockGrid
 };
 
 /// Empty without a valid pixel. Throws sizes_differ.

@@ -7,6 +7,7 @@
 #include "page/sections/ranking_sentence.h"
 #include "page/sections/truth_noise_text.h"
 #include "page/sections/view_looks.h"
+#include "results/advice_text.h"
 #include "results/ranked_value.h"
 
 #include <fmt/format.h>
@@ -111,6 +112,7 @@ nlohmann::json section::verdict(const PageSource& source) {
         if (views.size() > 1) add_detail(ranking_sentence(*view));
         add_detail(bounds_sentence(*view));
     }
+    add_detail(leading_advice(results));
     for (const ViewRecord& view : results.views) add_detail(truth_noise_text(results, view));
     const std::string first_answer = first_answer_text(results);
     model["goes_on"] = !first_answer.empty();

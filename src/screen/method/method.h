@@ -23,6 +23,7 @@ struct Parameter {
     std::string meaning;
     int length_power = 0;     ///< power of its scaling with the scene: 1 for lengths, 2 for areas, 0 for none
     std::string signal = {};  ///< the only signal that it affects (core/signal.h); empty: visibility, too
+    bool taps = false;        ///< integer: the number of taps is in proportion to it
 
     /// Whether a value has this parameter's type and lies in its range.
     bool accepts(const ParameterValue& value) const;
@@ -77,6 +78,25 @@ struct PresetFilter {
     std::string preset = "default";
 };
 
+/// A method that is the same over several depth layers, with the preset that reads two.
+struct SecondLayer {
+    std::string method, preset;
+};
+
+/// How a preset was tuned, and what it is worth on scenes that it was not tuned on (see
+/// tuning/tuned_method.h). Losses are those of the metric over the views.
+struct PresetTuning {
+    std::string from;        ///< the preset that it began from
+    std::string definition;  ///< id of the file in reports/tunings/; empty for one of the command line
+    std::string metric;      ///< what decided
+    int views = 0, scenes = 0;
+    double published = 0;  ///< the loss of the preset that it began from
+    double fitted = 0;     ///< its own on the views that it was tuned on
+    std::string left_out;  ///< "scene" or "view"; empty where nothing was left out, as are all below
+    std::optional<double> held_out;           ///< the loss on groups of views that were left out
+    std::optional<double> change, low, high;  ///< the mean over groups less `published`'s, 95 % interval
+};
+
 /// The purpose of a method: to be used in frames, or, as a bound, to show how far others could go, at no
 /// usable cost.
 enum class MethodRole { method, bound };
@@ -117,6 +137,8 @@ struct MethodDescriptor {
     /// Presets whose lengths are metres, whatever the AO radius of a run, with the place where they are
     /// printed.
     std::map<std::string, std::string> absolute_presets;
+    std::map<std::string, PresetTuning> tunings;  ///< by preset, for those that `aoscore tune` has found
+    std::optional<SecondLayer> second_layer;      ///< empty where there is none
     std::vector<Kernel> kernels;
     DepthMips depth_mips;
     std::optional<InputMembers> depth_layers, side_layers;  ///< set where a pass lists the input
@@ -153,14 +175,17 @@ std::vector<MethodDescriptor> load_methods(const std::filesystem::path& extra_di
 std::vector<MethodDescriptor> load_asked_methods(const std::filesystem::path& extra_dir,
                                                  const std::vector<std::string>& asked,
                                                  std::vector<std::string>& warnings);
+/// The file of a method's folder with presets that were tuned for it, in the form of add_presets().
+inline constexpr const char* kTunedPresets = "tuned.json";
+
 /// The presets that a file adds to a method.
 struct AddedPresets {
     std::string method;
     std::vector<std::string> presets;
 };
 /// Adds the presets of a file to the method of `methods` that it names: `method`, and `presets`,
-/// `preset_filters` and `absolute_presets` as in a descriptor. Throws file_error for another form, an unknown
-/// method, and a preset that the method has already.
+/// `preset_filters` and `absolute_presets` as in a descriptor, and `tunings`. Throws file_error for another
+/// form, an unknown method, and a preset that the method has already and that was not tuned.
 AddedPresets add_presets(std::vector<MethodDescriptor>& methods, const std::filesystem::path& file);
 /// Loads all filters of shaders/filters/. "none" is not among them.
 std::vector<MethodDescriptor> load_filters();

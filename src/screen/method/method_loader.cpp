@@ -8,6 +8,7 @@
 #include "screen/method/kernel.h"
 #include "screen/method/method.h"
 #include "screen/method/method_files.h"
+#include "screen/method/preset_tuning.h"
 #include "screen/method/side_layers.h"
 #include "screen/passes/processors.h"
 #include "screen/passes/shader_source.h"
@@ -75,6 +76,9 @@ Parameter parse_parameter(const std::string& id, StrictObject object) {
         p.choices = object.texts_or_empty("choices");
         for (const std::string& choice : p.choices) check_id(choice, object.where("choices"), '_');
     }
+    p.taps = object.boolean_or("taps", false);
+    if (p.taps && p.type != Parameter::Type::integer)
+        throw file_error("is no integer", object.where("taps"), "integers alone");
     if (p.length_power != 0 && p.type != Parameter::Type::real)
         throw file_error("is no real number", object.where("length_power"), "real parameters alone");
     p.default_value = parameter_value(object.raw("default"), object.where("default"));
@@ -285,6 +289,50 @@ std::map<std::string, std::string> parse_absolute_presets(const MethodDescriptor
     return absolute;
 }
 
+SecondLayer parse_second_layer(StrictObject object) {
+    SecondLayer layer{object.text("method"), object.text("preset")};
+    object.finish();
+    return layer;
+}
+
+/// Adds the presets of a file, whose members are as in a descriptor, with how they were tuned; returns their
+/// ids. Presets that were tuned give way to those of the file.
+std::vector<std::string> add_presets_of(StrictObject& top, MethodDescriptor& method) {
+    std::vector<std::string> added;
+    for (auto& [preset, values] : parse_presets(method, top.object("presets"))) {
+        if (method.presets.contains(preset) && method.tunings.erase(preset) == 0)
+            throw file_error("exists already", top.where("presets") + "." + preset, "a name of its own");
+        method.presets[preset] = std::move(values);
+        method.preset_filters.erase(preset);
+        method.absolute_presets.erase(preset);
+        added.push_back(preset);
+    }
+    parse_preset_filters(top, method);
+    if (top.has("absolute_presets"))
+        method.absolute_presets.merge(parse_absolute_presets(method, top.object("absolute_presets")));
+    if (!top.has("tunings")) return added;
+    StrictObject tunings = top.object("tunings");
+    for (const auto& [preset, tuning] : tunings.members()) {
+        if (std::ranges::find(added, preset) == added.end())
+            throw file_error("is no preset of this file", tunings.where(preset));
+        method.tunings[preset] = parse_tuning(StrictObject(tuning, tunings.where(preset)));
+    }
+    return added;
+}
+
+/// Adds the presets that were tuned for a method, where its folder has some.
+void add_tuned_presets(MethodDescriptor& method) {
+    const fs::path file = method.folder / kTunedPresets;
+    if (!fs::is_regular_file(file)) return;
+    require_own_file(file, method.folder, file.string());
+    const json parsed = parse_json_file(file);
+    StrictObject top = StrictObject::of_file(parsed, file.string());
+    if (top.text("method") != method.id)
+        throw file_error("is " + top.text("method"), top.where("method"), "the folder's name, " + method.id);
+    add_presets_of(top, method);
+    top.finish();
+}
+
 std::map<std::string, std::string> parse_limits(StrictObject object) {
     std::map<std::string, std::string> limits;
     for (const auto& [axis, reason] : object.members()) {
@@ -443,6 +491,9 @@ MethodDescriptor load_descriptor(const fs::path& folder, const std::set<std::str
     }
     check_layers(method, top);
     if (!is_filter && top.has("truth")) method.truth = parse_truth(method, top.object("truth"));
+    if (!is_filter && top.has("second_layer"))
+        method.second_layer = parse_second_layer(top.object("second_layer"));
+    if (!is_filter) add_tuned_presets(method);
     if (!is_filter && top.has("scored")) method.scored = parse_scored(method, top.object("scored"));
     top.finish();
     check_parameters_used(method, where);
@@ -522,14 +573,7 @@ AddedPresets add_presets(std::vector<MethodDescriptor>& methods, const fs::path&
         throw unknown_name_in_file(added.method, ids_of(methods), top.where("method"));
     MethodDescriptor& method =
         *std::ranges::find_if(methods, [&](const MethodDescriptor& m) { return m.id == added.method; });
-    for (auto& [preset, values] : parse_presets(method, top.object("presets"))) {
-        if (!method.presets.emplace(preset, std::move(values)).second)
-            throw file_error("exists already", top.where("presets") + "." + preset, "a name of its own");
-        added.presets.push_back(preset);
-    }
-    parse_preset_filters(top, method);
-    if (top.has("absolute_presets"))
-        method.absolute_presets.merge(parse_absolute_presets(method, top.object("absolute_presets")));
+    added.presets = add_presets_of(top, method);
     top.finish();
     return added;
 }

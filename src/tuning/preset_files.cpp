@@ -1,0 +1,96 @@
+#include "tuning/preset_files.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "screen/method/preset_tuning.h"
+
+#include <fmt/format.h>
+
+namespace aoscore {
+namespace {
+
+using nlohmann::json;
+
+/// The id of the preset that was tuned from one, for a budget: "tuned", "nvidia-tuned-24".
+std::string preset_id(const std::string& from, const TunedMethod& t) {
+    return fmt::format("{}tuned{}", from == "default" ? "" : from + "-",
+                       t.most_fetches ? fmt::format("-{:g}", *t.most_fetches) : "");
+}
+
+json filter_json(const PresetFilter& filter) {
+    if (filter.preset == "default") return filter.filter;
+    return {{"filter", filter.filter}, {"preset", filter.preset}};
+}
+
+/// What the preset is worth: on views left out by scenes, where there are several, else one by one.
+PresetTuning tuning_of(const MethodTuning& tuning, const TunedMethod& t, const TuningResults& results,
+                       const TuningPlan& plan) {
+    PresetTuning record;
+    record.from = tuning.cell.preset;
+    record.definition = plan.definition;
+    record.metric = plan.metric;
+    record.views = static_cast<int>(results.views.size());
+    record.scenes = static_cast<int>(plan.scenes.size());
+    record.published = t.published_loss;
+    record.fitted = t.fitted_loss;
+    if (t.held_out.empty()) return record;
+    const HeldOut& held_out = t.held_out.back();
+    record.left_out = held_out.groups;
+    record.held_out = held_out.loss;
+    record.change = held_out.gain;
+    record.low = held_out.low;
+    record.high = held_out.high;
+    return record;
+}
+
+/// Adds the presets of a tuning to a method's file, in the form of its descriptor's.
+void add_presets_to(json& file, const MethodTuning& tuning, const MethodDescriptor& method,
+                    const TuningResults& results, const TuningPlan& plan) {
+    for (const TunedMethod& t : tuning.budgets) {
+        const std::string id = preset_id(tuning.cell.preset, t);
+        json values = method.presets.at(tuning.cell.preset);
+        values.update(values_json(tuning.axes, t.settings));
+        file["presets"][id] = std::move(values);
+        file["preset_filters"][id] = filter_json(filter_of(tuning.cell, method));
+        file["tunings"][id] = tuning_json(tuning_of(tuning, t, results, plan));
+        const auto absolute = method.absolute_presets.find(tuning.cell.preset);
+        if (absolute != method.absolute_presets.end()) file["absolute_presets"][id] = absolute->second;
+    }
+}
+
+}  // namespace
+
+json values_json(const std::vector<SearchAxis>& axes, const Settings& settings) {
+    json values = json::object();
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        if (axes[i].whole)
+            values[axes[i].parameter] = static_cast<std::int64_t>(settings[i]);
+        else
+            values[axes[i].parameter] = settings[i];
+    }
+    return values;
+}
+
+std::map<std::string, json> preset_files(const TuningResults& results, const TuningPlan& plan) {
+    std::vector<std::string> warnings;
+    const Registry registry = load_registry(plan.methods_dir, {}, warnings);
+    std::map<std::string, json> files;
+    for (const MethodTuning& tuning : results.methods) {
+        json& file = files[tuning.cell.method];
+        file["method"] = tuning.cell.method;
+        add_presets_to(file, tuning, find_method(registry.methods, tuning.cell.method), results, plan);
+    }
+    return files;
+}
+
+void install_presets(const TuningResults& results, const TuningPlan& plan) {
+    const std::filesystem::path methods = home_dir() / "shaders" / "methods";
+    for (const auto& [method, presets] : preset_files(results, plan)) {
+        if (!std::filesystem::is_directory(methods / method))
+            throw usage_error(method + " is no method of the program's own", "--install",
+                              "such methods alone");
+        write_atomically(methods / method / kTunedPresets, presets.dump(2) + "\n");
+    }
+}
+
+}  // namespace aoscore

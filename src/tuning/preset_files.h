@@ -1,0 +1,23 @@
+#pragma once
+
+#include "tuning/tuning_run.h"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace aoscore {
+
+/// The settings by parameter, as a preset has them.
+nlohmann::json values_json(const std::vector<SearchAxis>& axes, const Settings& settings);
+
+/// The files of presets by method, which --preset takes (see add_presets()), with how each was tuned.
+std::map<std::string, nlohmann::json> preset_files(const TuningResults& results, const TuningPlan& plan);
+
+/// Writes them into the folders of the program's own methods, as kTunedPresets: they are presets of these
+/// methods from then on. Throws usage_error for a method of another folder.
+void install_presets(const TuningResults& results, const TuningPlan& plan);
+
+}  // namespace aoscore

@@ -1,0 +1,94 @@
+#include "tuning/tuning_definition.h"
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/image_size.h"
+#include "core/known_names.h"
+#include "core/strict_json.h"
+#include "metrics/metric.h"
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace aoscore {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostTried = 100000;
+
+/// What load_scene() takes for the definition's scene: an id of its own, or the path of a file.
+std::string scene_to_load(const std::string& scene, const fs::path& scenes_dir, const std::string& where) {
+    if (!scene.ends_with(".glb") && !scene.ends_with(".gltf") && !scene.ends_with(".obj")) {
+        row_in_file(builtin_scenes(), scene, where);
+        return scene;
+    }
+    const fs::path file = scenes_dir / scene;
+    if (!fs::is_regular_file(file))
+        throw usage_error(
+            "the definition's scene " + scene + " is not there", file.string(),
+            "--scenes-dir with the folder that holds it; scenes/README.md says where to get it");
+    return file.string();
+}
+
+TuningPlan::OnScene read_scene(StrictObject object, const fs::path& scenes_dir) {
+    TuningPlan::OnScene on;
+    on.scene = scene_to_load(object.text("scene"), scenes_dir, object.where("scene"));
+    on.views = object.texts_or_empty("views");
+    if (on.views.empty())
+        throw file_error("names no view", object.where("views"), "ids of the scene's views");
+    object.finish();
+    return on;
+}
+
+TuningPlan::Method read_method(StrictObject object, const std::vector<MethodDescriptor>& methods) {
+    const std::string id = object.text("method");
+    TuningPlan::Method method;
+    method.cell = scored_cells(row_in_file(methods, id, object.where("method"))).front();
+    method.cell.preset = object.text_or("preset", "default");
+    method.parameters = object.texts_or_empty("parameters");
+    object.finish();
+    return method;
+}
+
+}  // namespace
+
+fs::path tuning_definition_file(const std::string& name) {
+    if (name.ends_with(".json")) return name;
+    const fs::path folder = home_dir() / "reports" / "tunings";
+    std::vector<std::string> known;
+    std::error_code missing;
+    for (const auto& entry : fs::directory_iterator(folder, missing)) {
+        if (entry.path().extension() == ".json") known.push_back(entry.path().stem().string());
+    }
+    std::ranges::sort(known);
+    if (std::ranges::find(known, name) == known.end())
+        throw unknown_name("no tuning", name, known, "--definition", "or the path of a definition");
+    return folder / (name + ".json");
+}
+
+void read_tuning_definition(const fs::path& file, const fs::path& scenes_dir, TuningPlan& plan) {
+    const nlohmann::json definition = parse_json_file(file);
+    StrictObject object = StrictObject::of_file(definition, file.string());
+    plan.definition = object.text("id");
+    object.text("title");
+    plan.metric = object.text_or("metric", plan.metric);
+    row_in_file(metrics(), plan.metric, object.where("metric"));
+    const ImageSize size = read_image_size(object);
+    plan.width = size.width;
+    plan.height = size.height;
+    plan.samples = object.integer("samples", 2, 1 << 20);
+    if (plan.samples % 2 != 0)
+        throw file_error("is odd", object.where("samples"), "an even number: the truth has two halves");
+    plan.effort.global = object.integer("evaluations", 1, kMostTried);
+    plan.effort.local = object.integer("refinements", 0, kMostTried);
+    for (StrictObject& scene : object.objects("scenes"))
+        plan.scenes.push_back(read_scene(std::move(scene), scenes_dir));
+    const std::vector<MethodDescriptor> methods = load_methods();
+    for (StrictObject& method : object.objects("methods"))
+        plan.methods.push_back(read_method(std::move(method), methods));
+    object.finish();
+}
+
+}  // namespace aoscore
