@@ -1,6 +1,7 @@
 #include "metrics/analysis/best_fit.h"
 
 #include "core/threads.h"
+#include "metrics/analysis/fit_range.h"
 #include "metrics/intervals/block_grid.h"
 #include "metrics/measures/mean_error.h"
 #include "metrics/measures/noise.h"
@@ -17,8 +18,6 @@
 
 namespace aoscore {
 namespace {
-
-constexpr double kMostStrength = 4, kMostExponent = 8;
 
 struct Curve {
     double strength = 1, exponent = 1;
@@ -116,12 +115,12 @@ double least_at(double low, double high, Function function) {
 /// the best strength for every exponent that it tries.
 Curve search(Levels& levels) {
     const auto best_strength = [&](double exponent) {
-        return least_at(0, kMostStrength, [&](double strength) {
+        return least_at(kFitStrengths.least, kFitStrengths.most, [&](double strength) {
             return levels.badness({strength, exponent});
         });
     };
-    const double most_log2 = std::log2(kMostExponent);
-    const double exponent = std::exp2(least_at(-most_log2, most_log2, [&](double log2_exponent) {
+    const double least_log2 = std::log2(kFitExponents.least), most_log2 = std::log2(kFitExponents.most);
+    const double exponent = std::exp2(least_at(least_log2, most_log2, [&](double log2_exponent) {
         const double tried = std::exp2(log2_exponent);
         return levels.badness({best_strength(tried), tried});
     }));

@@ -1,4 +1,5 @@
 #include "core/known_names.h"
+#include "metrics/analysis/fit_range.h"
 #include "metrics/roles.h"
 #include "page/document/number_text.h"
 #include "page/document/page_template.h"
@@ -47,11 +48,6 @@ json curves_data(const Cells& cells, bool cumulative) {
             {"series", std::move(series)}};
 }
 
-/// The range in which best_fit() searches (metrics/analysis/best_fit.h).
-struct FitRange {
-    double least, most;
-};
-constexpr FitRange kStrengths{0, 4}, kExponents{0.125, 8};
 constexpr std::string_view kSignSplit = "sign";
 
 /// The parameter's number, with a remark where the search ended at a bound of its range.
@@ -68,10 +64,11 @@ json fit_row(const CellRecord& cell, const Cells& cells) {
     const auto gain = before ? ratio(*before - after, *before) : std::nullopt;
     return {
         {"method", series_name(cell, cells)},
+        {"cell", cell.id},
         {"numbers",
          json::array(
-             {{{"text", fitted_text(fit.strength, kStrengths)}, {"sort", fmt::format("{}", fit.strength)}},
-              {{"text", fitted_text(fit.exponent, kExponents)}, {"sort", fmt::format("{}", fit.exponent)}},
+             {{{"text", fitted_text(fit.strength, kFitStrengths)}, {"sort", fmt::format("{}", fit.strength)}},
+              {{"text", fitted_text(fit.exponent, kFitExponents)}, {"sort", fmt::format("{}", fit.exponent)}},
               {{"text", fixed_text(before, 4)}, {"sort", before ? fmt::format("{}", *before) : ""}},
               {{"text", fixed_text(after, 4)}, {"sort", fmt::format("{}", after)}},
               {{"text", percent_text(gain, 0)}, {"sort", gain ? fmt::format("{}", *gain) : ""}}})}};
