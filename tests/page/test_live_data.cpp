@@ -3,6 +3,7 @@
 #include "image/image_file.h"
 #include "page/live/live_data.h"
 #include "page/live/live_packing.h"
+#include "page/live/live_preview.h"
 #include "page/pictures/pictures.h"
 #include "page/synthetic_results.h"
 #include "results/live_file.h"
@@ -12,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 /// Tests the page's data for its live section; tests/browser shows that they unpack to the same numbers.
@@ -92,7 +94,7 @@ struct LiveFolder {
         LiveData data = read_live_data(results, folder);
         make_pictures(results, folder, false,
                       [&](const ViewRecord& view, const ImageFile& gbuffer, const fs::path& path) {
-                          add_gbuffer(data, view, gbuffer, path);
+                          return add_gbuffer(data, view, gbuffer, path);
                       });
         return data;
     }
@@ -102,11 +104,13 @@ TEST(LiveData, HoldsWhatMethodsReadOfEachViewAndNoMore) {
     const LiveFolder folder;
     const LiveData data = folder.read();
     EXPECT_EQ(data.missing, "");
-    ASSERT_EQ(data.blocks.size(), 2U);
+    ASSERT_EQ(data.blocks.size(), 4U) << "depth and its preview, of two views";
     EXPECT_EQ(data.blocks[0].first, "live atrium/wide linear_depth");
     const json& view = data.index["views"]["atrium/wide"];
     EXPECT_EQ(view["inputs"].size(), 1U);
     EXPECT_EQ(view["inputs"]["linear_depth"]["data"], data.blocks[0].first);
+    EXPECT_EQ(view["preview_inputs"].size(), 1U);
+    EXPECT_EQ(view["preview_inputs"]["linear_depth"]["data"], data.blocks[1].first);
     EXPECT_EQ(view["noise_floor_rmse"], 0.031);
     std::size_t cells = 0;
     for (const CellRecord& cell : folder.results.cells)
@@ -205,16 +209,63 @@ TEST(LiveData, NamesThePlaceAndWhatWouldBeValid) {
     }
 }
 
+TEST(LiveData, HoldsDepthOnceForTheStageAndForTheMethods) {
+    const LiveFolder folder;
+    write_atomically(folder.folder / kLiveFile, folder.live.dump());
+    LiveData data = read_live_data(folder.results, folder.folder);
+    const auto make = [&](const GBufferUse& use) {
+        return make_pictures(folder.results, folder.folder, false, use);
+    };
+    const Pictures shared = make([&](const ViewRecord& view, const ImageFile& gbuffer, const fs::path& path) {
+        return add_gbuffer(data, view, gbuffer, path);
+    });
+    const Pictures alone = make({});
+    for (const auto& [key, view] : shared.views) {
+        const QuantisedImage& own = alone.views.at(key).depth;
+        EXPECT_EQ(view.depth_block, "live " + key + " linear_depth");
+        EXPECT_TRUE(view.depth.empty());
+        EXPECT_FALSE(own.empty());
+        EXPECT_EQ(std::pair(view.depth.low, view.depth.step), std::pair(own.low, own.step));
+    }
+}
+
+TEST(LivePreview, TakesTheMiddleOfEachSquareAndAtMostANinth) {
+    EXPECT_EQ(preview_factor(1), 3);
+    EXPECT_EQ(preview_factor(640), 3);
+    EXPECT_EQ(preview_factor(1920), 6);
+    Image<int> image(7, 4);
+    std::iota(image.pixels.begin(), image.pixels.end(), 0);
+    const Image<int> preview = preview_of(image, 3);
+    EXPECT_EQ(std::pair(preview.width, preview.height), std::pair(3, 2));
+    EXPECT_EQ(preview.pixels, (std::vector{8, 11, 13, 22, 25, 27})) << "x of 1, 4, 6 and y of 1, 3";
+    EXPECT_EQ(preview_of(Image<int>(1, 1, 5), 3).pixels, std::vector{5});
+}
+
 TEST(LivePacking, SpendsLittleOnPlanesAndRepeatsOnItself) {
     ImageF plane(256, 128);
     for (int y = 0; y < plane.height; ++y) {
         for (int x = 0; x < plane.width; ++x)
             plane.at(x, y) = 1.0F / (0.5F - 0.001F * static_cast<float>(x) - 0.0005F * static_cast<float>(y));
     }
-    const std::string packed = pack_floats(plane);
-    EXPECT_EQ(packed, pack_floats(plane));
+    const std::string packed = pack_floats(plane).data;
+    EXPECT_EQ(packed, pack_floats(plane).data);
     EXPECT_LT(packed.size(), plane.size() * sizeof(float) / 2);
-    EXPECT_LT(pack_normals(Image<glm::vec3>(256, 128, glm::vec3(0, 0, 1))).size(), 1000U);
+    EXPECT_LT(pack_normals(Image<glm::vec3>(256, 128, glm::vec3(0, 0, 1))).data.size(), 1000U);
+}
+
+TEST(LivePacking, PredictsTheNormalsOfCurvedSurfacesAlone) {
+    Image<glm::vec3> facets(256, 128), sphere(256, 128);
+    for (int y = 0; y < facets.height; ++y) {
+        for (int x = 0; x < facets.width; ++x) {
+            const int facet = (3 * x + y) / 50 + 7 * ((3 * y - x + 256) / 40);
+            facets.at(x, y) = glm::normalize(glm::vec3(facet * 37 % 19 - 9, facet * 53 % 23 - 11, 12));
+            sphere.at(x, y) = glm::normalize(glm::vec3(x - 128, y - 64, 200));
+        }
+    }
+    EXPECT_EQ(pack_normals(facets).kind, "normals");
+    const PackedInput curved = pack_normals(sphere);
+    EXPECT_EQ(curved.kind, "predicted normals");
+    EXPECT_LT(curved.data.size(), sphere.size() * 4 * 4 / 3 / 2) << "half of the codes' own base64";
 }
 
 }  // namespace

@@ -1,5 +1,9 @@
-// A full picture that takes longer is drawn behind a preview.
+// A full picture that takes longer is drawn behind a preview, and in strips that take about so long. Before the first one is
+// drawn, a strip has so many pixels.
 const longestWait_ms = 400;
+const stripTime_ms = 200;
+const stripSize_px = 2 ** 17;
+const mostStrips = 32;
 
 // One view, one method with its parameters, one filter with its own: drawn anew after every change.
 class LiveBench {
@@ -9,7 +13,8 @@ class LiveBench {
     this.failure = element.querySelector('.live-failure');
     this.runner = new LiveRunner(index.contract);
     this.previewRunner = new LiveRunner(index.contract, this.runner.live);
-    this.elapsed_ms = Infinity;  // what the latest full picture took
+    this.elapsed_ms = null;  // what the latest full picture of the view took
+    this.isPreviewed = false;  // the preview of the present setting is shown, or being drawn
     this.result = new LiveResult(element, { seed: index.contract.seed, methodsDir: index.methods_dir });
     this.setting = { border: 'far', resolution: 'full' };
     this.turn = 0;
@@ -52,24 +57,33 @@ class LiveBench {
     this.failure.hidden = text === '';
   }
 
-  // The method and its values stay as they are; what its presets would be is the new view's.
+  // The method and its values stay as they are; what its presets would be is the new view's. Its preview is drawn while the
+  // rest is unpacked.
   async chooseView(key) {
     const turn = this.turn += 1;
     const view = this.index.views[key];
+    const stageView = stageData.views.find((other) => other.key === key);
+    const say = (text) => { if (!this.drawing) this.result.say(text); };
     this.loading = key;
     this.result.setBusy(true);
-    const stageView = stageData.views.find((other) => other.key === key);
-    const { truth, noise } = stageView.images;
-    const [inputs, ...images] = await Promise.all(
-      [unpackedInputs(view, (text) => this.result.say(text)), imageValues(truth), imageValues(noise)]);
+    const preview = previewView(view);
+    const few = await unpackedInputs(preview, say);
     if (turn !== this.turn) return;
+    this.result.setView(stageView);
     this.result.say('Compiling the shaders …');
+    this.previewRunner.setView(preview, few);
+    this.takeView(view);
+    const { truth, noise } = stageView.images;
+    const [inputs, ...images] = await Promise.all([unpackedInputs(view, say), imageValues(truth), imageValues(noise)]);
+    if (turn !== this.turn) return;
     this.loading = null;
-    this.result.setView(stageView, ...images);
+    this.result.setTruth(...images);
     this.runner.setView(view, inputs);
-    const factor = previewFactor(view);
-    this.previewRunner.setView(previewView(view, factor), previewInputs(inputs, view, factor));
-    this.elapsed_ms = Infinity;
+    this.elapsed_ms = null;
+    this.request(false);
+  }
+
+  takeView(view) {
     this.setting.view = view;
     this.methods = drawnDescriptors(this.index.methods, view.method_lengths);
     this.filters = drawnDescriptors(this.index.filters, view.filter_lengths);
@@ -147,8 +161,9 @@ class LiveBench {
   }
 
   // However many changes come while a picture is drawn, the next one has them all.
-  async request() {
+  async request(newSetting = true) {
     this.changed = true;
+    if (newSetting) this.isPreviewed = false;
     if (this.drawing) return;
     this.drawing = true;
     this.result.setBusy(true);
@@ -165,20 +180,36 @@ class LiveBench {
     this.result.setBusy(this.loading !== null);
   }
 
+  // The preview comes first where the full picture takes long or cannot be drawn yet.
   async draw() {
     const { parameters, filterParameters } = this.setting;
     const setting = { ...this.setting, parameters: { ...parameters }, filterParameters: { ...filterParameters } };
-    const { view } = this.previewRunner;
-    if (this.elapsed_ms > longestWait_ms) {
+    const takesLong = (this.elapsed_ms ?? Infinity) > longestWait_ms;
+    if (!this.isPreviewed && (this.loading || takesLong)) {
+      this.isPreviewed = true;
+      const { view } = this.previewRunner;
       const preview = await this.previewRunner.run(setting);
-      if (setting.view !== this.setting.view) return;
+      if (!preview || setting.view !== this.setting.view) return;
+      this.showFailure('');
       this.result.preview(view, preview);
       await new Promise((resolve) => { requestAnimationFrame(() => setTimeout(resolve)); });
-      if (this.changed) return;  // the next setting is drawn at once
     }
+    if (this.changed || this.loading) return;
+    await this.drawFull(setting);
+  }
+
+  // A change on the way stops it: the next setting is drawn at once.
+  async drawFull(setting) {
     const start = performance.now();
-    const output = await this.runner.run(setting);
-    if (setting.view !== this.setting.view) return;
+    const { width, height } = setting.view;
+    const wanted = this.elapsed_ms === null ? width * height / stripSize_px : this.elapsed_ms / stripTime_ms;
+    const strips = Math.min(Math.max(Math.ceil(wanted), 1), mostStrips);
+    const goOn = (text) => {
+      this.result.say(`Drawing ${width}×${height} pixels: ${text} …`);
+      return !this.changed && !this.loading;
+    };
+    const output = await this.runner.run(setting, { strips, goOn });
+    if (!output || setting.view !== this.setting.view) return;
     this.showFailure('');
     this.elapsed_ms = performance.now() - start;
     this.result.show(setting, output, this.elapsed_ms);

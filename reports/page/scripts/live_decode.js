@@ -17,9 +17,25 @@ function unpackedIntegers(bytes, width, height) {
   return values;
 }
 
+// Both octahedral codes of each pixel, one after the other.
+function plainCodes(bytes) {
+  return new Uint16Array(bytes.buffer, bytes.byteOffset, bytes.byteLength / 2);
+}
+
+// The same from the residuals of all first codes and then of all second ones.
+function predictedCodes(bytes, width, height) {
+  const size = width * height;
+  const [first, second] = [0, 2 * size].map((start) => predictCodes(unfoldedResiduals(bytes.subarray(start), size), width, height));
+  const codes = new Uint16Array(2 * size);
+  for (let i = 0; i < size; i += 1) {
+    codes[2 * i] = first[i];
+    codes[2 * i + 1] = second[i];
+  }
+  return codes;
+}
+
 // Unit vectors, four floats each, from octahedral codes of two 16-bit numbers.
-function unpackedNormals(bytes) {
-  const codes = new Uint16Array(bytes.buffer, bytes.byteOffset, bytes.byteLength / 2);
+function unpackedNormals(codes) {
   const normals = new Float32Array(2 * codes.length);
   for (let i = 0; i < codes.length; i += 2) {
     let x = codes[i] / 32767 - 1;
@@ -30,7 +46,7 @@ function unpackedNormals(bytes) {
       x = (1 - Math.abs(y)) * (fold < 0 ? -1 : 1);
       y = (1 - Math.abs(fold)) * (y < 0 ? -1 : 1);
     }
-    const length = Math.hypot(x, y, z);
+    const length = Math.sqrt(x * x + y * y + z * z);
     normals[2 * i] = x / length;
     normals[2 * i + 1] = y / length;
     normals[2 * i + 2] = z / length;
@@ -38,15 +54,20 @@ function unpackedNormals(bytes) {
   return normals;
 }
 
-// {name: {format, data}} as LiveRunner takes them. `say(text)` is told how far it is.
-async function unpackedInputs(view, say) {
-  const inputs = {};
-  const all = Object.entries(view.inputs);
+// How each kind of input is unpacked.
+const inputKinds = {
+  floats: (bytes, width, height) => ({ format: 'R', data: new Float32Array(unpackedIntegers(bytes, width, height).buffer) }),
+  normals: (bytes) => ({ format: 'RGBA', data: unpackedNormals(plainCodes(bytes)) }),
+  'predicted normals': (bytes, width, height) => ({ format: 'RGBA', data: unpackedNormals(predictedCodes(bytes, width, height)) }),
+};
+
+// {name: {format, data}} as LiveRunner takes them, of a view or a previewView(). `say(text)` is told how far it is.
+async function unpackedInputs({ width, height, inputs }, say) {
+  const unpacked = {};
+  const all = Object.entries(inputs);
   for (const [i, [name, { kind, data }]] of all.entries()) {
     say(`Unpacking ${name.replaceAll('_', ' ')}, ${i + 1} of ${all.length} parts of the G-buffer …`);
-    const bytes = await inflatedBytes(data);
-    inputs[name] = kind === 'normals' ? { format: 'RGBA', data: unpackedNormals(bytes) }
-      : { format: 'R', data: new Float32Array(unpackedIntegers(bytes, view.width, view.height).buffer) };
+    unpacked[name] = inputKinds[kind](await inflatedBytes(data), width, height);
   }
-  return inputs;
+  return unpacked;
 }

@@ -105,11 +105,16 @@ class LiveGl {
   // Fills a target {texture, width, height, level} with 1 and draws over it. `setUniforms` is called with the program in
   // use, `inputs` are textures by sampler name.
   draw(program, target, inputs, setUniforms) {
+    this.drawRows(program, target, inputs, setUniforms, 0, target.height);
+  }
+
+  // Draws rows from `first` up to `end` alone; the first ones begin with the fill.
+  drawRows(program, target, inputs, setUniforms, first, end) {
     const { gl } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target.texture, target.level ?? 0);
     gl.viewport(0, 0, target.width, target.height);
-    gl.clearBufferfv(gl.COLOR, 0, [1, 1, 1, 1]);
+    if (first === 0) gl.clearBufferfv(gl.COLOR, 0, [1, 1, 1, 1]);
     gl.useProgram(program.name);
     let unit = 0;
     for (const [sampler, texture] of Object.entries(inputs)) {
@@ -124,10 +129,22 @@ class LiveGl {
       const location = program.uniforms.get(name);
       if (location) gl[`uniform${kind}`](location, ...values);
     });
+    gl.enable(gl.SCISSOR_TEST);
+    gl.scissor(0, first, target.width, end - first);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
+    gl.disable(gl.SCISSOR_TEST);
   }
 
-  // A promise of the picture as floats, row 0 at the top. It waits without holding up the page.
+  // Waits until all that was asked for is drawn, without holding up the page.
+  async finished() {
+    const { gl } = this;
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    while (gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) await new Promise((resolve) => { setTimeout(resolve, 2); });
+    gl.deleteSync(fence);
+  }
+
+  // A promise of the picture as floats, row 0 at the top.
   async read({ texture, width, height }) {
     const { gl } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
@@ -139,10 +156,7 @@ class LiveGl {
     gl.bufferData(gl.PIXEL_PACK_BUFFER, values.byteLength, gl.STREAM_READ);
     gl.readPixels(0, 0, width, height, single ? gl.RED : gl.RGBA, gl.FLOAT, 0);
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
-    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    gl.flush();
-    while (gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) await new Promise((resolve) => { setTimeout(resolve, 2); });
-    gl.deleteSync(fence);
+    await this.finished();
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
     gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, values);
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);

@@ -14,6 +14,7 @@ class LiveResult {
   constructor(element, run) {
     this.element = element;
     this.run = run;
+    this.previewNote = '';
     this.shown = this.find('[name=shown]');
     fillCaption(this.find('.live-error-caption'), {
       title: 'Signed error', text: 'Live result minus truth. Red is too bright: occlusion is missing. Blue is too dark.',
@@ -37,24 +38,33 @@ class LiveResult {
   }
 
   setBusy(busy) {
-    this.find('.live-results').setAttribute('aria-busy', String(busy));
+    for (const place of ['.live-results', '.live-status']) this.find(place).setAttribute('aria-busy', String(busy));
   }
 
   // What is going on, for those who wait.
   say(text) {
-    this.find('.live-status').textContent = text;
+    this.find('.live-status').textContent = `${this.previewNote}${text}`;
   }
 
   // A picture of fewer pixels, without numbers, until the full one is there.
   preview(view, output) {
     this.element.preview = { ...view, output };  // for scripts that drive the page
-    this.say(`This is a preview of ${view.width}×${view.height} pixels. The full picture is being drawn …`);
+    this.previewNote = `This is a preview of ${view.width}×${view.height} pixels. `;
+    this.say('The full picture follows …');
     if (this.shown.value === 'live') paintVisibility(this.find('.live-output'), view, (i) => output[i]);
   }
 
-  // `truth` and `noise` are imageValues().
-  setView(stageView, truth, noise) {
-    Object.assign(this, { stageView, truth, noise, output: null });
+  // Forgets what an earlier view showed.
+  setView(stageView) {
+    const { width, height } = stageView;
+    Object.assign(this, { stageView, truth: null, noise: null, output: null, previewNote: '' });
+    Object.assign(this.find('.live-error'), { width, height });
+    this.find('.live-errors tbody').replaceChildren();
+  }
+
+  // Both are imageValues().
+  setTruth(truth, noise) {
+    Object.assign(this, { truth, noise });
   }
 
   // What the run measured where the setting started from; undefined where it measured nothing.
@@ -67,12 +77,13 @@ class LiveResult {
     const { stageView } = this;
     const errors = liveErrors(output, this.truth, this.noise, view.noise_floor_rmse);
     this.output = output;
+    this.previewNote = '';
     this.element.shown = { ...setting, output, errors };  // for scripts that drive the page
     this.showErrors(errors);
     const odd = errors.nonfinite > 0 ? ` ${errors.nonfinite} pixels are NaN or infinite and left out.` : '';
-    this.find('.live-status').textContent = `RMSE ${numberText(errors.rmse, 4)} over ${errors.count} valid pixels `
+    this.say(`RMSE ${numberText(errors.rmse, 4)} over ${errors.count} valid pixels `
       + `(the page keeps the truth in steps of 1/${Math.round(1 / stageView.images.truth.step)}), `
-      + `drawn and read back in ${elapsed_ms.toFixed(0)} ms here.${odd}`;
+      + `drawn and read back in ${elapsed_ms.toFixed(0)} ms here.${odd}`);
     this.paintVisibility();
     paintError(this.find('.live-error'), view, output, this.truth, this.noise, liveErrorRange);
     this.find('#live-preset-text').value = presetText(setting);

@@ -120,12 +120,26 @@ class LiveRunner {
       SCALE: scale, COARSER_SCALE: coarserScale };
   }
 
+  // Draws a pass in so many strips of an even number of rows, and lets the page work in between. `goOn(done, strips)` is asked
+  // after each one but the last; false where it says no.
+  async drawStrips(program, target, inputs, setUniforms, strips, goOn) {
+    const rows = 2 * Math.ceil(target.height / strips / 2);
+    for (let first = 0; first < target.height; first += rows) {
+      this.live.drawRows(program, target, inputs, setUniforms, first, Math.min(first + rows, target.height));
+      if (first + rows >= target.height) break;
+      await this.live.finished();
+      if (!goOn(first / rows + 1, Math.ceil(target.height / rows))) return false;
+    }
+    return true;
+  }
+
   // The passes of a method or filter, drawn at 1/divisor of their sizes; `visibility` is what a filter's first pass reads.
-  // Returns the last target.
-  passes(descriptor, parameters, border, visibility, divisor = 1) {
+  // A promise of the last target; of null where `how.goOn` stopped it, or another view came.
+  async passes(descriptor, parameters, border, visibility, divisor, how) {
+    const { view } = this;
     let previous = visibility;
     let before = 1;
-    descriptor.passes.forEach((pass, i) => {
+    for (const [i, pass] of descriptor.passes.entries()) {
       const scale = pass.scale * divisor;
       const program = this.live.program(this.contract.screen_vertex, descriptor.sources[pass.source],
         this.macros(border, scale, before));
@@ -133,14 +147,18 @@ class LiveRunner {
       const inputs = {};
       for (const name of pass.inputs) inputs[`u_${name}`] = this.input(name, descriptor, parameters, previous);
       const target = this.target(`${visibility ? 'filter' : 'method'} ${i}`, scale);
-      this.live.draw(program, target, inputs, (set) => {
+      const setUniforms = (set) => {
         this.setViewUniforms(set);
         set('u_seed', '1ui', this.contract.seed);
         this.setParameters(program, set, descriptor, parameters);
-      });
+      };
+      const which = `${visibility ? 'filter' : 'method'}${descriptor.passes.length > 1 ? `, pass ${i + 1} of ${descriptor.passes.length}` : ''}`;
+      const goOn = (strip, strips) => how.goOn(`${which}, part ${strip} of ${strips}`);
+      const whole = await this.drawStrips(program, target, inputs, setUniforms, how.strips, goOn);
+      if (!whole || this.view !== view) return null;
       previous = target;
       before = scale;
-    });
+    }
     return before === 1 ? previous : this.upsampled(previous, before);
   }
 
@@ -153,10 +171,15 @@ class LiveRunner {
     return target;
   }
 
-  // A promise of a method's visibility, after the filter where there is one.
-  async run({ method, parameters, filter, filterParameters, border, resolution }) {
-    const raw = this.passes(method, parameters, border, null, resolution === 'half' ? 2 : 1);
-    const values = await this.live.read(filter ? this.passes(filter, filterParameters, border, raw) : raw);
+  // A promise of a method's visibility, after the filter where there is one; of null where `how.goOn(text)`, which is told how
+  // far it is, says no. Every pass is drawn in `how.strips` strips.
+  async run({ method, parameters, filter, filterParameters, border, resolution }, how = { strips: 1, goOn: () => true }) {
+    const { view } = this;
+    const raw = await this.passes(method, parameters, border, null, resolution === 'half' ? 2 : 1, how);
+    if (!raw || this.view !== view) return null;
+    const drawn = filter ? await this.passes(filter, filterParameters, border, raw, 1, how) : raw;
+    if (!drawn || this.view !== view) return null;
+    const values = await this.live.read(drawn);
     return values.map((v) => (v > 1 ? 1 : v));
   }
 }

@@ -12,6 +12,7 @@
 #include "page/document/page_template.h"
 #include "page/live/live_index.h"
 #include "page/live/live_packing.h"
+#include "page/live/live_preview.h"
 #include "page/pictures/stored_images.h"
 #include "results/live_file.h"
 #include "results/ranked_value.h"
@@ -27,16 +28,23 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-std::string pack(const Channel& input, const ImageFile& file, const fs::path& path) {
+constexpr std::string_view kDepthChannel = "linear_depth";
+
+/// An input of a view, full and as a preview.
+struct PackedChannel {
+    PackedInput full, preview;
+};
+
+PackedChannel pack_channel(const Channel& input, const ImageFile& file, const fs::path& path, int factor) {
     std::vector<const ImageF*> planes;
     for (const std::string_view name : input.exr_names)
         planes.push_back(&channel_of(file, path, std::string(name)));
-    if (planes.size() == 1) return pack_floats(*planes[0]);
+    if (planes.size() == 1) return {pack_floats(*planes[0]), pack_floats(preview_of(*planes[0], factor))};
     Image<glm::vec3> vectors(file.width, file.height);
     for (std::size_t i = 0; i < vectors.size(); ++i) {
         vectors.pixels[i] = {planes[0]->pixels[i], planes[1]->pixels[i], planes[2]->pixels[i]};
     }
-    return pack_normals(vectors);
+    return {pack_normals(vectors), pack_normals(preview_of(vectors, factor))};
 }
 
 std::set<std::string> inputs_of(const json& method) {
@@ -95,6 +103,7 @@ void add_view(json& data, const ViewRecord& view, const Results& results) {
     data["samples"] = view.samples;
     data["noise_floor_rmse"] = view.truths.empty() ? 0.0 : view.truths.front().noise_floor_rmse;
     data["inputs"] = json::object();
+    data["preview_inputs"] = json::object();
     data["cells"] = json::array();
     for (const CellRecord& cell : results.cells) {
         if (cell.view_key == view.key && cell.error.empty()) data["cells"].push_back(cell_data(cell));
@@ -147,19 +156,28 @@ LiveData read_live_data(const Results& results, const fs::path& folder) {
     return data;
 }
 
-void add_gbuffer(LiveData& data, const ViewRecord& view, const ImageFile& gbuffer, const fs::path& path) {
-    if (!data.missing.empty()) return;
-    json& inputs = data.index.at("views").at(view.key).at("inputs");
+std::string add_gbuffer(LiveData& data, const ViewRecord& view, const ImageFile& gbuffer,
+                        const fs::path& path) {
+    if (!data.missing.empty()) return {};
+    json& index = data.index.at("views").at(view.key);
+    const int factor = preview_factor(view.width);
+    index["preview_factor"] = factor;
     const std::vector<const Channel*> wanted = wanted_inputs(data.index);
-    const std::size_t first = data.blocks.size();
-    for (const Channel* input : wanted) {
-        const std::string name = fmt::format("live {} {}", view.key, input->id);
-        inputs[std::string(input->id)] = {{"kind", input->form == ChannelForm::number ? "floats" : "normals"},
-                                          {"data", name}};
-        data.blocks.emplace_back(name, "");
-    }
+    std::vector<PackedChannel> packed(wanted.size());
     parallel_for(wanted.size(),
-                 [&](std::size_t i) { data.blocks[first + i].second = pack(*wanted[i], gbuffer, path); });
+                 [&](std::size_t i) { packed[i] = pack_channel(*wanted[i], gbuffer, path, factor); });
+    std::string depth_block;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const std::string id(wanted[i]->id), name = fmt::format("live {} {}", view.key, id);
+        const auto add = [&](const char* list, const std::string& block, PackedInput& input) {
+            index[list][id] = {{"kind", input.kind}, {"data", block}};
+            data.blocks.emplace_back(block, std::move(input.data));
+        };
+        add("inputs", name, packed[i].full);
+        add("preview_inputs", name + " preview", packed[i].preview);
+        if (id == kDepthChannel) depth_block = name;
+    }
+    return depth_block;
 }
 
 std::string live_blocks(const LiveData& data) {

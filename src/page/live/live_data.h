@@ -18,9 +18,10 @@ struct LiveData {
     std::string missing;  ///< a sentence that says why nothing can be run; else empty
 
     /// {contract, methods, filters, views}: the run's file without the methods that cannot be run. Each view
-    /// has, beside its camera, `inputs`: {name: {kind: "floats" or "normals", data: name of the block}};
-    /// scene, view, radius_m, samples, noise_floor_rmse; and `cells`, the measured cells with method, preset,
-    /// filter, parameters and the ranked metrics.
+    /// has, beside its camera, `inputs`: {name: {kind as PackedInput has it, data: name of the block}};
+    /// `preview_inputs`, the same of every `preview_factor`-th pixel (live_preview.h); scene, view, radius_m,
+    /// samples, noise_floor_rmse; and `cells`, the measured cells with method, preset, filter, parameters and
+    /// the ranked metrics.
     nlohmann::json index;
 
     struct Refused {
@@ -37,10 +38,10 @@ struct LiveData {
 /// a view.
 LiveData read_live_data(const Results& results, const std::filesystem::path& folder);
 
-/// Adds the blocks of a view's G-buffer, from the file at `path`, where nothing is missing. Throws file_error
-/// where it lacks a channel.
-void add_gbuffer(LiveData& data, const ViewRecord& view, const ImageFile& gbuffer,
-                 const std::filesystem::path& path);
+/// Adds the blocks of a view's G-buffer, from the file at `path`, where nothing is missing. Returns the name
+/// of the block that holds depth; empty where there is none. Throws file_error where it lacks a channel.
+std::string add_gbuffer(LiveData& data, const ViewRecord& view, const ImageFile& gbuffer,
+                        const std::filesystem::path& path);
 
 /// The script elements that hold the data: "live index" and the blocks.
 std::string live_blocks(const LiveData& data);

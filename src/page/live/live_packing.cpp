@@ -2,6 +2,7 @@
 
 #include "page/document/base64.h"
 #include "page/document/deflate.h"
+#include "page/document/median_residuals.h"
 
 #include <zlib.h>
 
@@ -18,6 +19,41 @@ std::uint32_t folded(std::uint32_t residual) {
 
 std::uint16_t code_of(double component) {
     return static_cast<std::uint16_t>(std::lround((component + 1) * 32767));
+}
+
+struct OctahedralCodes {
+    Image<std::uint16_t> first, second;
+};
+
+OctahedralCodes octahedral_codes(const Image<glm::vec3>& normals) {
+    OctahedralCodes codes{Image<std::uint16_t>(normals.width, normals.height),
+                          Image<std::uint16_t>(normals.width, normals.height)};
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        const glm::dvec3 n(normals.pixels[i]);
+        const double sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
+        double x = n.x / sum, y = n.y / sum;
+        if (n.z < 0) {
+            const double old_x = x;
+            x = (1 - std::abs(y)) * (old_x < 0 ? -1 : 1);
+            y = (1 - std::abs(old_x)) * (y < 0 ? -1 : 1);
+        }
+        codes.first.pixels[i] = code_of(x);
+        codes.second.pixels[i] = code_of(y);
+    }
+    return codes;
+}
+
+/// Both codes of each pixel, the lower byte first.
+std::string bytes_of(const OctahedralCodes& codes) {
+    std::string bytes;
+    bytes.reserve(4 * codes.first.size());
+    for (std::size_t i = 0; i < codes.first.size(); ++i) {
+        for (const std::uint16_t code : {codes.first.pixels[i], codes.second.pixels[i]}) {
+            bytes += static_cast<char>(code);
+            bytes += static_cast<char>(code >> 8U);
+        }
+    }
+    return bytes;
 }
 
 }  // namespace
@@ -39,31 +75,23 @@ std::string pack_integers(std::span<const std::uint32_t> values, int width) {
     return base64(deflated(bytes, 6, Z_FILTERED));
 }
 
-std::string pack_floats(const ImageF& image) {
+PackedInput pack_floats(const ImageF& image) {
     std::vector<std::uint32_t> bits;
     bits.reserve(image.size());
     for (const float value : image.pixels) bits.push_back(std::bit_cast<std::uint32_t>(value));
-    return pack_integers(bits, image.width);
+    return {"floats", pack_integers(bits, image.width)};
 }
 
-std::string pack_normals(const Image<glm::vec3>& normals) {
-    std::string bytes;
-    bytes.reserve(4 * normals.size());
-    for (const glm::vec3& normal : normals.pixels) {
-        const glm::dvec3 n(normal);
-        const double sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
-        double x = n.x / sum, y = n.y / sum;
-        if (n.z < 0) {
-            const double old_x = x;
-            x = (1 - std::abs(y)) * (old_x < 0 ? -1 : 1);
-            y = (1 - std::abs(old_x)) * (y < 0 ? -1 : 1);
-        }
-        for (const std::uint16_t code : {code_of(x), code_of(y)}) {
-            bytes += static_cast<char>(code);
-            bytes += static_cast<char>(code >> 8U);
-        }
-    }
-    return base64(deflated(bytes, 6, Z_DEFAULT_STRATEGY));
+PackedInput pack_normals(const Image<glm::vec3>& normals) {
+    const OctahedralCodes codes = octahedral_codes(normals);
+    const std::string plain = bytes_of(codes);
+    const std::string residuals = median_residuals(codes.first, 2) + median_residuals(codes.second, 2);
+    const auto quick_size = [](const std::string& bytes) {
+        return deflated(bytes, 1, Z_DEFAULT_STRATEGY).size();
+    };
+    const bool predict = quick_size(residuals) < quick_size(plain);
+    return {predict ? "predicted normals" : "normals",
+            base64(deflated(predict ? residuals : plain, 6, Z_DEFAULT_STRATEGY))};
 }
 
 }  // namespace aoscore

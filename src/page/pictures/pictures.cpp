@@ -134,8 +134,9 @@ void read_gbuffer(const ViewRecord& view, const Mask& valid, const fs::path& fol
     require_size(depth, view, path);
     const double nearest = quantile(depth, valid, 0.0);
     pictures.depth_high_m = quantile(depth, valid, 0.99);
-    pictures.depth = quantise(only_where(depth, valid), nearest, nearest, kLevelsOfTwoBytes);
-    if (use) use(view, file, path);
+    if (use) pictures.depth_block = use(view, file, path);
+    const auto encode = pictures.depth_block.empty() ? quantise : scale_for;
+    pictures.depth = encode(only_where(depth, valid), nearest, nearest, kLevelsOfTwoBytes);
 }
 
 CellPictures cell_pictures(const CellRecord& cell, const ViewRecord& view, const Encoding& encoding,

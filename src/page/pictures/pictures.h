@@ -26,7 +26,10 @@ struct ViewPictures {
     QuantisedImage truth;
     QuantisedImage standard_error;  ///< the truth's, 0 where it has none; NaN where nothing is compared
     bool has_standard_error = false;
-    QuantisedImage depth;     ///< metres; NaN where there is no surface; empty without a stored G-buffer
+    /// Metres; NaN where nothing is compared; without data where `depth_block` has them, or where no G-buffer
+    /// was stored.
+    QuantisedImage depth;
+    std::string depth_block;  ///< the name of the live block that holds depth as it is; may be empty
     double depth_high_m = 0;  ///< 99 % of the valid pixels are nearer
     /// Of the ranking's occlusion, what has each cause ("outside", …), and what one depth layer could show of
     /// it
@@ -49,9 +52,10 @@ struct Pictures {
     std::vector<FirstLook> looks;               ///< one for each view, in their order
 };
 
-/// Receives the G-buffer of a view from its file, whose path is the last argument.
-using GBufferUse =
-    std::function<void(const ViewRecord& view, const ImageFile& gbuffer, const std::filesystem::path& path)>;
+/// Receives the G-buffer of a view from its file, whose path is the last argument. Returns the name of the
+/// block that holds its depth as it is; empty where there is none.
+using GBufferUse = std::function<std::string(const ViewRecord& view, const ImageFile& gbuffer,
+                                             const std::filesystem::path& path)>;
 
 /// Reads the EXR files of the results, each once, and encodes every picture of the page, on all threads.
 /// Small pages have 65535 levels of visibility, raw outputs and occlusion by cause; large ones have 255

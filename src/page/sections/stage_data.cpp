@@ -32,14 +32,27 @@ std::string name_of(const std::string& owner, const NamedImage& named) {
     return owner + " " + named.kind;
 }
 
+json image_data(const QuantisedImage& image, const std::string& block) {
+    return {{"data", block},    {"width", image.width}, {"height", image.height},
+            {"low", image.low}, {"step", image.step},   {"bytes", image.bytes}};
+}
+
 template <class OwnerPictures>
 json images_data(const std::string& owner, const OwnerPictures& pictures) {
     json list = json::object();
     for (const NamedImage& named : images_of(pictures)) {
         if (named.image.empty()) continue;
-        list[named.kind] = {{"data", name_of(owner, named)}, {"width", named.image.width},
-                            {"height", named.image.height},  {"low", named.image.low},
-                            {"step", named.image.step},      {"bytes", named.image.bytes}};
+        list[named.kind] = image_data(named.image, name_of(owner, named));
+    }
+    return list;
+}
+
+/// The view's images; its depth may lie among the data of the live methods.
+json view_images_data(const ViewRecord& view, const ViewPictures& pictures) {
+    json list = images_data(view.key, pictures);
+    if (!pictures.depth_block.empty()) {
+        list["depth"] = image_data(pictures.depth, pictures.depth_block);
+        list["depth"]["exact"] = true;
     }
     return list;
 }
@@ -74,7 +87,7 @@ json view_data(const ViewRecord& view, const PageSource& source) {
             {"truthCommand", view.truth_command},
             {"noiseHigh", pictures.has_standard_error ? error.low + error.step * (kErrorLevels - 1) : 0.0},
             {"depthHigh", pictures.depth_high_m},
-            {"images", images_data(view.key, pictures)},
+            {"images", view_images_data(view, pictures)},
             {"cells", std::move(cells)}};
 }
 

@@ -33,13 +33,21 @@ test('a preview of fewer pixels comes before the first picture, and looks like i
     const { preview: small, shown: large } = document.querySelector('details.live');
     return { preview: { width: small.width, height: small.height, output: [...small.output] }, full: { width: large.view.width, output: [...large.output] } };
   });
-  assert.deepEqual([preview.width, preview.height], [80, 48]);
-  const middle = preview.output.map((value, i) => full.output[(2 * Math.floor(i / preview.width) + 1) * full.width + 2 * (i % preview.width) + 1]);
+  assert.deepEqual([preview.width, preview.height], [54, 32]);
+  // Each pixel of the preview stands for a square of 3 x 3 pixels.
+  const rows = full.output.length / full.width;
+  const middle = preview.output.map((value, i) => {
+    const [x, y] = [3 * (i % preview.width), 3 * Math.floor(i / preview.width)];
+    const square = [0, 1, 2].flatMap((v) => [0, 1, 2].map((u) => full.output[Math.min(y + v, rows - 1) * full.width + Math.min(x + u, full.width - 1)]));
+    return square.reduce((sum, one) => sum + one, 0) / square.length;
+  });
   const mean = (list) => list.reduce((sum, value) => sum + value, 0) / list.length;
   assert.ok(Math.abs(mean(preview.output) - mean(middle)) < 0.05, `${mean(preview.output)} beside ${mean(middle)}`);
   const spread = (a, b) => mean(a.map((value, i) => (value - mean(a)) * (b[i] - mean(b))));
-  const likeness = spread(preview.output, middle) / Math.sqrt(spread(preview.output, preview.output) * spread(middle, middle));
-  assert.ok(likeness > 0.7, `correlation ${likeness}`);
+  const likeness = (a, b) => spread(a, b) / Math.sqrt(spread(a, a) * spread(b, b));
+  const mirrored = middle.map((_, i) => middle[i - i % preview.width + preview.width - 1 - i % preview.width]);
+  const [right, wrong] = [likeness(preview.output, middle), likeness(preview.output, mirrored)];
+  assert.ok(right > 0.5 && right > wrong + 0.2, `correlation ${right}, with the mirrored picture ${wrong}`);
 });
 
 test('a slider moves the value, the picture and the error, by keyboard as well', async () => {
