@@ -9,6 +9,7 @@
 #include "page/pictures/pictures.h"
 #include "page/ranking_order.h"
 #include "page/section.h"
+#include "page/sections/cell_command.h"
 #include "page/sections/stage_data.h"
 
 #include <fmt/format.h>
@@ -45,7 +46,8 @@ std::string page_html(const PageSource& all, const PageSource& source) {
     std::string html = html_text({"screen-space ambient occlusion against ray-traced truth", page_style(),
                                   page_script(), fill_template(read_file(frame), model, frame.string())});
     // The images come last, so that the top of the page does not wait for them.
-    html.insert(html.rfind("</body>"), image_blocks(source) + live_blocks(source.live));
+    html.insert(html.rfind("</body>"),
+                image_blocks(source) + live_blocks(source.live) + command_block(all.results));
     return html;
 }
 

@@ -18,10 +18,12 @@ function stageAddress(stage) {
   return `#${entries}`;
 }
 
-// The command that makes what the stage shows: the view's truth alone, or the whole run.
+// The command that makes what the stage shows: the view's truth alone, one cell, or, where it shows several, the whole run.
 function stageCommand(stage) {
   const { view, cell, choice } = stage;
-  return !cell || (choice.mode === 'alone' && choice.picture === 'noise') ? view.truthCommand : stageData.command;
+  if (!cell || (choice.mode === 'alone' && choice.picture === 'noise')) return view.truthCommand;
+  const shows = modes[choice.mode];
+  return shows === modes.all || (shows !== modes.alone && choice.against) ? stageData.command : cellCommand(cell.id);
 }
 
 // True where the address is one of the stage's; what it names wrongly is left as it is.

@@ -23,6 +23,7 @@ function buildSection(section) {
   unwrap(noscript);
   for (const element of section.querySelectorAll('.without-scripts')) element.remove();
   addCopyButtons(section);
+  useColumns(section);
   sectionBuilders.get(section.id)?.(section);
 }
 
@@ -41,15 +42,14 @@ function sectionOf(id) {
     section.querySelector(':scope > .fold > noscript')?.textContent.includes(` id="${CSS.escape(id)}"`)) ?? null;
 }
 
-// Unfolds what the address names: the id of a section or of something in it, or `section` with the name of a table.
+// Unfolds what the address names: the id of a section or of something in it, or `section` with the name of a `part`.
 function followFold() {
   const hash = decodeURIComponent(location.hash.slice(1));
   const entries = new URLSearchParams(location.hash.slice(1));
   const section = entries.has('section') ? document.getElementById(entries.get('section')) : sectionOf(hash);
   if (hash === '' || !section?.matches('main > section')) return false;
   unfold(section);
-  const table = [...section.querySelectorAll('.scroll')].find((box) => box.getAttribute('aria-label') === entries.get('table'));
-  (table ?? document.getElementById(hash) ?? section).scrollIntoView();
+  (partNamed(section, entries.get('part')) ?? document.getElementById(hash) ?? section).scrollIntoView();
   return true;
 }
 

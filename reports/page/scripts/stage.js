@@ -1,3 +1,6 @@
+// A caption with a colour bar needs so much room beside its picture.
+const leastCaption_px = 230;
+
 // The picture stage: its form holds what is chosen, its panes show it.
 class Stage {
   constructor(element) {
@@ -98,11 +101,26 @@ class Stage {
       this.panesBox.append(pane.element);
     }
     this.panesBox.dataset.panes = String(layers.length);
+    this.arrange();
     layers.forEach(([base, top], i) => this.panes[i].show(base, top, i > 1));
     this.blink.set(choice.mode === 'blink' && !this.held ? 1000 / choice.rate : 0);
     this.inspector.show(this.view, this.pixel);
     for (const listener of this.listeners) listener(choice);
     this.said();
+  }
+
+  // Two pictures stand one above the other, with their captions beside them, where that makes them larger.
+  arrange() {
+    const box = this.panesBox;
+    const { width, height } = this.view;
+    const gap_px = 14;
+    const beside_px = (box.clientWidth - gap_px) / 2;
+    const free_px = innerHeight - this.element.querySelector('.stage-tools').offsetHeight - 7 * gap_px;
+    const above_px = Math.floor(Math.min(free_px / 2 * width / height, box.clientWidth - leastCaption_px));
+    const above = this.panes.length === 2 && above_px > 1.1 * beside_px;
+    box.classList.toggle('one-above-the-other', above);
+    box.style.setProperty('--pane-width', `${above_px}px`);
+    this.requestDraw();
   }
 
   // Hides what the chosen mode and view have no use for.

@@ -18,8 +18,9 @@ whenBuilt('pictures', (section) => {
   const sight = new IntersectionObserver((entries) => {
     if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
     sight.disconnect();
-    new ResizeObserver(() => stage.requestDraw()).observe(stage.panesBox);
     if (stage.panes.length === 0) stage.update();
+    new ResizeObserver(() => stage.arrange()).observe(stage.panesBox);
+    addEventListener('resize', () => stage.arrange());
   });
   sight.observe(element);
 });

@@ -1,3 +1,9 @@
+// A link to the view on the stage, where each picture has its own, and the command that makes the page.
+function lookCopies(key) {
+  return make('p', 'copy-buttons', copyButton('Copy link', () => addressOf(`#${new URLSearchParams({ view: key })}`)), ' ',
+    copyButton('Copy command', () => stageData.command));
+}
+
 // The first screen: a switch for views, each with its pictures and a small chart.
 whenBuilt('verdict', (section) => {
   const tabs = section.querySelector('.view-tabs');
@@ -10,6 +16,8 @@ whenBuilt('verdict', (section) => {
     for (const tab of tabs?.querySelectorAll('button') ?? []) tab.setAttribute('aria-pressed', String(tab.dataset.view === key));
     const chart = shown.querySelector('.small-cost-chart:empty');
     if (chart) startCostChart(chart, { brief: true });
+    const words = shown.querySelector('.look-words');
+    if (!words.querySelector('.copy-buttons')) words.append(lookCopies(key));
   };
   const [first] = section.querySelectorAll('.look');
   if (first) showLook(first.dataset.view);

@@ -50,6 +50,7 @@ json row_model(const CellRecord& cell, double widest) {
                           {"sort", known ? fmt::format("{}", area) : std::string()}});
     }
     return {{"method", shown_name(cell)},
+            {"cell", cell.id},
             {"preset", cell.preset},
             {"missing", percent_text(analysis.missing.area)},
             {"missing_sort", fmt::format("{}", analysis.missing.area)},

@@ -1,6 +1,7 @@
 #include "page/sections/interval_tables.h"
 
 #include "page/document/number_text.h"
+#include "page/sections/ranking_columns.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,16 +16,17 @@ struct Head {
     std::string id, label, unit;
     double scale;
     int decimals;
+    int keep;  ///< as RankingColumn has it
 };
 
 std::vector<Head> heads() {
     std::vector<Head> list;
     for (const Metric& metric : metrics()) {
         list.push_back({std::string(metric.id), std::string(metric.label), std::string(metric.unit), 1,
-                        metric.decimals});
+                        metric.decimals, metric_keep(metric.id)});
     }
     for (const MaskArea& area : mask_areas())
-        list.push_back({std::string(area.id), std::string(area.label), "%", 100, 2});
+        list.push_back({std::string(area.id), std::string(area.label), "%", 100, 2, kKeepAreas});
     return list;
 }
 
@@ -44,7 +46,8 @@ json number_model(const PlaceRecord& place, const Head& head) {
 
 nlohmann::json interval_tables(const Results& results) {
     json tables = json::array(), columns = json::array();
-    for (const Head& head : heads()) columns.push_back({{"label", head.label}, {"unit", head.unit}});
+    for (const Head& head : heads())
+        columns.push_back({{"label", head.label}, {"unit", head.unit}, {"keep", std::to_string(head.keep)}});
     for (const RankingRecord& ranking : results.rankings) {
         json rows = json::array();
         for (const PlaceRecord& place : ranking.places) {

@@ -206,6 +206,7 @@ json table_model(const TableRecord& table, const PageSource& source) {
     for (const TableRow& row : rows) {
         const TruthRecord* own = find_truth(view, row.cell.own_truth);
         model["rows"].push_back({{"method", shown_name(row.cell)},
+                                 {"cell", row.cell.id},
                                  {"preset", row.cell.preset},
                                  {"failed", !row.cell.error.empty()},
                                  {"error", row.cell.error},

@@ -225,7 +225,10 @@ nlohmann::json section::ranking(const PageSource& source) {
     const Columns columns = columns_of(results);
     json heads = json::array();
     for (const RankingColumn& column : columns.list) {
-        heads.push_back({{"label", column.label}, {"unit", column.unit}, {"meaning", column.meaning}});
+        heads.push_back({{"label", column.label},
+                         {"unit", column.unit},
+                         {"meaning", column.meaning},
+                         {"keep", std::to_string(column.keep)}});
     }
     json model = {{"in_short", ranking_in_short(results)},
                   {"heads", heads},

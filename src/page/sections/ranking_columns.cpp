@@ -1,6 +1,7 @@
 #include "page/sections/ranking_columns.h"
 
 #include "metrics/metric.h"
+#include "metrics/roles.h"
 #include "page/document/number_text.h"
 
 #include <fmt/format.h>
@@ -20,14 +21,25 @@ bool reads_layers(const CellRecord& cell) {
     return !cell.layers_processor.runs_ms.empty();
 }
 
+// What decides between methods stays longest: the error that ranks, its sign and the cost.
+constexpr int kKeepRanking = 1, kKeepCost = 2, kKeepLikeness = 4, kKeepTotals = 5, kKeepOthers = 6;
+
 }  // namespace
+
+int metric_keep(std::string_view id) {
+    if (id == kRankingMetric) return kKeepRanking;
+    if (id == kBiasMetric) return kKeepCost;
+    if (id == kStructureMetric || id == kPerceptualMetric) return kKeepLikeness;
+    return kKeepOthers;
+}
 
 std::vector<RankingColumn> ranking_columns(const Results& results) {
     std::vector<RankingColumn> list;
     for (const Metric& metric : metrics()) {
         const std::string id(metric.id);
         list.push_back({id, std::string(metric.label), std::string(metric.unit), std::string(metric.meaning),
-                        [id](const CellRecord& cell) { return metric_of(cell, id); }, metric.decimals});
+                        [id](const CellRecord& cell) { return metric_of(cell, id); }, metric.decimals,
+                        metric_keep(id)});
     }
     for (const MaskArea& area : mask_areas()) {
         list.push_back(
@@ -39,7 +51,7 @@ std::vector<RankingColumn> ranking_columns(const Results& results) {
                  if (!cell.analysis) return MeasuredMetric{std::nullopt, ""};
                  return MeasuredMetric{value(*cell.analysis) * 100, ""};
              },
-             2});
+             2, kKeepAreas});
     }
     if (std::ranges::any_of(results.cells, reads_layers)) {
         list.push_back(
@@ -52,29 +64,29 @@ std::vector<RankingColumn> ranking_columns(const Results& results) {
                      return MeasuredMetric{std::nullopt, "nothing is beyond one layer, or not traced"};
                  return MeasuredMetric{*cell.analysis->found_beyond_layer * 100, ""};
              },
-             0});
+             0, kKeepAreas});
     }
     list.push_back({"", "Fetches", "a pixel",
                     "Texture reads of the AO pass, counted, mean over valid pixels.",
                     [](const CellRecord& cell) {
                         return MeasuredMetric{cell.fetches_per_pixel, ""};
                     },
-                    1});
+                    1, kKeepCost});
     list.push_back({"", "AO", "ms", "Median of the AO pass.",
                     [](const CellRecord& cell) {
                         return MeasuredMetric{cell.ao.median_ms, ""};
                     },
-                    std::nullopt});
+                    std::nullopt, kKeepCost});
     list.push_back({"", "Filter", "ms", "Median of the filter after it.",
                     [](const CellRecord& cell) {
                         return MeasuredMetric{cell.filter_pass.median_ms, ""};
                     },
-                    std::nullopt});
+                    std::nullopt, kKeepTotals});
     list.push_back({"", "Frame", "ms", "G-buffer, AO pass and filter together.",
                     [](const CellRecord& cell) {
                         return MeasuredMetric{cell.frame_ms, ""};
                     },
-                    std::nullopt});
+                    std::nullopt, kKeepTotals});
     return list;
 }
 

@@ -62,7 +62,8 @@ json table_of(const PageSource& source, const ViewRecord& view, const SignalReco
     if (of_truth != source.pictures.views.end())
         pictures.push_back({{"name", "Truth"}, {"uri", of_truth->second.signals.at(record.id).uri}});
     for (const CellRecord* cell : cells_with(source.results, view, record.id, std::string(columns[0]->id))) {
-        rows.push_back({{"method", name_of(*cell)}, {"numbers", numbers_of(*cell, columns)}});
+        rows.push_back(
+            {{"method", name_of(*cell)}, {"cell", cell->id}, {"numbers", numbers_of(*cell, columns)}});
         const auto shown = source.pictures.cells.find(cell->id);
         if (shown != source.pictures.cells.end() && shown->second.signals.contains(record.id))
             pictures.push_back({{"name", name_of(*cell)}, {"uri", shown->second.signals.at(record.id).uri}});
