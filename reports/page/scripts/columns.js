@@ -72,14 +72,16 @@ class TableColumns {
   }
 }
 
-// Calls `act` when the box has another width that is not 0.
+// Calls `act` now and whenever the box has another width, unless that is 0.
 function onWidth(box, act) {
   let width = 0;
-  new ResizeObserver(() => {
+  const look = () => {
     if (box.clientWidth === width || box.clientWidth === 0) return;
     width = box.clientWidth;
     act();
-  }).observe(box);
+  };
+  look();
+  new ResizeObserver(() => requestAnimationFrame(look)).observe(box);
 }
 
 // Captions are no wider than their place. Columns are left out of tables whose heads lie in one row, each over one column.

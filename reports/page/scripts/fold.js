@@ -30,8 +30,8 @@ function buildSection(section) {
 function unfold(section) {
   const fold = section.querySelector(':scope > .fold');
   if (!fold) return;
+  fold.open = true;  // first, so that tables know their place when they are built
   buildSection(section);
-  fold.open = true;
 }
 
 // The section that holds the element of that id, though it may not be built yet.
@@ -49,7 +49,7 @@ function followFold() {
   const section = entries.has('section') ? document.getElementById(entries.get('section')) : sectionOf(hash);
   if (hash === '' || !section?.matches('main > section')) return false;
   unfold(section);
-  (partNamed(section, entries.get('part')) ?? document.getElementById(hash) ?? section).scrollIntoView();
+  (partNamed(section, entries.get('part')) ?? document.getElementById(hash) ?? section).scrollIntoView({ behavior: 'instant' });  // a slow way would start the stage on it
   return true;
 }
 

@@ -19,7 +19,7 @@ whenBuilt('pictures', (section) => {
     if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
     sight.disconnect();
     if (stage.panes.length === 0) stage.update();
-    new ResizeObserver(() => stage.arrange()).observe(stage.panesBox);
+    new ResizeObserver(() => requestAnimationFrame(() => stage.arrange())).observe(stage.panesBox);
     addEventListener('resize', () => stage.arrange());
   });
   sight.observe(element);
