@@ -48,6 +48,7 @@ function copyLine(section, name) {
 // command of that cell.
 function addCopyButtons(section) {
   for (const part of section.querySelectorAll('.scroll, .chart, .sweep-chart, .thumbnails')) {
+    if (part.closest('.live')) continue;  // it says the command of its setting itself
     const line = copyLine(section, part.getAttribute('aria-label'));
     const figure = part.closest('figure');
     if (figure) figure.append(line);
