@@ -55,7 +55,7 @@ TEST(Advise, EitherMeasuresAStepOfEveryKindOrSaysWhyNot) {
     const ProgramRun run =
         run_aoscore(std::string(kScore) +
                         "hbao-plus,crytek-ssao,filament-ssao,multi-resolution,ray-march --advise "
-                        "--fail rmse_debiased>0.9 --export a.csv --out o",
+                        "--fail 'rmse_debiased>0.9' --export a.csv --out o",
                     folder);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const Results results = read_results(folder / "o");

@@ -42,7 +42,7 @@ RankingRecord over_both_views(const Results& results) {
 TEST(Verdict, NamesTheClosestMethodAndItsLead) {
     SyntheticPage page;
     const json model = section::verdict(page.source());
-    ASSERT_EQ(model["details"].size(), 2U) << "one a view, whatever the presets";
+    ASSERT_EQ(model["details"].size(), 3U) << "one a view, whatever the presets, and one of the next step";
     EXPECT_EQ(model["details"][0],
               "Alchemy AO, quality is closest of 6 methods to the ray-traced truth on atrium/wide: its "
               "debiased RMSE is 0.0400, 20 % below that of Alchemy AO, performance-wide.");
