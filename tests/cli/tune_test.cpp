@@ -71,6 +71,7 @@ TEST(Tune, RefusesWhatItCannotDoInWords) {
         {"tune pillar --view main --methods gtao --size 64x36", "--in-sample"},
         {"tune pillar --methods gtao --parameters nonsense --size 64x36", "nonsense does not exist"},
         {"tune pillar --methods gtao --parameters steps --max-fetches 0.5 --size 64x36", "a larger budget"},
+        {"tune pillar --methods gtao --parameters steps --budget-ms 0.00001 --size 64x36", "beyond it"},
         {"tune pillar --methods gtao --metric nonsense --size 64x36", "--metric"},
         {"tune pillar --methods sd-gtao --size 64x36", "several layers of depth"}};
     for (const auto& [arguments, words] : refused) {
