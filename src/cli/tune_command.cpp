@@ -20,6 +20,7 @@ namespace {
 
 struct TuneOptions {
     std::vector<std::string> scenes, methods, parameters;
+    std::vector<double> most_fetches, most_ms;
     std::string definition;
     std::filesystem::path scenes_dir;
     bool install = false;
@@ -30,6 +31,19 @@ struct TuneOptions {
     TuningPlan plan;
     std::filesystem::path out;
 };
+
+/// Every limit of fetches with every limit of milliseconds; one without limits where there are none.
+std::vector<Budget> budgets_of(const TuneOptions& options) {
+    std::vector<std::optional<double>> fetches(options.most_fetches.begin(), options.most_fetches.end());
+    std::vector<std::optional<double>> ms(options.most_ms.begin(), options.most_ms.end());
+    if (fetches.empty()) fetches.emplace_back();
+    if (ms.empty()) ms.emplace_back();
+    std::vector<Budget> budgets;
+    for (const auto& most_fetches : fetches) {
+        for (const auto& most_ms : ms) budgets.push_back({most_fetches, most_ms});
+    }
+    return budgets;
+}
 
 /// What the options say of scenes and methods.
 void read_options(const TuneOptions& options, TuningPlan& plan) {
@@ -42,6 +56,7 @@ void read_options(const TuneOptions& options, TuningPlan& plan) {
     plan.radius_m = one_finite_radius(options.radii, "settings are tuned");
     for (const std::string& scene : options.scenes)
         plan.scenes.push_back({scene, options.view.load, planned_views(options.view)});
+    plan.budgets = budgets_of(options);
     std::vector<std::string> warnings;
     const Registry registry = load_registry(plan.methods_dir, options.methods, warnings);
     std::vector<MethodDescriptor> methods;
@@ -108,16 +123,22 @@ CommandEntry add_tune_command(CLI::App& program, const GlobalOptions& global) {
     app->add_option("--methods", options->methods, "Methods to tune (see list methods)")
         ->delimiter(',')
         ->allow_extra_args(false);
-    app->add_option(
-           "--parameters", options->parameters,
-           "Parameters to tune [real numbers that affect visibility; with --max-fetches integers too]")
+    app->add_option("--parameters", options->parameters,
+                    "Parameters to tune [real numbers that affect visibility; with a budget integers too]")
         ->delimiter(',')
         ->allow_extra_args(false);
     app->add_option("--metric", options->plan.metric, "The metric that decides")
         ->capture_default_str()
         ->check(one_of(ids_of(metrics())));
-    app->add_option("--max-fetches", options->plan.most_fetches,
+    app->add_option("--max-fetches", options->most_fetches,
                     "Texture fetches a pixel that settings may cost; several are tuned one by one [any]")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(CLI::PositiveNumber);
+    app->add_option(
+           "--budget-ms", options->most_ms,
+           "Milliseconds that the AO pass and its filter may take on this machine's software renderer, "
+           "at this size on the first view; beside --max-fetches both are kept [any]")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(CLI::PositiveNumber);

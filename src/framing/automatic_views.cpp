@@ -14,10 +14,6 @@ namespace {
 
 constexpr double kRadiusPerDepth = 0.1;
 const std::string kRadiusNote = "its radius is ";
-/// Limits for the share of air in rooms, the share of places in hollows, and the median sight as a share of
-/// the diagonal: a building is mostly rooms, however small each is; cavities in an object, such as between
-/// the parts of an engine, are few and narrow.
-constexpr double kMostlyRooms = 0.5, kPartlyRooms = 0.15, kPartlyHollow = 0.15, kRoomySight = 0.06;
 constexpr std::size_t kInside = 3, kOutside = 2;
 /// A room is shown from outside where that picture is worth at least this share of the best one from inside;
 /// it is then also shown from inside where that picture is worth this share of the one from outside.
@@ -47,12 +43,6 @@ Radius radius_for(const std::vector<Candidate>& chosen, const Bounds& main) {
                                     100 * kRadiusPerDepth)};
     }
     return radius;
-}
-
-bool has_rooms(const RoomSurvey& survey, const MainPart& main) {
-    if (survey.rooms >= kMostlyRooms) return true;
-    return (survey.rooms >= kPartlyRooms || survey.hollows >= kPartlyHollow) &&
-           survey.sight_m >= kRoomySight * main.bounds.diagonal();
 }
 
 void add_views(std::vector<View>& views, const std::vector<Candidate>& candidates, const std::string& id,
@@ -92,7 +82,7 @@ std::vector<View> automatic_views(const Scene& scene, double aspect) {
     const Trial trial{scout, main, kRadiusPerDiagonal * main.bounds.diagonal(), aspect, scene.bounds};
     const RoomSurvey survey = survey_rooms(scout, main.bounds);
     std::vector<Candidate> inside, outside;
-    if (has_rooms(survey, main)) inside = inside_cameras(trial, survey, kInside);
+    if (has_rooms(survey, main.bounds)) inside = inside_cameras(trial, survey, kInside);
     if (inside.empty()) {
         outside = outside_cameras(trial, Around::three_quarters, kOutside);
     } else {

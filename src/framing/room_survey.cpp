@@ -13,6 +13,9 @@ constexpr std::size_t kPlaces = 400;
 constexpr int kSurveyRays = 40;
 constexpr double kRoomFronts = 0.7, kHollowHits = 0.95, kHollowFronts = 0.2, kSolidFronts = 0.05;
 constexpr double kEyeHeight = 1.0 / 3;  // of the room's height
+/// Limits for the share of air in rooms, the share of places in hollows, and the median sight as a share of
+/// the diagonal.
+constexpr double kMostlyRooms = 0.5, kPartlyRooms = 0.15, kPartlyHollow = 0.15, kRoomySight = 0.06;
 /// A place lies in a surface where surfaces all around are nearer than this share of the box's diagonal, as
 /// all places of a flat scene do.
 constexpr double kLeastSight = 1e-6;
@@ -102,6 +105,12 @@ RoomSurvey survey_rooms(const Scout& scout, const Bounds& box) {
     std::ranges::stable_sort(survey.seats, std::ranges::greater(), &Seat::sight_m);
     if (!survey.seats.empty()) survey.sight_m = survey.seats[survey.seats.size() / 2].sight_m;
     return survey;
+}
+
+bool has_rooms(const RoomSurvey& survey, const Bounds& box) {
+    if (survey.rooms >= kMostlyRooms) return true;
+    return (survey.rooms >= kPartlyRooms || survey.hollows >= kPartlyHollow) &&
+           survey.sight_m >= kRoomySight * box.diagonal();
 }
 
 }  // namespace aoscore

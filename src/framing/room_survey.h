@@ -31,4 +31,9 @@ struct RoomSurvey {
 /// and outdoors otherwise.
 RoomSurvey survey_rooms(const Scout& scout, const Bounds& box);
 
+/// Whether the box holds a building rather than an object: a building is mostly rooms, however small each is;
+/// cavities in an object, such as between the parts of an engine or beside a board on a floor, are few or
+/// narrow.
+bool has_rooms(const RoomSurvey& survey, const Bounds& box);
+
 }  // namespace aoscore

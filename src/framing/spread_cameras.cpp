@@ -92,28 +92,42 @@ double usual_fronts(const std::vector<Candidate>& candidates) {
     return *middle;
 }
 
+/// Tries the cameras, and keeps those whose pictures can be judged.
+void keep_judged(const Trial& trial, double close_m, std::vector<Candidate>& cameras) {
+    try_cameras(trial, close_m, cameras);
+    const double least_fronts = kUsualFronts * usual_fronts(cameras);
+    std::erase_if(cameras, [&](const Candidate& c) {
+        const double close = share_of(c.glance, [&](const Glance::Point& p) { return p.depth_m < close_m; });
+        return c.glance.coverage() < kLeastCoverage || fronts_of(c) < least_fronts || close > kMostClose;
+    });
+}
+
+SpreadCameras spread_inside(const Trial& trial, const RoomSurvey& survey, std::size_t count,
+                            const std::optional<double>& height_m) {
+    SpreadCameras spread{{}, count, kApartPerSight * survey.sight_m, true};
+    const std::vector<Seat> seats = roomy_seats(survey);
+    for (std::size_t i = 0; i < count; ++i)
+        spread.cameras.push_back(inside_camera(trial, survey, seats, i, height_m));
+    keep_judged(trial, std::max(kClosePerSight * survey.sight_m, trial.radius_m), spread.cameras);
+    return spread;
+}
+
+SpreadCameras spread_outside(const Trial& trial, std::size_t count) {
+    SpreadCameras spread{{}, count, kApartPerDiagonal * trial.main.bounds.diagonal(), false};
+    for (std::size_t i = 0; i < count; ++i) spread.cameras.push_back(outside_camera(trial, i));
+    keep_judged(trial, 0, spread.cameras);
+    return spread;
+}
+
 }  // namespace
 
 SpreadCameras spread_cameras(const Trial& trial, std::size_t count, std::optional<double> height_m) {
     const RoomSurvey survey = survey_rooms(trial.scout, trial.main.bounds);
-    SpreadCameras spread;
-    spread.inside = !survey.seats.empty();
-    spread.tried = count;
-    spread.apart_m =
-        spread.inside ? kApartPerSight * survey.sight_m : kApartPerDiagonal * trial.main.bounds.diagonal();
-    const std::vector<Seat> seats = roomy_seats(survey);
-    for (std::size_t i = 0; i < count; ++i) {
-        spread.cameras.push_back(spread.inside ? inside_camera(trial, survey, seats, i, height_m)
-                                               : outside_camera(trial, i));
+    if (has_rooms(survey, trial.main.bounds) && !survey.seats.empty()) {
+        SpreadCameras inside = spread_inside(trial, survey, count, height_m);
+        if (!inside.cameras.empty() || height_m) return inside;
     }
-    const double close_m = spread.inside ? std::max(kClosePerSight * survey.sight_m, trial.radius_m) : 0;
-    try_cameras(trial, close_m, spread.cameras);
-    const double least_fronts = kUsualFronts * usual_fronts(spread.cameras);
-    std::erase_if(spread.cameras, [&](const Candidate& c) {
-        const double close = share_of(c.glance, [&](const Glance::Point& p) { return p.depth_m < close_m; });
-        return c.glance.coverage() < kLeastCoverage || fronts_of(c) < least_fronts || close > kMostClose;
-    });
-    return spread;
+    return spread_outside(trial, count);
 }
 
 bool are_neighbours(const Camera& a, const Camera& b, double apart_m) {

@@ -17,11 +17,12 @@ struct SpreadCameras {
 };
 
 /// Tries `count` cameras spread evenly: from seats with room around them in the scene's rooms (see
-/// survey_rooms()), in all directions, a little upwards to steeply downwards; or, in a scene without rooms,
-/// from outside, near and far. `height_m` puts those in rooms at eye level above their floor. A picture can
-/// be judged where surfaces cover at least 40 % of it, as many of them show their front as is usual in this
-/// scene, and, in rooms, no more than a quarter of them are nearer than a fifth of the median sight: the
-/// others stand in or against something. It is deterministic.
+/// survey_rooms()), in all directions, a little upwards to steeply downwards; or, in a scene without rooms
+/// (see has_rooms()) or none that can be judged from its seats, from outside, near and far. `height_m` puts
+/// those in rooms at eye level above their floor. A picture can be judged where surfaces cover at least 40 %
+/// of it, as many of them show their front as is usual in this scene, and, in rooms, no more than a quarter
+/// of them are nearer than a fifth of the median sight: the others stand in or against something. It is
+/// deterministic.
 SpreadCameras spread_cameras(const Trial& trial, std::size_t count, std::optional<double> height_m);
 
 /// Whether two cameras stand nearer to each other than `apart_m` and look the same way.

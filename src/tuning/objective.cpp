@@ -2,8 +2,12 @@
 
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "core/machine.h"
+#include "core/threads.h"
 #include "jobs/draw_image.h"
+#include "jobs/time_requests.h"
 #include "metrics/evaluate.h"
+#include "metrics/intervals/median_interval.h"
 #include "screen/method/request_digest.h"
 
 #include <cmath>
@@ -28,7 +32,12 @@ double loss_of(const Metric& metric, double value) {
 Objective::Objective(const TuningSubject& subject, const Registry& registry,
                      const std::vector<std::unique_ptr<TuningView>>& views, ScreenRenderer& renderer,
                      const ArtifactStore& store)
-    : subject_(subject), metric_(metric(subject.metric)), views_(views), renderer_(renderer), store_(store) {
+    : subject_(subject),
+      metric_(metric(subject.metric)),
+      fixed_pass_(registry.fixed_pass),
+      views_(views),
+      renderer_(renderer),
+      store_(store) {
     for (const auto& view : views)
         cells_.push_back(resolve(subject.cell, registry, subject.seed, view->radius.metres));
 }
@@ -119,6 +128,54 @@ double Objective::fetches(const std::vector<double>& settings) {
         return fetches_per_pixel(renderer_, request, views_[0]->ground.contract.valid);
     });
     return fetches_[settings] = count;
+}
+
+std::pair<double, double> Objective::timed(const std::vector<double>& settings) {
+    MethodRequest request = request_on(settings, 0);
+    request.uniform_form = false;
+    MethodRequest fixed;
+    fixed.method = &fixed_pass_;
+    fixed.parameters = fixed_pass_.values("default");
+    fixed.seed = subject_.seed;
+    renderer_.use_gbuffer(views_[0]->gbuffer);
+    const std::vector<RequestTimes> times =
+        time_requests(renderer_, {{request}, {fixed}}, std::nullopt, "timing " + subject_.cell.method);
+    for (const RequestTimes& one : times) {
+        if (!one.error.empty()) throw Error(ExitCode::cells_failed, one.error, views_[0]->key);
+    }
+    double ms = median(times[0].ao_ms);
+    if (!times[0].filter_ms.empty()) ms += median(times[0].filter_ms);
+    return {ms, median(times[1].ao_ms)};
+}
+
+double Objective::timed_in_passes(const std::vector<double>& settings) {
+    if (const auto found = passes_.find(settings); found != passes_.end()) return found->second;
+    const TuningView& on = *views_[0];
+    const std::string key = KeyBuilder("tuning times", "times")
+                                .input(on.made_of)
+                                .text(request_digest(request_on(settings, 0), on.orthographic))
+                                .text(cpu_name())
+                                .value(thread_count())
+                                .key()
+                                .hex;
+    auto stored = store_.find(key);
+    if (!stored) {
+        const auto [ms, fixed_ms] = timed(settings);
+        stored = nlohmann::json{ms / fixed_ms, fixed_ms};
+        store_.put(key, *stored);
+    }
+    // What all are related to must be the same again when a search goes on: the preset's.
+    if (passes_.empty()) fixed_pass_ms_ = stored->at(1).get<double>();
+    return passes_[settings] = stored->at(0).get<double>();
+}
+
+double Objective::milliseconds(const std::vector<double>& settings) {
+    std::vector<double> whole = published();
+    timed_in_passes(whole);
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        if (subject_.axes[i].whole) whole[i] = settings[i];
+    }
+    return timed_in_passes(whole) * fixed_pass_ms_;
 }
 
 }  // namespace aoscore

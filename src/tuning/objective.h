@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace aoscore {
@@ -43,6 +44,11 @@ class Objective {
     double loss_over(const std::vector<double>& settings, const std::vector<std::size_t>& views);
     /// Fetches a pixel of the AO passes, the mean over the first view's valid pixels.
     double fetches(const std::vector<double>& settings);
+    /// Milliseconds of the AO passes and the filter on the first view, by this machine's software renderer:
+    /// the median of runs in turns with the fixed pass, which stands for the speed that the machine has just
+    /// then. Measured once for each combination of whole numbers, with all else as in the preset. Throws
+    /// cells_failed where it cannot be timed.
+    double milliseconds(const std::vector<double>& settings);
 
     /// Images that were drawn now, and those that were measured before.
     std::size_t drawn() const { return drawn_; }
@@ -58,14 +64,21 @@ class Objective {
     double stored(const std::string& kind, const MethodRequest& request, std::size_t view,
                   const Measure& measure);
 
+    /// Times the preset with its whole numbers as in the settings: milliseconds, and those of the fixed pass.
+    std::pair<double, double> timed(const std::vector<double>& settings);
+    double timed_in_passes(const std::vector<double>& settings);
+
     const TuningSubject& subject_;
     const Metric& metric_;
+    const MethodDescriptor& fixed_pass_;
     const std::vector<std::unique_ptr<TuningView>>& views_;
     ScreenRenderer& renderer_;
     const ArtifactStore& store_;
     std::vector<ResolvedCell> cells_;  ///< the preset on each view
     std::map<std::pair<std::vector<double>, std::size_t>, double> losses_;
     std::map<std::vector<double>, double> fetches_;
+    std::map<std::vector<double>, double> passes_;  ///< times in fixed passes, by settings
+    double fixed_pass_ms_ = 0;                      ///< 0: not timed yet
     std::size_t drawn_ = 0, reused_ = 0;
 };
 

@@ -6,15 +6,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace aoscore {
 namespace {
 
 using nlohmann::json;
 
-/// The id of the preset that was tuned from one, for a budget: "tuned", "nvidia-tuned-24".
-std::string preset_id(const std::string& from, const TunedMethod& t) {
-    return fmt::format("{}tuned{}", from == "default" ? "" : from + "-",
-                       t.most_fetches ? fmt::format("-{:g}", *t.most_fetches) : "");
+/// The id of the preset that was tuned from one, for a budget: "tuned", "nvidia-tuned-24", "tuned-8-5ms".
+std::string preset_id(const std::string& from, const Budget& budget) {
+    std::string id = (from == "default" ? "" : from + "-") + "tuned";
+    if (budget.fetches) id += fmt::format("-{:g}", *budget.fetches);
+    if (budget.ms) id += fmt::format("-{:g}ms", *budget.ms);
+    std::ranges::replace(id, '.', '-');
+    return id;
 }
 
 json filter_json(const PresetFilter& filter) {
@@ -47,7 +52,7 @@ PresetTuning tuning_of(const MethodTuning& tuning, const TunedMethod& t, const T
 void add_presets_to(json& file, const MethodTuning& tuning, const MethodDescriptor& method,
                     const TuningResults& results, const TuningPlan& plan) {
     for (const TunedMethod& t : tuning.budgets) {
-        const std::string id = preset_id(tuning.cell.preset, t);
+        const std::string id = preset_id(tuning.cell.preset, t.budget);
         json values = method.presets.at(tuning.cell.preset);
         values.update(values_json(tuning.axes, t.settings));
         file["presets"][id] = std::move(values);

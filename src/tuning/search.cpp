@@ -2,8 +2,10 @@
 
 #include "core/error.h"
 
+#include <fmt/format.h>
 #include <nlopt.h>
 
+#include <algorithm>
 #include <exception>
 #include <limits>
 #include <memory>
@@ -22,6 +24,7 @@ class Search {
 
     double cost(const Settings& settings) {
         const double excess = goal_.excess ? goal_.excess(settings) : 0;
+        least_excess_ = std::min(least_excess_, excess);
         if (excess > 0) return kBeyondBudget * (1 + excess);
         const double loss = goal_.loss(settings);
         if (loss < best_loss_) {
@@ -35,6 +38,7 @@ class Search {
     void by_single_values(const Settings& begin);
 
     const std::optional<Settings>& best() const { return best_; }
+    double least_excess() const { return least_excess_; }
 
   private:
     static double called(unsigned count, const double* positions, double* gradient, void* search);
@@ -42,6 +46,7 @@ class Search {
     const std::vector<SearchAxis>& axes_;
     const SearchGoal& goal_;
     double best_loss_ = std::numeric_limits<double>::infinity();
+    double least_excess_ = std::numeric_limits<double>::infinity();
     std::optional<Settings> best_;
     nlopt_opt running_ = nullptr;
     std::exception_ptr thrown_;
@@ -90,7 +95,9 @@ void Search::by_single_values(const Settings& begin) {
             for (const double value : values) {
                 Settings next = *best_;
                 next[i] = value;
-                if (value >= axes_[i].low && value <= axes_[i].high && next != *best_) cost(next);
+                if (value < axes_[i].low || value > axes_[i].high || next == *best_) continue;
+                // A value that changes nothing goes back as well.
+                if (cost(next) <= best_loss_ && value == begin[i]) best_ = next;
             }
         }
         helped = best_loss_ < before;
@@ -108,7 +115,10 @@ Settings best_settings(const std::vector<SearchAxis>& axes, const SearchGoal& go
     search.by_nlopt(NLOPT_LN_SBPLX, search.best().value_or(begin), effort.local);
     search.by_single_values(begin);
     if (!search.best())
-        throw usage_error("no settings that were tried keep it", "--max-fetches", "a larger budget");
+        throw usage_error(
+            fmt::format("no settings that were tried keep the budget: the cheapest go {:.0f} % beyond it",
+                        100 * search.least_excess()),
+            "--max-fetches, --budget-ms", "a larger budget");
     return *search.best();
 }
 

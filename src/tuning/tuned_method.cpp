@@ -1,6 +1,7 @@
 #include "tuning/tuned_method.h"
 
 #include <boost/math/distributions/students_t.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +16,16 @@ using ViewNumbers = std::vector<std::size_t>;
 /// Tunes on some of the views.
 class Tuner {
   public:
-    Tuner(const TuningSubject& subject, Objective& objective, std::optional<double> most_fetches,
+    Tuner(const TuningSubject& subject, Objective& objective, const Budget& budget,
           const SearchEffort& effort)
         : subject_(subject), objective_(objective), effort_(effort) {
-        if (most_fetches) {
-            excess_ = [this, most = *most_fetches](const Settings& settings) {
-                return objective_.fetches(settings) / most - 1;
-            };
-        }
+        if (!budget.is_limited()) return;
+        excess_ = [this, budget](const Settings& settings) {
+            double part = 0;
+            if (budget.fetches) part = objective_.fetches(settings) / *budget.fetches;
+            if (budget.ms) part = std::max(part, objective_.milliseconds(settings) / *budget.ms);
+            return part - 1;
+        };
     }
 
     Settings best_on(const ViewNumbers& views) {
@@ -115,24 +118,37 @@ std::vector<ParameterWorth> worth_of(const TuningSubject& subject, Objective& ob
 
 }  // namespace
 
+std::string budget_text(const Budget& budget) {
+    if (!budget.is_limited()) return "";
+    std::string text = "at most ";
+    if (budget.fetches) text += fmt::format("{:g} fetches", *budget.fetches);
+    if (budget.fetches && budget.ms) text += " and ";
+    if (budget.ms) text += fmt::format("{:g} ms", *budget.ms);
+    return text;
+}
+
 HeldOut::Verdict HeldOut::verdict() const {
     if (high < 0) return Verdict::closer;
     return low > 0 ? Verdict::farther : Verdict::tie;
 }
 
 TunedMethod tuned(const TuningSubject& subject, Objective& objective,
-                  const std::vector<std::unique_ptr<TuningView>>& views, std::optional<double> most_fetches,
+                  const std::vector<std::unique_ptr<TuningView>>& views, const Budget& budget,
                   const SearchEffort& effort) {
     const ViewNumbers all = all_numbers(views.size());
     const Settings published = objective.published();
-    Tuner tuner(subject, objective, most_fetches, effort);
+    Tuner tuner(subject, objective, budget, effort);
     TunedMethod result;
-    result.most_fetches = most_fetches;
+    result.budget = budget;
     result.settings = tuner.best_on(all);
     result.published_loss = objective.loss_over(published, all);
     result.published_fetches = objective.fetches(published);
     result.fitted_loss = objective.loss_over(result.settings, all);
     result.fetches = objective.fetches(result.settings);
+    if (budget.ms) {
+        result.published_ms = objective.milliseconds(published);
+        result.ms = objective.milliseconds(result.settings);
+    }
     for (const std::size_t v : all) {
         result.published_by_view.push_back(objective.loss(published, v));
         result.fitted_by_view.push_back(objective.loss(result.settings, v));

@@ -30,12 +30,22 @@ struct ParameterWorth {
     double without = 0;               ///< loss with this one published and the others tuned
 };
 
-/// A method's settings of least loss within a budget of fetches.
+/// What settings may cost at most; empty: as much as they like.
+struct Budget {
+    std::optional<double> fetches;  ///< a pixel
+    std::optional<double> ms;       ///< of AO passes and filter, see Objective::milliseconds()
+    bool is_limited() const { return fetches || ms; }
+};
+/// The budget in words: "at most 24 fetches and 8 ms"; empty without one.
+std::string budget_text(const Budget& budget);
+
+/// A method's settings of least loss within a budget.
 struct TunedMethod {
-    std::optional<double> most_fetches;  ///< the budget; empty: none
+    Budget budget;
     Settings settings;
     double published_loss = 0, published_fetches = 0;
-    double fitted_loss = 0, fetches = 0;  ///< on the views that it was tuned on
+    double fitted_loss = 0, fetches = 0;     ///< on the views that it was tuned on
+    std::optional<double> published_ms, ms;  ///< empty where the budget does not limit them
     std::vector<double> published_by_view, fitted_by_view;
     std::vector<HeldOut> held_out;  ///< empty where one view is all there is
     std::vector<ParameterWorth> worth;
@@ -44,7 +54,7 @@ struct TunedMethod {
 /// Tunes the subject over all views and measures what that is worth on views left out. The same settings are
 /// measured once for all of it.
 TunedMethod tuned(const TuningSubject& subject, Objective& objective,
-                  const std::vector<std::unique_ptr<TuningView>>& views, std::optional<double> most_fetches,
+                  const std::vector<std::unique_ptr<TuningView>>& views, const Budget& budget,
                   const SearchEffort& effort);
 
 }  // namespace aoscore

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace aoscore {
 namespace {
 
@@ -22,6 +24,15 @@ std::string_view verdict_id(HeldOut::Verdict verdict) {
             break;
     }
     return "tie";
+}
+
+json or_null(const std::optional<double>& value) {
+    return value ? json(*value) : json();
+}
+
+/// What settings cost, in words: "36.0 fetches", "36.0 fetches, 7.91 ms".
+std::string cost_text(double fetches, const std::optional<double>& ms) {
+    return fmt::format("{:.1f} fetches{}", fetches, ms ? fmt::format(", {:.2f} ms", *ms) : "");
 }
 
 json budget_json(const MethodTuning& tuning, const TunedMethod& t) {
@@ -40,21 +51,28 @@ json budget_json(const MethodTuning& tuning, const TunedMethod& t) {
                          {"loss_alone", w.alone},
                          {"loss_without", w.without}});
     }
-    return {{"most_fetches", t.most_fetches ? json(*t.most_fetches) : json()},
+    return {{"most_fetches", or_null(t.budget.fetches)},
+            {"most_ms", or_null(t.budget.ms)},
             {"settings", values_json(tuning.axes, t.settings)},
             {"published",
              {{"loss", t.published_loss},
               {"fetches", t.published_fetches},
+              {"ms", or_null(t.published_ms)},
               {"loss_by_view", t.published_by_view}}},
-            {"tuned", {{"loss", t.fitted_loss}, {"fetches", t.fetches}, {"loss_by_view", t.fitted_by_view}}},
+            {"tuned",
+             {{"loss", t.fitted_loss},
+              {"fetches", t.fetches},
+              {"ms", or_null(t.ms)},
+              {"loss_by_view", t.fitted_by_view}}},
             {"held_out", std::move(held_out)},
             {"worth", std::move(worth)}};
 }
 
 void print_budget(const MethodTuning& tuning, const TunedMethod& t) {
-    print_result("\n{}{}: {:.4f} as {} ({:.1f} fetches), {:.4f} tuned ({:.1f} fetches)\n", tuning.label,
-                 t.most_fetches ? fmt::format(", at most {:g} fetches", *t.most_fetches) : "",
-                 t.published_loss, tuning.cell.preset, t.published_fetches, t.fitted_loss, t.fetches);
+    const std::string limit = budget_text(t.budget);
+    print_result("\n{}{}: {:.4f} as {} ({}), {:.4f} tuned ({})\n", tuning.label,
+                 limit.empty() ? "" : ", " + limit, t.published_loss, tuning.cell.preset,
+                 cost_text(t.published_fetches, t.published_ms), t.fitted_loss, cost_text(t.fetches, t.ms));
     for (const HeldOut& h : t.held_out) {
         print_result(
             "  {:.4f} on a {} that it was not tuned on: {:+.4f} against {} ({:+.4f} to {:+.4f}): {}\n",
@@ -99,6 +117,9 @@ void print_tuning(const TuningResults& results, const TuningPlan& plan) {
     for (const MethodTuning& tuning : results.methods) {
         for (const TunedMethod& t : tuning.budgets) print_budget(tuning, t);
     }
+    if (std::ranges::any_of(plan.budgets, [](const Budget& budget) { return budget.ms.has_value(); }))
+        print_result("\nMilliseconds are those of this machine's software renderer at {}x{} on {}.\n",
+                     plan.width, plan.height, results.views.front());
 }
 
 }  // namespace aoscore

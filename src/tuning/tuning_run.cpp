@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <list>
 #include <utility>
 
@@ -77,8 +78,9 @@ TuningResults tune(const TuningPlan& plan) {
     std::vector<TuningSubject> subjects;
     for (const auto& [cell, parameters] : plan.methods) {
         const MethodDescriptor& method = find_method(registry.methods, cell.method);
-        subjects.push_back({cell, search_axes(method, cell.preset, parameters, !plan.most_fetches.empty()),
-                            plan.metric, plan.seed});
+        const bool limited = std::ranges::any_of(plan.budgets, &Budget::is_limited);
+        subjects.push_back(
+            {cell, search_axes(method, cell.preset, parameters, limited), plan.metric, plan.seed});
     }
     const ArtifactStore store(ArtifactStore::folder_in(plan.truth_cache));
     ReadyViews ready(plan, inputs_of(plan.methods, registry, plan.seed), store);
@@ -97,11 +99,8 @@ TuningResults tune(const TuningPlan& plan) {
         tuning.cell = subject.cell;
         tuning.label = find_method(registry.methods, subject.cell.method).shown_label();
         tuning.axes = subject.axes;
-        if (plan.most_fetches.empty()) {
-            tuning.budgets.push_back(tuned(subject, objective, ready.views(), std::nullopt, plan.effort));
-        }
-        for (const double most : plan.most_fetches)
-            tuning.budgets.push_back(tuned(subject, objective, ready.views(), most, plan.effort));
+        for (const Budget& budget : plan.budgets)
+            tuning.budgets.push_back(tuned(subject, objective, ready.views(), budget, plan.effort));
         tuning.drawn = objective.drawn();
         tuning.reused = objective.reused();
     }

@@ -26,7 +26,7 @@ struct TuningPlan {
     std::vector<OnScene> scenes;
     std::vector<Method> methods;
     std::string metric = kRankingMetric;
-    std::vector<double> most_fetches;  ///< budgets, each tuned by itself; empty: none
+    std::vector<Budget> budgets = {{}};  ///< each tuned by itself
     SearchEffort effort;
     int width = 640, height = 360;
     int samples = 64;  ///< truth's rays a pixel, even

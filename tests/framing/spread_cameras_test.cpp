@@ -2,6 +2,7 @@
 #include "framing/spread_cameras.h"
 
 #include "core/hash.h"
+#include "made_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -58,6 +59,17 @@ TEST_P(SpreadOver, AreTheSameEachTimeAndNoTwoAreOne) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SpreadOver, ::testing::Values("atrium", "cathedral", "railing"),
                          [](const auto& tested) { return std::string(tested.param); });
+
+// Beside a board a place sees surfaces in most directions, and is no room for that.
+TEST(SpreadCameras, LookAtABoardOnAFloorFromOutside) {
+    const Scene scene =
+        testing::MadeScene().box({-3, -0.2, -3}, {3, 0, 3}).box({-2, 0, -0.01}, {2, 1.5, 0.01}).made();
+    const Scout scout(scene);
+    const MainPart main = main_part(scene);
+    const SpreadCameras found = spread_cameras({scout, main, 1, 16.0 / 9, scene.bounds}, 60, {});
+    EXPECT_FALSE(found.inside);
+    EXPECT_GE(found.cameras.size(), 12U);
+}
 
 TEST(SpreadCameras, StandAtEyeLevelAboveTheFloorWhereAskedTo) {
     const Spread spread("cathedral", 1.7);

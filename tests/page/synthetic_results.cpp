@@ -221,6 +221,18 @@ std::vector<ClaimRecord> claims_of(const std::vector<CellRecord>& cells) {
     return {holds, fails, open};
 }
 
+/// One step that costs time, one that does not and is a tie, one that failed, and one that was left out.
+AdviceRecord advice_of(const CellRecord& cell) {
+    AdviceRecord advice{cell.id, "rmse_debiased", 0.1, 8.0, 2.0, 16.0, {}, {}};
+    advice.steps.push_back({"more-taps", "samples 16 to 32", 0.08, Interval{-0.025, -0.015},
+                            StepRecord::kCloser, 4.0, Interval{3.9, 4.1}, 16.0, ""});
+    advice.steps.push_back(
+        {"best-strength", "", 0.1001, Interval{-0.001, 0.0012}, StepRecord::kTie, {}, {}, 0.0, "not timed"});
+    advice.steps.push_back({"guard-band", "", {}, {}, StepRecord::kFailed, {}, {}, {}, "<7 pixels> differ"});
+    advice.skipped.push_back({"no-filter", "no filter follows it"});
+    return advice;
+}
+
 }  // namespace
 
 Results synthetic_results() {
@@ -245,6 +257,7 @@ Results synthetic_results() {
     results.rankings = rankings_of(results.cells);
     results.sweeps = {sweep_of(results.cells)};
     results.claims = claims_of(results.cells);
+    for (const CellRecord& cell : results.cells) results.advice.push_back(advice_of(cell));
     for (const char* id : {"hussain-table-3", "hussain-table-4", "hussain-table-5"}) {
         TableRecord table;
         table.definition = parse_json_file(home_dir() / "reports" / (std::string(id) + ".json"));

@@ -42,7 +42,7 @@ RankingRecord over_both_views(const Results& results) {
 TEST(Verdict, NamesTheClosestMethodAndItsLead) {
     SyntheticPage page;
     const json model = section::verdict(page.source());
-    ASSERT_EQ(model["details"].size(), 2U) << "one a view, whatever the presets";
+    ASSERT_EQ(model["details"].size(), 3U) << "one a view, whatever the presets, and one of the next step";
     EXPECT_EQ(model["details"][0],
               "Alchemy AO, quality is closest of 6 methods to the ray-traced truth on atrium/wide: its "
               "debiased RMSE is 0.0400, 20 % below that of Alchemy AO, performance-wide.");
@@ -283,7 +283,7 @@ TEST(Distributions, SayWhereAFitEndedAtABoundOfItsRange) {
     const json numbers = section::distributions(page.source())["views"][0]["fits"][0]["numbers"];
     EXPECT_EQ(numbers[0]["text"], "4.00, the end of the range");
     EXPECT_EQ(numbers[1]["text"], "8.00, the end of the range");
-    page.results.cells[0].analysis->fit = {3.9, 7.9, 0.11, 0.1, 0};
+    page.results.cells[0].analysis->fit = {3.9, 7.9, 0.11, 0.1, 0, {}};
     const json inside = section::distributions(page.source())["views"][0]["fits"][0]["numbers"];
     EXPECT_EQ(inside[0]["text"], "3.90");
     EXPECT_EQ(inside[1]["text"], "7.90");
@@ -291,7 +291,7 @@ TEST(Distributions, SayWhereAFitEndedAtABoundOfItsRange) {
 
 TEST(Distributions, SayWhatCalibrationAloneWouldMend) {
     SyntheticPage page;
-    page.results.cells[0].analysis->fit = {1.5, 0.5, 0.11, 0.1, 0};
+    page.results.cells[0].analysis->fit = {1.5, 0.5, 0.11, 0.1, 0, {}};
     const json view = section::distributions(page.source())["views"][0];
     const json& numbers = view["fits"][0]["numbers"];
     EXPECT_EQ(numbers[0]["text"], "1.50");
