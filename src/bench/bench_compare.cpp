@@ -8,7 +8,7 @@
 #include "core/temporary_folder.h"
 #include "metrics/analysis/analysis.h"
 #include "metrics/evaluate.h"
-#include "metrics/prepared_image.h"
+#include "metrics/prepared_halves.h"
 #include "metrics/roles.h"
 
 #include <fmt/format.h>
@@ -96,19 +96,14 @@ void compare_ssim(const MadeUpPair& pair, const MetricInput& input, const std::s
 
 /// The cost of one more image of a view, against a truth of two halves.
 void score_halves(const MadeUpPair& pair, const Mask& valid, std::uint64_t seed, RatioTable& table) {
-    const PreparedImage whole(pair.truth, valid), first(pair.first_half, valid),
-        second(pair.second_half, valid);
+    const PreparedHalves kept(pair.truth, pair.first_half, pair.second_half, valid);
     const auto score = [&](bool prepared) {
-        MapSums maps, first_maps, second_maps;
-        TruthHalves halves{pair.first_half, pair.second_half, &first_maps, &second_maps};
+        MapSums maps, first_maps, second_maps, noisier_maps;
+        TruthHalves halves{pair.first_half, pair.second_half, &first_maps, &second_maps, &noisier_maps};
         MetricInput input{pair.truth, pair.test, valid};
         input.maps = &maps;
         input.halves = &halves;
-        if (prepared) {
-            input.prepared_truth = &whole;
-            halves.first_prepared = &first;
-            halves.second_prepared = &second;
-        }
+        if (prepared) halves.prepared = &kept;
         evaluate(input);
         analyse(input, {}, kMaskThreshold, seed);
     };

@@ -10,6 +10,7 @@
 #include "experiment/planned_runs.h"
 #include "experiment/score_goal.h"
 #include "experiment/work_plan.h"
+#include "metrics/analysis/repeat_values.h"
 #include "plan/live_output.h"
 #include "results/sweep_rows.h"
 #include "verdict/advice.h"
@@ -161,6 +162,10 @@ class ExperimentRun {
         const std::vector<ClaimList> claims = planned_claims(plan_);
         if (!claims.empty()) results_.claims = judge_claims(claims, results_);
         for (const ClaimRecord& claim : results_.claims) log_info(verdict_text(claim));
+        // Only the intervals of claims need each block, and the store keeps them.
+        for (CellRecord& cell : results_.cells) {
+            if (cell.repeats) cell.repeats = over_all_blocks(std::move(*cell.repeats));
+        }
     }
 
     const Stopwatch& watch_;

@@ -24,6 +24,8 @@ constexpr double kSlope = -0.75;
 constexpr double kDay_s = 86400;
 /// Beyond this a doubling was never seen to be enough, and its scores are spared.
 constexpr double kFar = 8;
+/// Up to this, a step of less than a doubling was seen to be enough.
+constexpr double kNear = 1.4;
 /// How many cells are scored to find the rays that all take.
 constexpr std::size_t kProbes = 3;
 
@@ -109,8 +111,14 @@ void require_in_reach(const ScoreGoal& goal, double excess, int samples, double 
         fmt::format("{:.2g} or more on this view", goal.error * excess * std::pow(most, kSlope)));
 }
 
+/// The next number of the form 2^k or 3 * 2^k: scrambled nets are at their best with powers of two, and two
+/// steps an octave waste little.
+int next_step(int samples) {
+    return samples % 3 == 0 ? samples / 3 * 4 : samples / 2 * 3;
+}
+
 int more_rays(int samples, double excess, const std::string& what) {
-    const int next = samples * (excess > kFar ? 4 : 2);
+    const int next = excess > kFar ? 4 * samples : excess > kNear ? 2 * samples : next_step(samples);
     log_info(
         fmt::format("{}: at {} rays a pixel the truth's noise leaves the scores {:.2g} times as wide as "
                     "asked for; going on to {}",

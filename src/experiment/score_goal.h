@@ -26,7 +26,7 @@ ScoreState score_state(std::span<const CellRecord> cells, const ScoreGoal& goal)
 /// The run with the rays that its goal took before, where the store remembers them.
 ViewRun with_known_rays(const ViewRun& run, const ArtifactStore& store);
 
-/// Measures a view with more and more rays, twice or four times as many each time, until its goal is reached;
+/// Measures a view with more and more rays, up to four times as many each time, until its goal is reached;
 /// what was traced before is gone on from. Where every metric counts, a few cells find how many rays they
 /// take before the others are scored. Throws usage_error where the goal would take more rays than a
 /// pixel can have, or more than a day, as far as the first rays tell.

@@ -30,18 +30,14 @@ class Comparison {
         : input_{truth.visibility[query], image, valid, &truth.standard_error[query]} {
         input_.maps = &maps_[0];
         if (truth.halves.empty()) return;
-        halves_.emplace(truth.halves[query][0], truth.halves[query][1], &maps_[1], &maps_[2]);
+        halves_.emplace(truth.halves[query][0], truth.halves[query][1], &maps_[1], &maps_[2], &maps_[3]);
         input_.halves = &*halves_;
     }
     /// Compares with the first query; `valid` must be the mask that the side was made for.
     Comparison(const Truth& truth, const TruthSide& side, const ImageF& image, const Mask& valid)
         : Comparison(truth, 0, image, valid) {
-        const std::span<const PreparedImage> prepared = side.images();
-        if (prepared.empty()) return;
-        input_.prepared_truth = &prepared[0];
-        if (!halves_) return;
-        halves_->first_prepared = &prepared[1];
-        halves_->second_prepared = &prepared[2];
+        input_.prepared_truth = side.undivided();
+        if (halves_) halves_->prepared = side.halves();
     }
     Comparison(const Comparison&) = delete;
     Comparison& operator=(const Comparison&) = delete;
@@ -49,7 +45,7 @@ class Comparison {
     const MetricInput& input() const { return input_; }
 
   private:
-    std::array<MapSums, 3> maps_;
+    std::array<MapSums, 4> maps_;
     std::optional<TruthHalves> halves_;
     MetricInput input_;
 };
@@ -66,7 +62,7 @@ std::map<std::string, double> noise_of(const MetricInput& input) {
     if (input.halves == nullptr) return {};
     const OcclusionMasks masks = occlusion_masks(input);
     return truth_noise(block_errors(input, masks), block_errors(against_half(input, 0), masks),
-                       block_errors(against_half(input, 1), masks));
+                       block_errors(against_half(input, 1), masks), noisier_maps(input));
 }
 
 MetricMap raw_metrics(const Truth& truth, const Ground& ground, const TruthSide& side, const ImageF& raw,

@@ -1,24 +1,23 @@
 #include "jobs/truth_side.h"
 
-#include <cstddef>
-
 namespace aoscore {
 namespace {
 
 // Enough for a truth and its halves at 2560x1440.
-constexpr double kMostKept_bytes = 640.0 * (1 << 20);
+constexpr double kMostKept_bytes = 800.0 * (1 << 20);
 
 }  // namespace
 
 TruthSide::TruthSide(const Truth& truth, const Ground& ground)
     : divisions_(pixel_divisions(ground.contract.valid, ground.facts)) {
     const Mask& valid = ground.contract.valid;
-    const std::size_t images = truth.halves.empty() ? 1 : 1 + truth.halves[0].size();
-    if (PreparedImage::kBytesPerPixel * static_cast<double>(images * valid.size()) > kMostKept_bytes) return;
-    images_.reserve(images);
-    images_.emplace_back(truth.visibility[0], valid);
-    if (truth.halves.empty()) return;
-    for (const ImageF& half : truth.halves[0]) images_.emplace_back(half, valid);
+    const bool halved = !truth.halves.empty();
+    const double bytes_per_pixel = halved ? PreparedHalves::kBytesPerPixel : PreparedImage::kBytesPerPixel;
+    if (bytes_per_pixel * static_cast<double>(valid.size()) > kMostKept_bytes) return;
+    if (halved)
+        halves_.emplace(truth.visibility[0], truth.halves[0][0], truth.halves[0][1], valid);
+    else
+        undivided_.emplace(truth.visibility[0], valid);
 }
 
 }  // namespace aoscore

@@ -2,10 +2,11 @@
 
 #include "jobs/ground.h"
 #include "metrics/analysis/pixel_divisions.h"
+#include "metrics/prepared_halves.h"
 #include "metrics/prepared_image.h"
 #include "reference/truth.h"
 
-#include <span>
+#include <optional>
 #include <vector>
 
 namespace aoscore {
@@ -17,13 +18,15 @@ class TruthSide {
     /// Both arguments must outlive this object.
     TruthSide(const Truth& truth, const Ground& ground);
 
-    /// The truth of the first query and then its halves, where it has them, on the ground's valid pixels;
-    /// empty where the picture is so large that keeping it would take too much memory.
-    std::span<const PreparedImage> images() const { return images_; }
+    /// The truth of the first query on the ground's valid pixels: undivided, or with its halves. Both are
+    /// null where the picture is so large that keeping it would take too much memory.
+    const PreparedImage* undivided() const { return undivided_ ? &*undivided_ : nullptr; }
+    const PreparedHalves* halves() const { return halves_ ? &*halves_ : nullptr; }
     const std::vector<PixelDivision>& divisions() const { return divisions_; }
 
   private:
-    std::vector<PreparedImage> images_;
+    std::optional<PreparedImage> undivided_;
+    std::optional<PreparedHalves> halves_;
     std::vector<PixelDivision> divisions_;
 };
 

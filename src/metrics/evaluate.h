@@ -10,7 +10,7 @@
 namespace aoscore {
 
 /// Evaluates metrics of the table by id: those named, or all of them when `ids` is empty. Where the truth has
-/// two halves, metrics that allow it are extrapolated to a truth without noise (Metric::noise). Where a valid
+/// two halves, metrics that allow it are those against a truth without noise (Metric::noise). Where a valid
 /// pixel is NaN or infinite, or none is valid, every value is empty with a note that says so (see
 /// finite_pixels). Throws sizes_differ for images of several sizes and usage_error for an unknown id.
 std::map<std::string, MetricValue> evaluate(const MetricInput& input, std::span<const std::string> ids = {});
@@ -22,7 +22,7 @@ const Metric& metric(std::string_view id);
 std::vector<std::string> unranked_metrics();
 
 /// The metrics among `ids` (or all, when it is empty) that a truth whose noise has this mean variance can
-/// measure: the others are extrapolated, and may be wrong by more than the extrapolation corrects.
+/// measure: the noise may make the others wrong by more than their correction.
 std::vector<std::string> told_metrics(double noise_variance, std::span<const std::string> ids = {});
 
 }  // namespace aoscore

@@ -2,6 +2,7 @@
 
 #include "core/image.h"
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +11,7 @@
 
 namespace aoscore {
 
+class PreparedHalves;
 class PreparedImage;
 struct FinestSimilarity;
 struct DrawnSums;
@@ -22,8 +24,8 @@ struct TruthHalves {
     const ImageF& second;
     MapSums* first_maps = nullptr;  ///< like MetricInput::maps, for the metrics against each half
     MapSums* second_maps = nullptr;
-    const PreparedImage* first_prepared = nullptr;  ///< like MetricInput::prepared_truth
-    const PreparedImage* second_prepared = nullptr;
+    MapSums* noisier_maps = nullptr;           ///< of the metrics against PreparedHalves::noisier
+    const PreparedHalves* prepared = nullptr;  ///< of the truth and of these, where shared
 };
 
 /// The input of a metric. All images have one size and hold visibility in [0,1], 1 = open.
@@ -33,9 +35,10 @@ struct MetricInput {
     const Mask& valid;                       ///< pixels that count; finite in both images
     const ImageF* standard_error = nullptr;  ///< the truth's, where it is known
     MapSums* maps = nullptr;  ///< receives the sums of metrics that are means of a map, if not null
-    const TruthHalves* halves = nullptr;            ///< the truth's, where it has two
-    const PreparedImage* prepared_truth = nullptr;  ///< of `truth` and `valid`, where shared
-    const PreparedImage* prepared_test = nullptr;   ///< made of `test` and `valid`
+    const TruthHalves* halves = nullptr;  ///< the truth's, where it has two
+    /// Of `truth` and `valid`, where shared; evaluate() has PreparedHalves for a truth of two halves.
+    const PreparedImage* prepared_truth = nullptr;
+    const PreparedImage* prepared_test = nullptr;  ///< made of `test` and `valid`
     /// Receives what SSIM and MS-SSIM of this very pair have in common, if not null, so that the second of
     /// them need not measure it again. The halves have their own.
     std::optional<FinestSimilarity>* finest = nullptr;
@@ -61,14 +64,17 @@ struct Metric {
     double (*over_views)(std::span<const double>);  ///< averages one value a view; see over_views.h
     /// Computes the metric from resampled blocks, for its interval. Null where blocks cannot give it.
     double (*resampled)(const DrawnSums&) = nullptr;
-    /// The treatment of the truth's noise. An `extrapolated` metric changes in proportion to the noise's
-    /// variance, so that its value for a truth without noise is extrapolated where the truth has two halves;
-    /// see extrapolation.h.
-    enum class Noise { included, taken_off, extrapolated };
+    /// The treatment of the truth's noise, where the truth has two halves. Its variance is `taken_off` a mean
+    /// square, or `taken_off_in_windows` the variances under SSIM's window, see PreparedHalves. An
+    /// `extrapolated` metric changes in proportion to the noise's variance, so that its value for a truth
+    /// without noise is extrapolated; see extrapolation.h.
+    enum class Noise { included, taken_off, taken_off_in_windows, extrapolated };
     Noise noise = Noise::included;
     /// The remaining error of the extrapolation as a part of its correction: a constant, and one for each
     /// unit of the noise's mean variance. Both were measured, see truth_noise().
     double left_always = 0, left_by_variance = 0;
+    /// The mean variance of the noise beyond which the metric is not worth its time, see told_metrics().
+    double most_noise_variance = std::numeric_limits<double>::infinity();
     bool brief = false;     ///< also in tables for readers, whose width is limited
     bool unranked = false;  ///< also measured before the filter and against a method's own truth
     /// The id of the same metric without the truth's noise, which this one includes; "" where it includes

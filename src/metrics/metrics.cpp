@@ -82,8 +82,8 @@ const std::vector<Metric>& metrics() {
          .measure = measure::ssim,
          .over_views = over_views::mean,
          .resampled = [](const DrawnSums& s) { return s.ssim / s.ssim_weight; },
-         .noise = extrapolated,
-         .left_by_variance = 3333,
+         .noise = taken_off_in_windows,
+         .most_noise_variance = 3e-4,
          .brief = true,
          .unranked = true},
         {.id = "max_error",
@@ -119,8 +119,8 @@ const std::vector<Metric>& metrics() {
          .measure = measure::ms_ssim,
          .over_views = over_views::mean,
          .resampled = [](const DrawnSums& s) { return s.ms_ssim; },
-         .noise = extrapolated,
-         .left_by_variance = 3333},
+         .noise = taken_off_in_windows,
+         .most_noise_variance = 3e-4},
     };
     return table;
 }

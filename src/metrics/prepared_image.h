@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace aoscore {
@@ -19,6 +20,11 @@ class PreparedImage {
   public:
     /// Both arguments must outlive this object. Invalid pixels may be NaN.
     PreparedImage(const ImageF& image, const Mask& valid) : image_(image), valid_(valid) {}
+    /// Prepares an image whose noise is like that of `noise`, an image of mean 0 that varies with it in
+    /// nothing else: variances under SSIM's window are those of the image without it, and may be a little
+    /// below 0.
+    PreparedImage(const ImageF& image, const Mask& valid, ImageF noise)
+        : image_(image), valid_(valid), noise_(std::move(noise)) {}
 
     /// FLIP's features of the image.
     const SeenImage& seen() const;
@@ -43,6 +49,7 @@ class PreparedImage {
     const Mask& valid_;
     mutable std::optional<SeenImage> seen_;
     mutable std::optional<PixelWeights> weights_;  ///< weights of the last scale
+    mutable std::optional<ImageF> noise_;          ///< at the last scale
     mutable std::vector<Scale> scales_;
 };
 

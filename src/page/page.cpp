@@ -62,12 +62,11 @@ fs::path write_page(const fs::path& results_folder, bool everything, const std::
     const Results results = in_ranking_order(read_results(results_folder));
     const Results shown = pictured(results);
     LiveData live = read_live_data(shown, results_folder);
-    Pictures pictures =
+    const Pictures pictures =
         make_pictures(shown, results_folder, everything,
                       [&](const ViewRecord& view, const ImageFile& gbuffer, const fs::path& path) {
                           return add_gbuffer(live, view, gbuffer, path);
                       });
-    pictures.looks = first_looks(shown, results_folder);
     std::string html = page_html({results, pictures, live}, {shown, pictures, live});
     if (html.size() > kLargePage_bytes) {
         log_warning(

@@ -1,6 +1,7 @@
 #include "metrics/analysis/repeats.h"
 
 #include "core/error.h"
+#include "metrics/analysis/repeat_values.h"
 
 #include <gtest/gtest.h>
 
@@ -98,6 +99,21 @@ TEST(FoundOcclusion, CountsValidPixelsOnly) {
     const auto found = found_occlusion(half_hidden(), filled(0.6F, 0.5F), valid, Findings::free);
     EXPECT_DOUBLE_EQ(sum(found->pixels), kSide * kSide / 4.0);
     EXPECT_DOUBLE_EQ(sum(valid_counts(valid)), kSide * kSide / 2.0);
+}
+
+TEST(Repeats, OverAllBlocksHaveTheSameValues) {
+    Repeats repeats;
+    repeats.counts = valid_counts(all_valid());
+    repeats.variance = variance_sums({filled(0.2F, 0.5F), filled(0.3F, 0.9F)}, all_valid());
+    repeats.of_truth =
+        found_occlusion(half_hidden(), filled(0.6F, 0.6F), all_valid(), Findings::within_hidden);
+    const Repeats all = over_all_blocks(repeats);
+    EXPECT_GT(repeats.counts.size(), 1U);
+    EXPECT_EQ(all.counts.size(), 1U);
+    EXPECT_EQ(noise_over_seeds(all), noise_over_seeds(repeats));
+    EXPECT_EQ(found_share(all.of_truth), found_share(repeats.of_truth));
+    EXPECT_GT(found_share(all.of_truth).value(), 0);
+    EXPECT_FALSE(all.of_layers);
 }
 
 TEST(Repeats, TheVarianceOverSeedsIsThatOfEachPixelAndNotOfThePicture) {

@@ -103,6 +103,51 @@ TEST_P(HalvesOfATruth, HoldTheConvergedValueOfEveryMetricAsOftenAsTheySay) {
     }
 }
 
+/// The mean difference from the converged value over a few seeds, with the noise taken off and without
+/// halves.
+struct MeanErrors {
+    double taken_off = 0, plain = 0;
+};
+
+MeanErrors mean_errors(const Metric& metric, int rays_of_a_half) {
+    constexpr int kFewSeeds = 4;
+    const ImageF truth = smooth_truth(), test = test_of(truth);
+    Mask valid(kWidth, kHeight, 1);
+    const double converged = *metric.measure({truth, test, valid}).value;
+    MeanErrors errors;
+    for (int seed = 1; seed <= kFewSeeds; ++seed) {
+        std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+        const ImageF first = half_of(truth, rays_of_a_half, random),
+                     second = half_of(truth, rays_of_a_half, random);
+        ImageF mean = first;
+        for (std::size_t i = 0; i < mean.size(); ++i)
+            mean.pixels[i] = (first.pixels[i] + second.pixels[i]) / 2;
+        const TruthHalves halves{first, second};
+        MetricInput input{mean, test, valid};
+        errors.plain += (*metric.measure(input).value - converged) / kFewSeeds;
+        input.halves = &halves;
+        const std::string id(metric.id);
+        errors.taken_off += (*evaluate(input, {&id, 1}).at(id).value - converged) / kFewSeeds;
+    }
+    return errors;
+}
+
+// The noise of 2 x 128 rays has about the variance C2, which is where SSIM begins to notice it.
+TEST(NoiseInWindows, IsTakenOffButForATenthOfWhatItDid) {
+    int checked = 0;
+    for (const Metric& metric : metrics()) {
+        if (metric.noise != Metric::Noise::taken_off_in_windows) continue;
+        for (const int rays : {128, 512}) {
+            const MeanErrors errors = mean_errors(metric, rays);
+            EXPECT_LT(std::abs(errors.taken_off), 0.1 * std::abs(errors.plain))
+                << metric.id << ", " << rays << " rays a half: off by " << errors.taken_off << ", with noise "
+                << errors.plain;
+            ++checked;
+        }
+    }
+    EXPECT_EQ(checked, 4);
+}
+
 INSTANTIATE_TEST_SUITE_P(RaysOfAHalf, HalvesOfATruth, ::testing::Values(512));
 
 }  // namespace

@@ -27,7 +27,6 @@ struct SyntheticPage {
         const std::filesystem::path folder = testing::output_dir();
         testing::write_synthetic(results, folder);
         pictures = make_pictures(results, folder);
-        pictures.looks = first_looks(results, folder);
     }
     PageSource source() const { return {results, pictures, live}; }
 };

@@ -306,7 +306,21 @@ TEST(ResultsFile, TruncatedOrAbsentIsAnErrorThatNamesTheFile) {
     EXPECT_THAT(message(), HasSubstr("results.json"));
 }
 
-// All claims together make some 80 MB.
+TEST(ResultsFile, HasALineForEachArrayOfNumbersAndLeavesTextAsItIs) {
+    const auto folder = testing::output_dir();
+    Results results;
+    results.command = R"(aoscore [ 1, 2 ]  "[ 3 ]\" [)";
+    results.warnings = {"[ 1 ]", "two"};
+    CellRecord& cell = results.cells.emplace_back();
+    cell.ao.runs_ms = {1, 2.5, 3};
+    write_results(results, folder);
+    EXPECT_EQ(to_json(read_results(folder)), to_json(results));
+    const std::string text = read_file(folder / "results.json");
+    EXPECT_THAT(text, HasSubstr("[1.0,2.5,3.0]"));
+    EXPECT_THAT(text, HasSubstr("\"[ 1 ]\",\n"));
+}
+
+// All claims together made 80 MB when each number had a line.
 TEST(ResultsFile, MayBeLargerThanOtherFiles) {
     Results results;
     results.command = std::string(std::size_t{65} << 20, 'x');

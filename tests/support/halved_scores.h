@@ -21,8 +21,8 @@ struct HalvedScores {
 /// Scores an image; `truth` is the mean of the halves, and all images have one size.
 inline HalvedScores halved_scores(const ImageF& truth, const ImageF& first, const ImageF& second,
                                   const ImageF& test, const Mask& valid) {
-    std::array<MapSums, 3> maps;
-    const TruthHalves halves{first, second, &maps[1], &maps[2]};
+    std::array<MapSums, 4> maps;
+    const TruthHalves halves{first, second, &maps[1], &maps[2], &maps[3]};
     MetricInput input{truth, test, valid};
     input.maps = &maps[0];
     input.halves = &halves;
@@ -30,7 +30,7 @@ inline HalvedScores halved_scores(const ImageF& truth, const ImageF& first, cons
     scores.values = evaluate(input);
     const OcclusionMasks masks = occlusion_masks(input, 0.1);
     scores.noise = truth_noise(block_errors(input, masks), block_errors(against_half(input, 0), masks),
-                               block_errors(against_half(input, 1), masks));
+                               block_errors(against_half(input, 1), masks), maps[3]);
     return scores;
 }
 

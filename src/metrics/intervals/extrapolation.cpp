@@ -1,5 +1,7 @@
 #include "metrics/intervals/extrapolation.h"
 
+#include "metrics/prepared_halves.h"
+
 #include <cstddef>
 #include <vector>
 
@@ -17,7 +19,21 @@ MetricInput against_half(const MetricInput& input, std::size_t half) {
     const TruthHalves& halves = *input.halves;
     MetricInput against{half == 0 ? halves.first : halves.second, input.test, input.valid};
     against.maps = half == 0 ? halves.first_maps : halves.second_maps;
-    against.prepared_truth = half == 0 ? halves.first_prepared : halves.second_prepared;
+    if (halves.prepared != nullptr)
+        against.prepared_truth = half == 0 ? &halves.prepared->first : &halves.prepared->second;
+    against.prepared_test = input.prepared_test;
+    return against;
+}
+
+MapSums noisier_maps(const MetricInput& input) {
+    const MapSums* const maps = input.halves->noisier_maps;
+    return maps != nullptr ? *maps : MapSums{};
+}
+
+MetricInput against_noisier(const MetricInput& input) {
+    MetricInput against{input.truth, input.test, input.valid};
+    against.maps = input.halves->noisier_maps;
+    against.prepared_truth = &input.halves->prepared->noisier;
     against.prepared_test = input.prepared_test;
     return against;
 }
@@ -29,12 +45,7 @@ MetricValue extrapolated(const MetricValue& whole, const MetricValue& first, con
 
 BlockErrors extrapolated(BlockErrors whole, const BlockErrors& first, const BlockErrors& second) {
     extrapolate(whole.absolute_sums, first.absolute_sums, second.absolute_sums);
-    MapSums& maps = whole.maps;
-    extrapolate(maps.ssim_sums, first.maps.ssim_sums, second.maps.ssim_sums);
-    extrapolate(maps.flip_sums, first.maps.flip_sums, second.maps.flip_sums);
-    if (!maps.ms_ssim || !first.maps.ms_ssim || !second.maps.ms_ssim) return whole;
-    maps.ms_ssim = extrapolated(*maps.ms_ssim, *first.maps.ms_ssim, *second.maps.ms_ssim);
-    extrapolate(maps.ms_ssim_influences, first.maps.ms_ssim_influences, second.maps.ms_ssim_influences);
+    extrapolate(whole.maps.flip_sums, first.maps.flip_sums, second.maps.flip_sums);
     return whole;
 }
 

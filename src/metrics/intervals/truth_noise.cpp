@@ -70,6 +70,39 @@ double variance_of_sum(const std::vector<double>& moves, int across, int down) {
     return std::max(alone, together);
 }
 
+DrawnSums all_with_ms_ssim(const BlockErrors& image) {
+    DrawnSums all = all_of(sums_of_blocks(image));
+    if (image.maps.ms_ssim) all.ms_ssim = *image.maps.ms_ssim;
+    return all;
+}
+
+BlockErrors with_maps(BlockErrors image, const MapSums& maps) {
+    image.maps = maps;
+    return image;
+}
+
+/// What is left of the noise where its part is taken off, which no other seed would change.
+class Remainder {
+  public:
+    Remainder(const BlockErrors& whole, const BlockErrors& extrapolated, const MapSums& noisier)
+        : whole_(all_with_ms_ssim(whole)),
+          extrapolated_(all_with_ms_ssim(extrapolated)),
+          noisier_(all_with_ms_ssim(with_maps(whole, noisier))) {}
+
+    double most(const Metric& metric) const {
+        const auto change_to = [&](const DrawnSums& other) {
+            return std::abs(metric.resampled(other) - metric.resampled(whole_));
+        };
+        if (metric.noise == Metric::Noise::taken_off_in_windows) return change_to(noisier_);
+        if (metric.noise != Metric::Noise::extrapolated) return 0;
+        const double noise_variance = whole_.variance / whole_.count;
+        return (metric.left_always + metric.left_by_variance * noise_variance) * change_to(extrapolated_);
+    }
+
+  private:
+    DrawnSums whole_, extrapolated_, noisier_;
+};
+
 double ms_ssim_variance(const MapSums& whole, const MapSums& first, const MapSums& second) {
     double variance = 0;
     for (std::size_t k = 0; k < whole.ms_ssim_influences.size(); ++k) {
@@ -82,28 +115,17 @@ double ms_ssim_variance(const MapSums& whole, const MapSums& first, const MapSum
 }  // namespace
 
 std::map<std::string, double> truth_noise(const BlockErrors& whole, const BlockErrors& first,
-                                          const BlockErrors& second) {
+                                          const BlockErrors& second, const MapSums& noisier) {
     const Moved sums = moved(whole, first, second);
-    const BlockErrors free_of_noise = extrapolated(whole, first, second);
-    DrawnSums free_sums = all_of(sums_of_blocks(free_of_noise));
-    DrawnSums noisy_sums = sums.whole;
+    const Remainder remainder(whole, extrapolated(whole, first, second), noisier);
     const bool has_ms_ssim = whole.maps.ms_ssim && first.maps.ms_ssim && second.maps.ms_ssim;
-    if (has_ms_ssim) {
-        noisy_sums.ms_ssim = *whole.maps.ms_ssim;
-        free_sums.ms_ssim = *free_of_noise.maps.ms_ssim;
-    }
-    const double noise_variance = sums.whole.variance / sums.whole.count;
     std::map<std::string, double> noise;
     for (const Metric& metric : metrics()) {
         if (metric.noise == Metric::Noise::included || metric.resampled == nullptr) continue;
-        const double value = metric.resampled(noisy_sums);
         const double variance = metric.measure == measure::ms_ssim && has_ms_ssim
                                     ? ms_ssim_variance(whole.maps, first.maps, second.maps)
                                     : variance_of_sum(movements(metric, sums), whole.across, whole.down);
-        const double taken_off =
-            metric.noise == Metric::Noise::extrapolated ? metric.resampled(free_sums) - value : 0;
-        const double left = metric.left_always + metric.left_by_variance * noise_variance;
-        const double half_width = kDeviations * std::sqrt(variance) + left * std::abs(taken_off);
+        const double half_width = kDeviations * std::sqrt(variance) + remainder.most(metric);
         if (std::isfinite(half_width)) noise[std::string(metric.id)] = half_width;
     }
     return noise;

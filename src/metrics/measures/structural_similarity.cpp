@@ -12,8 +12,6 @@
 namespace aoscore {
 namespace {
 
-constexpr double kC1 = 0.01 * 0.01, kC2 = 0.03 * 0.03;
-
 /// The two indices of a row of pixels.
 struct IndexRow {
     std::vector<double> ssim, contrast_structure;
@@ -31,9 +29,9 @@ void find_indices(MomentRow truth, MomentRow test, const double* products, const
     for (std::size_t i = 0; i < count; ++i) {
         const double a = truth.mean[i], b = test.mean[i];
         const double covariance = products[i] * scales[i] - a * b;
-        const double luminance = 2 * a * b + kC1, most_luminance = a * a + b * b + kC1;
-        const double structure = 2 * covariance + kC2;
-        const double most_structure = truth.variance[i] + test.variance[i] + kC2;
+        const double luminance = 2 * a * b + kSsimC1, most_luminance = a * a + b * b + kSsimC1;
+        const double structure = 2 * covariance + kSsimC2;
+        const double most_structure = truth.variance[i] + test.variance[i] + kSsimC2;
         const double both = 1 / (most_luminance * most_structure);
         ssim[i] = luminance * structure * both;
         contrast_structure[i] = structure * most_luminance * both;

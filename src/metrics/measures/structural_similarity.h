@@ -11,6 +11,9 @@
 
 namespace aoscore {
 
+/// The paper's constants K1 = 0.01 and K2 = 0.03, squared, for a range of 1.
+inline constexpr double kSsimC1 = 0.01 * 0.01, kSsimC2 = 0.03 * 0.03;
+
 struct SsimMeans {
     double ssim = 0;
     double contrast_structure = 0;

@@ -1,8 +1,6 @@
 #include "page/pictures/first_look.h"
 
-#include "core/threads.h"
 #include "page/pictures/coloured_picture.h"
-#include "page/pictures/stored_images.h"
 #include "page/pictures/thumbnail.h"
 
 #include <algorithm>
@@ -12,8 +10,6 @@
 namespace aoscore {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr int kWide_px = 640, kNarrow_px = 320, kIcon_px = 96;
 /// With more views than this their pictures are narrow, so that many views do not make a large page.
 constexpr std::size_t kFewViews = 4;
@@ -22,25 +18,15 @@ constexpr std::uint32_t kNotComparedColour = 0x6f6f76;
 /// A smaller cut-out shows no more than a few large squares.
 constexpr double kLeastCut_px = 32;
 
-const CellRecord* shown_cell(const Results& results, const std::string& view_key) {
-    const CellRecord* bound = nullptr;
-    for (const CellRecord& cell : results.cells) {
-        if (cell.view_key != view_key || !cell.error.empty()) continue;
-        if (cell.role != kBoundRole) return &cell;
-        if (bound == nullptr) bound = &cell;
-    }
-    return bound;
-}
-
 std::string gray(const ImageF& visibility, int width_px) {
     const ImageF small = shrunk(visibility, width_px);
     return coloured_picture({&small}, 0, 1, gray_palette(kGrayShades));
 }
 
-std::string signed_error(const ImageF& truth, const ImageF& output, const ImageF& mask, int width_px) {
+std::string signed_error(const ImageF& truth, const ImageF& output, const Mask& valid, int width_px) {
     ImageF error(truth.width, truth.height, std::numeric_limits<float>::quiet_NaN());
     for (std::size_t i = 0; i < error.size(); ++i) {
-        if (mask.pixels[i] > 0.5F) error.pixels[i] = output.pixels[i] - truth.pixels[i];
+        if (valid.pixels[i] != 0) error.pixels[i] = output.pixels[i] - truth.pixels[i];
     }
     const ImageF small = shrunk(error, width_px);
     Palette palette = blue_red_palette(kErrorShades);
@@ -80,39 +66,41 @@ std::string cut_out(const FirstLook& look, const ImageF& image, int width_px) {
     return gray(cut, width_px / 2);
 }
 
-FirstLook look_of(const Results& results, const ViewRecord& view, const fs::path& folder, int width_px) {
+}  // namespace
+
+const CellRecord* first_cell(const Results& results, const std::string& view_key) {
+    const CellRecord* bound = nullptr;
+    for (const CellRecord& cell : results.cells) {
+        if (cell.view_key != view_key || !cell.error.empty()) continue;
+        if (cell.role != kBoundRole) return &cell;
+        if (bound == nullptr) bound = &cell;
+    }
+    return bound;
+}
+
+int first_look_width_px(std::size_t views) {
+    return views <= kFewViews ? kWide_px : kNarrow_px;
+}
+
+FirstLook first_look(const ViewRecord& view, const ImageF& truth, int width_px) {
     FirstLook look;
     look.view_key = view.key;
-    const fs::path truth_path = stored_path(folder, view.truth_file);
-    const ImageFile truth_file = read_image(truth_path);
-    const ImageF& truth = channel_of(truth_file, truth_path, view.truths.front().channel);
     look.icon = gray(truth, kIcon_px);
     look.truth = gray(truth, width_px);
-    const CellRecord* cell = shown_cell(results, view.key);
-    if (cell == nullptr) return look;
-    look.cell_id = cell->id;
-    const fs::path output_path = stored_path(folder, cell->image_file);
-    const ImageFile output_file = read_image(output_path);
-    const ImageF& output = channel_of(output_file, output_path, "Y");
-    look.output = gray(output, width_px);
-    look.error = signed_error(truth, output, channel_of(truth_file, truth_path, "mask.Y"), width_px);
-    if (const ErrorRegion* worst = worst_of(*cell)) {
-        look.worst = *worst;
-        place_cut(look, truth, *worst);
-        look.worst_truth = cut_out(look, truth, width_px);
-        look.worst_output = cut_out(look, output, width_px);
-    }
     return look;
 }
 
-}  // namespace
-
-std::vector<FirstLook> first_looks(const Results& results, const fs::path& folder) {
-    const int width_px = results.views.size() <= kFewViews ? kWide_px : kNarrow_px;
-    std::vector<FirstLook> looks(results.views.size());
-    parallel_for(looks.size(),
-                 [&](std::size_t i) { looks[i] = look_of(results, results.views[i], folder, width_px); });
-    return looks;
+void show_cell(FirstLook& look, const CellRecord& cell, const ImageF& truth, const ImageF& output,
+               const Mask& valid, int width_px) {
+    look.cell_id = cell.id;
+    look.output = gray(output, width_px);
+    look.error = signed_error(truth, output, valid, width_px);
+    const ErrorRegion* const worst = worst_of(cell);
+    if (worst == nullptr) return;
+    look.worst = *worst;
+    place_cut(look, truth, *worst);
+    look.worst_truth = cut_out(look, truth, width_px);
+    look.worst_output = cut_out(look, output, width_px);
 }
 
 }  // namespace aoscore

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "core/image.h"
 #include "metrics/analysis/regions.h"
 #include "results/results.h"
 
-#include <filesystem>
+#include <cstddef>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace aoscore {
 
@@ -25,9 +25,18 @@ struct FirstLook {
     std::string worst_truth, worst_output;  ///< the cut-out; empty without a region
 };
 
-/// Makes the first looks of all views, on all threads. Each shows the first cell of the view that succeeded,
-/// a bound only where there is no other; the results are those of in_ranking_order(). Throws file_error where
-/// a file or channel is missing or lies outside the folder.
-std::vector<FirstLook> first_looks(const Results& results, const std::filesystem::path& folder);
+/// The cell that a view's first look shows: the first that succeeded, a bound only where there is no other;
+/// null where every cell failed. The results are those of in_ranking_order().
+const CellRecord* first_cell(const Results& results, const std::string& view_key);
+
+/// The width of the pictures on a page of so many views.
+int first_look_width_px(std::size_t views);
+
+/// The first look of a view, without a cell.
+FirstLook first_look(const ViewRecord& view, const ImageF& truth, int width_px);
+
+/// Adds the cell whose image is `output`; nothing is compared where `valid` is 0.
+void show_cell(FirstLook& look, const CellRecord& cell, const ImageF& truth, const ImageF& output,
+               const Mask& valid, int width_px);
 
 }  // namespace aoscore

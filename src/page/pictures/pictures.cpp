@@ -13,6 +13,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 namespace aoscore {
 namespace {
@@ -139,13 +140,15 @@ void read_gbuffer(const ViewRecord& view, const Mask& valid, const fs::path& fol
     pictures.depth = encode(only_where(depth, valid), nearest, nearest, kLevelsOfTwoBytes);
 }
 
+/// Makes them, and shows the image to `use` before it is dropped.
 CellPictures cell_pictures(const CellRecord& cell, const ViewRecord& view, const Encoding& encoding,
-                           const fs::path& folder) {
+                           const fs::path& folder, const std::function<void(const ImageF&)>& use) {
     const fs::path path = stored_path(folder, cell.image_file);
     const ImageFile file = read_image(path);
     const ImageF& output = channel_of(file, path, "Y");
     require_size(output, view, path);
 
+    use(output);
     CellPictures pictures;
     pictures.output = quantise(output, 0, 1, encoding.visibility_levels);
     pictures.output_thumbnail = gray_thumbnail(output, kThumbnailWidth_px);
@@ -163,9 +166,12 @@ CellPictures cell_pictures(const CellRecord& cell, const ViewRecord& view, const
 Pictures make_pictures(const Results& results, const fs::path& folder, bool everything,
                        const GBufferUse& use) {
     const Encoding encoding = encoding_for(results, everything);
+    const int look_px = first_look_width_px(results.views.size());
     Pictures pictures;
     for (const ViewRecord& view : results.views) {
         const Truth truth = read_truth(view, folder);
+        FirstLook look = first_look(view, truth.visibility, look_px);
+        const CellRecord* const at_first = first_cell(results, view.key);
         ViewPictures& of_view = pictures.views[view.key];
         std::vector<std::function<void()>> jobs;
         jobs.emplace_back([&] {
@@ -175,9 +181,15 @@ Pictures make_pictures(const Results& results, const fs::path& folder, bool ever
         for (const CellRecord& cell : results.cells) {
             if (cell.view_key != view.key || !cell.error.empty()) continue;
             CellPictures& of_cell = pictures.cells[cell.id];
-            jobs.emplace_back([&] { of_cell = cell_pictures(cell, view, encoding, folder); });
+            jobs.emplace_back([&] {
+                of_cell = cell_pictures(cell, view, encoding, folder, [&](const ImageF& output) {
+                    if (&cell == at_first)
+                        show_cell(look, cell, truth.visibility, output, truth.valid, look_px);
+                });
+            });
         }
         parallel_for(jobs.size(), [&](std::size_t i) { jobs[i](); });
+        pictures.looks.push_back(std::move(look));
     }
     return pictures;
 }
