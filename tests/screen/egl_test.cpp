@@ -1,5 +1,6 @@
 // Pictures that EGL draws, beside those of OSMesa. Each has a process of its own, as the program has: a
 // process holds one driver.
+#include "core/error.h"
 #include "core/files.h"
 #include "core/hash.h"
 #include "hand_made.h"
@@ -52,7 +53,7 @@ TEST(EglChild, DISABLED_DrawsEveryMethod) {
     const Scene pillar = load_scene("pillar");
     ScreenRenderer renderer;
     renderer.set_scene(pillar);
-    renderer.draw_gbuffer(CameraFrame(find_view(pillar, "main").camera, 160, 90), {});
+    renderer.draw_gbuffer(CameraFrame(find_view(pillar, "main").camera, 160, 90), gbuffer_inputs());
     std::string lines = renderer.renderer() + " " + renderer.version() + "\n";
     const std::vector<MethodDescriptor> filters = load_filters();
     for (const MethodDescriptor& method : load_methods()) {
