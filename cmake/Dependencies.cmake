@@ -20,7 +20,8 @@ find_package(pugixml REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(Boost REQUIRED)  # headers alone: the quantiles of Student's distribution
 pkg_check_modules(nlopt REQUIRED IMPORTED_TARGET nlopt)
-pkg_check_modules(osmesa REQUIRED IMPORTED_TARGET osmesa)
+pkg_check_modules(osmesa REQUIRED osmesa)  # loaded when a context is made, as EGL is: the headers alone
+pkg_check_modules(egl REQUIRED egl)
 pkg_check_modules(tinyobjloader REQUIRED IMPORTED_TARGET tinyobjloader_double)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 # OpenImageIO's own CMake target asks for a folder of OpenCV that Debian does not ship; pkg-config does not.

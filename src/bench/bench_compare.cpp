@@ -4,6 +4,7 @@
 #include "bench/made_up_pair.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "core/folders.h"
 #include "core/output.h"
 #include "core/temporary_folder.h"
 #include "metrics/analysis/analysis.h"
@@ -60,7 +61,7 @@ struct ScikitImage {
 std::optional<ScikitImage> ask_scikit_image(const std::filesystem::path& folder) {
     const std::string command =
         fmt::format("cd '{}' && /usr/bin/python3 '{}' {} {} truth.raw test.raw 1 >ssim.txt 2>/dev/null",
-                    folder.string(), (home_dir() / "src/bench/skimage_ssim.py").string(), kWidth, kHeight);
+                    folder.string(), (data_dir() / "src/bench/skimage_ssim.py").string(), kWidth, kHeight);
     const int status = std::system(command.c_str());
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return std::nullopt;
     std::istringstream said(read_file(folder / "ssim.txt"));

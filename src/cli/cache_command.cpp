@@ -1,5 +1,6 @@
 #include "cli/command.h"
 #include "cli/shared_options.h"
+#include "core/folders.h"
 #include "core/log.h"
 #include "core/output.h"
 #include "store/artifact_store.h"
@@ -72,7 +73,7 @@ void print(const CacheEntry& entry) {
 }
 
 ArtifactStore measurements() {
-    return ArtifactStore(ArtifactStore::folder_in(default_cache_dir()));
+    return ArtifactStore(ArtifactStore::folder_in(cache_dir()));
 }
 
 ExitCode list(const TruthCache& cache, const CacheOptions&) {
@@ -82,7 +83,7 @@ ExitCode list(const TruthCache& cache, const CacheOptions&) {
         print(entry);
         bytes += entry.bytes;
     }
-    print_result("{} truths, {}, in {}\n", entries.size(), bytes_text(bytes), default_cache_dir().string());
+    print_result("{} truths, {}, in {}\n", entries.size(), bytes_text(bytes), cache_dir().string());
     const ArtifactStore::Size size = measurements().size();
     print_result("{} measurements, {}\n", size.entries, bytes_text(size.bytes));
     return ExitCode::ok;
@@ -143,8 +144,7 @@ CommandEntry add_cache_command(CLI::App& program, const GlobalOptions&) {
     app->add_option("--parts", options->groups, "For verify: groups of tiles traced again, of each truth")
         ->check(CLI::Range(0, 1 << 20))
         ->capture_default_str();
-    return {app,
-            [options] { return actions().at(options->action)(TruthCache(default_cache_dir()), *options); }};
+    return {app, [options] { return actions().at(options->action)(TruthCache(cache_dir()), *options); }};
 }
 
 }  // namespace aoscore

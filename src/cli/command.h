@@ -16,6 +16,7 @@ struct GlobalOptions {
     std::uint64_t seed = 1;
     int threads = 0;  ///< 0: all cores
     bool quiet = false;
+    std::string gl;                  ///< empty: what AOSCORE_GL says
     std::string command_line;        ///< as the user gave it, quoted for a shell
     std::vector<std::string> words;  ///< its words, without the program's name
 };
@@ -44,5 +45,9 @@ CommandEntry add_stress_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_bench_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_cache_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_job_command(CLI::App& program, const GlobalOptions& global);
+CommandEntry add_plan_command(CLI::App& program, const GlobalOptions& global);
+CommandEntry add_work_command(CLI::App& program, const GlobalOptions& global);
+CommandEntry add_manual_command(CLI::App& program, const GlobalOptions& global);
+CommandEntry add_completion_command(CLI::App& program, const GlobalOptions& global);
 
 }  // namespace aoscore

@@ -1,7 +1,7 @@
 #include "cli/command.h"
-#include "cli/program.h"
+#include "cli/job_options.h"
 #include "cli/shared_options.h"
-#include "core/shell.h"
+#include "core/folders.h"
 #include "jobs/job_listing.h"
 
 #include <memory>
@@ -15,13 +15,7 @@ struct Options {
 };
 
 ExitCode run(const Options& options) {
-    std::vector<std::string> words = arguments_of_job(options.key, options.cache);
-    std::erase(words, "--jobs");
-    // Artifacts name the command that asked for all of them.
-    std::string command_line = "aoscore";
-    for (const std::string& word : words) command_line += " " + shell_quoted(word);
-    words.insert(words.end(), {"--job", options.key});
-    return run_words(words, command_line);
+    return run_jobs(arguments_of_job(options.key, options.cache), {options.key});
 }
 
 }  // namespace
@@ -30,7 +24,7 @@ CommandEntry add_job_command(CLI::App& program, const GlobalOptions&) {
     CLI::App* app = program.add_subcommand(
         "job", "Make one artifact that --jobs has listed, by its key, and keep it in the store");
     const auto options = std::make_shared<Options>();
-    options->cache = default_cache_dir();
+    options->cache = cache_dir();
     app->add_option("key", options->key, "As --jobs prints it")->required();
     return {app, [options] { return run(*options); }};
 }

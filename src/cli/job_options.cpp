@@ -1,24 +1,95 @@
 #include "cli/job_options.h"
 
+#include "cli/program.h"
+#include "core/log.h"
 #include "core/output.h"
+#include "core/shell.h"
+#include "jobs/work_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
 
 namespace aoscore {
+namespace {
+
+constexpr const char* kPartsFile = "--parts-file";
+constexpr const char* kParts = "--parts";
+
+std::vector<std::string> words_for_parts(const std::filesystem::path& file, std::size_t parts) {
+    return {kPartsFile, file.string(), kParts, std::to_string(parts)};
+}
+
+/// A command as a user would type it.
+std::string command_line_of(const std::vector<std::string>& words) {
+    std::string line = "aoscore";
+    for (const std::string& word : words) line += " " + shell_quoted(word);
+    return line;
+}
+
+void divide(const JobOptions& options, const nlohmann::json& listing,
+            const std::vector<std::string>& arguments) {
+    const WorkParts work{.arguments = arguments, .parts = even_parts(listing, options.parts)};
+    write_parts(work, options.parts_file);
+    double most_s = 0, all_s = 0;
+    std::size_t jobs = 0;
+    for (const WorkPart& part : work.parts) {
+        most_s = std::max(most_s, part.cost_s);
+        all_s += part.cost_s;
+        jobs += part.keys.size();
+    }
+    print_path(options.parts_file);
+    if (work.parts.empty()) {
+        log_info("Everything is in the cache: there is nothing to do");
+        return;
+    }
+    log_info(fmt::format("{} jobs in {} parts; the largest has {:.1f} times the mean cost", jobs,
+                         work.parts.size(),
+                         all_s > 0 ? most_s * static_cast<double>(work.parts.size()) / all_s : 1));
+}
+
+}  // namespace
 
 void add_job_options(CLI::App& app, JobOptions& options) {
     auto* list =
         app.add_flag("--jobs", options.list,
                      "Print the jobs of this command as JSON, with their keys, and make none of them");
-    app.add_option("--job", options.only, "Make the artifact of this key alone, and no page")->excludes(list);
+    app.add_option("--job", options.only, "Make the artifact of this key alone, and no page; may be repeated")
+        ->excludes(list);
+    // Given by the commands plan and work, which users call.
+    app.add_option(kPartsFile, options.parts_file)->group("");
+    app.add_option(kParts, options.parts)->group("");
 }
 
-bool only_lists_or_makes_one(const JobOptions& options, const std::function<nlohmann::json()>& list,
-                             const std::function<void(const std::string& key)>& make) {
+std::optional<ExitCode> list_or_make_some(
+    const JobOptions& options, std::vector<std::string> words,
+    const std::function<nlohmann::json(const std::vector<std::string>& words)>& list,
+    const std::function<std::size_t(const std::vector<std::string>& keys)>& make) {
     if (options.list) {
-        print_result("{}\n", list().dump(2));
+        std::erase(words, "--jobs");
+        print_result("{}\n", list(words).dump(2));
+    } else if (!options.parts_file.empty()) {
+        words.resize(words.size() - words_for_parts(options.parts_file, options.parts).size());
+        divide(options, list(words), words);
     } else if (!options.only.empty()) {
-        make(options.only);
+        return make(options.only) == 0 ? ExitCode::ok : ExitCode::cells_failed;
+    } else {
+        return std::nullopt;
     }
-    return options.list || !options.only.empty();
+    return ExitCode::ok;
+}
+
+ExitCode run_division(std::vector<std::string> words, const std::filesystem::path& file, std::size_t parts) {
+    const std::string line = command_line_of(words);
+    const std::vector<std::string> added = words_for_parts(file, parts);
+    words.insert(words.end(), added.begin(), added.end());
+    return run_words(words, line);
+}
+
+ExitCode run_jobs(std::vector<std::string> words, const std::vector<std::string>& keys) {
+    const std::string line = command_line_of(words);
+    for (const std::string& key : keys) words.insert(words.end(), {"--job", key});
+    return run_words(words, line);
 }
 
 }  // namespace aoscore

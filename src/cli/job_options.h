@@ -1,25 +1,43 @@
 #pragma once
 
+#include "core/error.h"
+
 #include <CLI/CLI.hpp>
 
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
+#include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace aoscore {
 
-/// Options by which a command lists its jobs or makes one, instead of making all of them.
+/// Options by which a command lists its jobs, divides them or makes some, instead of making all of them.
 struct JobOptions {
-    bool list = false;  ///< print the jobs
-    std::string only;   ///< key of the one job to make; empty: all
+    bool list = false;                 ///< print the jobs
+    std::vector<std::string> only;     ///< keys of the jobs to make; empty: all
+    std::filesystem::path parts_file;  ///< write the jobs in parts into this file; empty: do not
+    std::size_t parts = 1;             ///< their number
 };
-/// Adds --jobs and --job.
+/// Adds --jobs and --job, and what `plan` hands on.
 void add_job_options(CLI::App& app, JobOptions& options);
 
-/// Prints the JSON of `list`, or calls `make` with the key, where the options ask for it; returns whether
-/// they do.
-bool only_lists_or_makes_one(const JobOptions& options, const std::function<nlohmann::json()>& list,
-                             const std::function<void(const std::string& key)>& make);
+/// Does what the options ask for instead of the command's work, with the JSON of `list`, which is given the
+/// command's words without these options, or with `make`, which returns how many jobs failed. `words` are all
+/// of the command's. Empty where the options ask for nothing.
+std::optional<ExitCode> list_or_make_some(
+    const JobOptions& options, std::vector<std::string> words,
+    const std::function<nlohmann::json(const std::vector<std::string>& words)>& list,
+    const std::function<std::size_t(const std::vector<std::string>& keys)>& make);
+
+/// Has the command of these words write its jobs in parts.
+ExitCode run_division(std::vector<std::string> words, const std::filesystem::path& file, std::size_t parts);
+
+/// Has the command of these words make these jobs alone. The artifacts name the command, which asked for all
+/// of them.
+ExitCode run_jobs(std::vector<std::string> words, const std::vector<std::string>& keys);
 
 }  // namespace aoscore

@@ -1,6 +1,6 @@
 #include "cli/command.h"
 #include "cli/shared_options.h"
-#include "core/files.h"
+#include "core/folders.h"
 #include "core/output.h"
 #include "metrics/metric.h"
 #include "metrics/signal_metric.h"
@@ -8,8 +8,12 @@
 #include "plan/scene_views.h"
 #include "plan/view_description.h"
 #include "scene/scene.h"
+#include "scene/view_file.h"
+#include "screen/gl/context.h"
+#include "screen/gl/egl_context.h"
 #include "screen/method/lengths.h"
 #include "screen/method/method.h"
+#include "screen/screen.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -34,12 +38,8 @@ void list_scenes() {
         builtin.emplace(scene.id);
         print_result("{:<20} built in: {}\n", scene.id, scene.description);
     }
-    std::set<std::string> known;
-    for (const auto& entry : std::filesystem::directory_iterator(home_dir() / "scenes")) {
-        const std::string id = entry.path().filename().string();
-        if (std::filesystem::exists(entry.path() / "views.json") && !builtin.contains(id)) known.insert(id);
-    }
-    for (const std::string& id : known) {
+    for (const std::string& id : scenes_with_view_files()) {
+        if (builtin.contains(id)) continue;
         print_result("{:<20} views for your own {} file (see scenes/README.md)\n", id, id);
     }
 }
@@ -58,7 +58,7 @@ void list_builtin_views() {
 void list_views(const std::string& scene_name, const ViewChoice& choice) {
     if (scene_name.empty()) return list_builtin_views();
     constexpr double kListedAspect = 16.0 / 9;
-    const ArtifactStore store(ArtifactStore::folder_in(default_cache_dir()));
+    const ArtifactStore store(ArtifactStore::folder_in(cache_dir()));
     const Scene scene = load_with_warnings(scene_name, choice.load);
     std::vector<View> views;
     for (const std::string& id : choice.views.empty() ? std::vector<std::string>{"all"} : choice.views) {
@@ -114,6 +114,28 @@ void list_experiment_definitions() {
     }
 }
 
+void print_device(const std::string& gl, const std::string& name) {
+    try {
+        choose_gl(gl);
+        const ScreenRenderer renderer;
+        print_result("{:<10} {}: {}, OpenGL {}\n", gl, name, renderer.renderer(), renderer.version());
+    } catch (const Error& e) {
+        print_result("{:<10} {}: {}\n", gl, name, e.what());
+    }
+}
+
+void list_devices() {
+    const std::string chosen = chosen_gl();
+    print_device("osmesa", "software, the default");
+    try {
+        const std::vector<std::string> names = egl_devices();
+        for (std::size_t i = 0; i < names.size(); ++i) print_device(fmt::format("egl:{}", i), names[i]);
+    } catch (const Error& e) {
+        print_result("{:<10} {}\n", "egl", e.what());
+    }
+    choose_gl(chosen);
+}
+
 ExitCode run(const ListOptions& options, const CLI::App& app) {
     if (options.what.empty()) {
         write_output(app.help());
@@ -125,6 +147,7 @@ ExitCode run(const ListOptions& options, const CLI::App& app) {
         {"methods", [&] { list_methods(options.methods_dir); }},
         {"metrics", list_metrics},
         {"experiments", list_experiment_definitions},
+        {"devices", list_devices},
     };
     lists.at(options.what)();
     return ExitCode::ok;
@@ -135,8 +158,9 @@ ExitCode run(const ListOptions& options, const CLI::App& app) {
 CommandEntry add_list_command(CLI::App& program, const GlobalOptions&) {
     CLI::App* app = program.add_subcommand("list", "List what there is");
     const auto options = std::make_shared<ListOptions>();
-    app->add_option("what", options->what, "scenes, views, methods, metrics or experiments")
-        ->check(one_of({"scenes", "views", "methods", "metrics", "experiments"}))
+    app->add_option("what", options->what,
+                    "scenes, views, methods, metrics, experiments or devices, which draw (see --gl)")
+        ->check(one_of({"scenes", "views", "methods", "metrics", "experiments", "devices"}))
         // The earlier name, which scripts use.
         ->transform([](std::string what) { return what == "reports" ? "experiments" : std::move(what); });
     app->add_option("scene", options->scene,

@@ -8,6 +8,9 @@
 #include "core/log.h"
 #include "core/output.h"
 #include "core/threads.h"
+#include "screen/gl/context.h"
+
+#include <fmt/format.h>
 
 #include <array>
 #include <sstream>
@@ -15,11 +18,14 @@
 namespace aoscore {
 namespace {
 
-constexpr std::array<AddCommand, 16> kCommands{
-    add_run_command,     add_score_command,           add_sweep_command,  add_tune_command,
-    add_worst_command,   add_export_training_command, add_claims_command, add_reference_command,
-    add_gbuffer_command, add_compare_command,         add_page_command,   add_list_command,
-    add_stress_command,  add_bench_command,           add_cache_command,  add_job_command};
+constexpr std::array<AddCommand, 20> kCommands{
+    add_run_command,     add_score_command,     add_sweep_command,
+    add_tune_command,    add_worst_command,     add_export_training_command,
+    add_claims_command,  add_reference_command, add_gbuffer_command,
+    add_compare_command, add_page_command,      add_list_command,
+    add_stress_command,  add_bench_command,     add_cache_command,
+    add_job_command,     add_plan_command,      add_work_command,
+    add_manual_command,  add_completion_command};
 
 constexpr const char* kFooter =
     "Exit codes: 0 ok, 1 a --warn limit was tripped, 2 a --fail limit was tripped or nothing could be "
@@ -41,7 +47,8 @@ ExitCode run_words(const std::vector<std::string>& words, const std::string& com
         "aoscore: how far screen-space ambient occlusion is from the ray-traced truth, where, and at what "
         "cost"};
     program.name("aoscore");
-    program.set_version_flag("--version", std::string(version()));
+    program.set_version_flag("--version",
+                             fmt::format("aoscore {}\nbuilt with {}", version(), AOSCORE_LIBRARIES));
     program.require_subcommand(1);
     program.fallthrough();
     program.footer(kFooter);
@@ -56,6 +63,10 @@ ExitCode run_words(const std::vector<std::string>& words, const std::string& com
                     "Threads to use; 0 for all cores. Images do not depend on it")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
+    program.add_option(
+        "--gl", global.gl,
+        "What draws: osmesa, a software renderer, or egl, or egl:DEVICE by number or a part of its name (see "
+        "list devices) [what AOSCORE_GL says, else osmesa]");
     program.add_flag("--quiet", global.quiet, "Say nothing but errors and results");
 
     std::vector<CommandEntry> commands;
@@ -79,6 +90,7 @@ ExitCode run_words(const std::vector<std::string>& words, const std::string& com
     }
     set_quiet(global.quiet);
     set_thread_count(global.threads);
+    if (!global.gl.empty()) choose_gl(global.gl);
     catch_interrupts();
     for (const CommandEntry& command : commands) {
         if (command.app->parsed()) return command.run();

@@ -44,11 +44,15 @@ class Pages {
 
 ExitCode run_and_page(ExperimentPlan plan, const std::filesystem::path& folder, const OutcomeOptions& options,
                       const GlobalOptions& global) {
-    if (only_lists_or_makes_one(
-            options.jobs, [&] { return list_jobs(plan, global.words); },
-            [&](const std::string& key) { make_job(plan, key); })) {
-        return ExitCode::ok;
+    if (!options.jobs.parts_file.empty() && has_score_goal(plan)) {
+        throw usage_error("how many rays a ranking needs is decided by all of its cells together",
+                          "--score-error", "--samples, --error or --exact, whose rays every part knows");
     }
+    if (const auto code = list_or_make_some(
+            options.jobs, global.words,
+            [&](const std::vector<std::string>& words) { return list_jobs(plan, words); },
+            [&](const std::vector<std::string>& keys) { return make_jobs(plan, keys); }))
+        return *code;
     require_page_parts();
     Outcome outcome(options);
     plan.baseline = outcome.baseline();

@@ -135,7 +135,7 @@ std::optional<ScoreGoal> score_goal(const TruthEffort& effort) {
 }
 
 void add_cache_option(CLI::App& app, std::filesystem::path& folder) {
-    folder = default_cache_dir();
+    folder = cache_dir();
     app.add_flag_callback(
         "--no-cache", [&folder] { folder.clear(); },
         "Trace and measure everything anew, and keep nothing of it (see the subcommand cache)");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/folders.h"
 #include "core/image_size.h"
 #include "core/log.h"
 #include "plan/plan.h"
@@ -84,6 +85,6 @@ Scene load_with_warnings(const std::string& name_or_path, const LoadOptions& opt
 
 /// The chosen view for pictures of this size, or the first of several, with a note on standard error.
 View one_view(const Scene& scene, const ViewChoice& choice, const ImageSize& size,
-              const std::filesystem::path& cache = default_cache_dir());
+              const std::filesystem::path& cache = cache_dir());
 
 }  // namespace aoscore

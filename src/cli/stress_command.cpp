@@ -28,11 +28,11 @@ ExitCode run(const StressOptions& options, const GlobalOptions& global) {
         plan.size = 64;
         plan.samples = 16;
     }
-    if (only_lists_or_makes_one(
-            options.jobs, [&] { return list_stress_jobs(plan, global.words); },
-            [&](const std::string& key) { make_stress_job(plan, key); })) {
-        return ExitCode::ok;
-    }
+    if (const auto code = list_or_make_some(
+            options.jobs, global.words,
+            [&](const std::vector<std::string>& words) { return list_stress_jobs(plan, words); },
+            [&](const std::vector<std::string>& keys) { return make_stress_jobs(plan, keys); }))
+        return *code;
     const std::filesystem::path folder = results_folder(options.out, "stress");
     const StressResults results = run_stress(plan, folder);
     print_path(write_stress_page(folder));

@@ -4,6 +4,7 @@
 #include "cli/shared_options.h"
 #include "core/files.h"
 #include "core/output.h"
+#include "plan/resolved_cell.h"
 #include "plan/view_description.h"
 #include "results/results_folder.h"
 #include "worst/worst_views.h"

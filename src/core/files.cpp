@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <fstream>
 #include <system_error>
 
@@ -16,11 +15,6 @@ namespace fs = std::filesystem;
 
 std::string_view version() {
     return AOSCORE_VERSION;
-}
-
-fs::path home_dir() {
-    if (const char* home = std::getenv("AOSCORE_HOME"); home != nullptr && *home != '\0') return home;
-    return AOSCORE_SOURCE_DIR;
 }
 
 std::string read_file(const fs::path& path, std::size_t max_bytes) {

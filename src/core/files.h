@@ -10,10 +10,6 @@ namespace aoscore {
 /// The program's version, as in CMakeLists.txt and CHANGELOG.md.
 std::string_view version();
 
-/// The folder that holds shaders/, scenes/, reports/ and references/: the environment variable AOSCORE_HOME
-/// where it is set, else the source tree the program was built from.
-std::filesystem::path home_dir();
-
 /// Returns the content of a file. Throws file_error when it cannot be read or is larger than `max_bytes`.
 std::string read_file(const std::filesystem::path& path, std::size_t max_bytes = std::size_t{2} << 30);
 

@@ -11,9 +11,10 @@ fs::path program_path() {
 }
 
 fs::path beside_program(std::string_view name) {
-    fs::path path = program_path().parent_path() / name;
-    if (!fs::exists(path)) throw internal_error("is not there: build it beside this program", path.string());
-    return path;
+    const fs::path folder = program_path().parent_path(), built = folder / name;
+    if (fs::exists(built)) return built;
+    if (fs::path installed = folder.parent_path() / "lib" / "aoscore" / name; fs::exists(installed)) return installed;
+    throw internal_error("is not there: build or install it with this program", built.string());
 }
 
 }  // namespace aoscore

@@ -2,6 +2,7 @@
 
 #include "core/temporary_folder.h"
 #include "experiment/planned_runs.h"
+#include "jobs/job_cost.h"
 #include "jobs/job_listing.h"
 #include "jobs/view_maker.h"
 #include "store/artifact_store.h"
@@ -20,23 +21,26 @@ nlohmann::json list_jobs(const ExperimentPlan& plan, const std::vector<std::stri
     PlannedRuns planned(plan, store);
     planned.lay_out({});
     JobListing listing(store, arguments);
-    for (const ViewRun& run : planned.runs()) listing.add(run.jobs.graph);
+    for (const ViewRun& run : planned.runs()) {
+        listing.add(run.jobs.graph, [&](const Job& job) { return estimated_cost_s(job, run.work); });
+    }
     return listing.json();
 }
 
-void make_job(const ExperimentPlan& plan, const std::string& key) {
+std::size_t make_jobs(const ExperimentPlan& plan, const std::vector<std::string>& keys) {
     const ArtifactStore store = store_of(plan);
+    ChosenJobs chosen(keys, store);
     PlannedRuns planned(plan, store);
     const TemporaryFolder folder;
     planned.lay_out(folder.path());
     for (const ViewRun& run : planned.runs()) {
-        if (!has_job_to_make(run.jobs.graph, key, store)) continue;
+        if (!chosen.any_in(run.jobs.graph)) continue;
         planned.tools().choose(run.work.scene);
         const ViewRecord described = described_view(run);
         ViewMaker maker(run.work, run.jobs, store, described);
-        return make_alone(run.jobs.graph, key, maker);
+        chosen.make(run.jobs.graph, maker);
     }
-    throw_no_such_job(key);
+    return chosen.failed();
 }
 
 }  // namespace aoscore

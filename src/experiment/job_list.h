@@ -12,8 +12,8 @@ namespace aoscore {
 /// Lists the plan's jobs as JobListing does.
 nlohmann::json list_jobs(const ExperimentPlan& plan, const std::vector<std::string>& arguments);
 
-/// Makes one artifact of the plan alone, as make_alone() does. Throws usage_error for a key that the plan
-/// does not have, or whose artifact is not stored.
-void make_job(const ExperimentPlan& plan, const std::string& key);
+/// Makes these artifacts of the plan alone, as ChosenJobs does; returns how many failed. Throws usage_error
+/// for a key that the plan does not have, or whose artifact is not stored.
+std::size_t make_jobs(const ExperimentPlan& plan, const std::vector<std::string>& keys);
 
 }  // namespace aoscore

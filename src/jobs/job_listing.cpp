@@ -31,10 +31,10 @@ bool has_entry(ArtifactKind kind) {
     return is_kept(kind) && kind != ArtifactKind::truth && kind != ArtifactKind::own_truth;
 }
 
-JobGraph only(const JobGraph& graph, const Key& key) {
+JobGraph only(const JobGraph& graph, const std::set<std::string>& keys) {
     JobGraph part;
     for (const Job& job : graph.jobs()) {
-        if (job.key == key) {
+        if (keys.contains(job.key.hex)) {
             part.want(job);
         } else {
             part.add(job);
@@ -45,7 +45,8 @@ JobGraph only(const JobGraph& graph, const Key& key) {
 
 }  // namespace
 
-void JobListing::add(const JobGraph& graph) {
+void JobListing::add(const JobGraph& graph, const std::function<double(const Job&)>& cost_s) {
+    const std::size_t number = graphs_++;
     const auto wanted = graph.wanted();
     for (const Job& job : graph.jobs()) {
         if (!listed_.insert(job.key).second) continue;
@@ -56,7 +57,9 @@ void JobListing::add(const JobGraph& graph) {
              {"inputs", hex_of(job.inputs)},
              {"after", hex_of(job.after)},
              {"asked", std::ranges::find(wanted, job.key) != wanted.end()},
-             {"known", has_entry(job.kind) ? nlohmann::json(store_.has(job.key.hex)) : nlohmann::json()}});
+             {"known", has_entry(job.kind) ? nlohmann::json(store_.has(job.key.hex)) : nlohmann::json()},
+             {"unit", fmt::format("{}: {}", number, job.in_turns ? "times" : job.about)},
+             {"cost_s", cost_s(job)}});
         store_.put(description_key(job.key.hex), {{"arguments", arguments_}});
     }
 }
@@ -71,28 +74,46 @@ std::vector<std::string> arguments_of_job(const std::string& key, const std::fil
     return found->at("arguments").get<std::vector<std::string>>();
 }
 
-bool has_job_to_make(const JobGraph& graph, const std::string& key, const ArtifactStore& store) {
+ChosenJobs::ChosenJobs(const std::vector<std::string>& keys, const ArtifactStore& store)
+    : left_(keys.begin(), keys.end()) {
     if (!store.enabled())
-        throw usage_error("a single job needs a store to put its artifact in", "--no-cache");
-    if (!graph.contains({key})) return false;
-    const ArtifactKind kind = graph.at({key}).kind;
-    if (!is_kept(kind)) {
-        throw usage_error(fmt::format("a {} is not kept: it is made wherever it is needed", id_of(kind)), key,
-                          "the key of another kind of job");
+        throw usage_error("single jobs need a store to put their artifacts in", "--no-cache");
+}
+
+bool ChosenJobs::any_in(const JobGraph& graph) const {
+    bool any = false;
+    for (const std::string& key : left_) {
+        if (!graph.contains({key})) continue;
+        if (const ArtifactKind kind = graph.at({key}).kind; !is_kept(kind)) {
+            throw usage_error(fmt::format("a {} is not kept: it is made wherever it is needed", id_of(kind)),
+                              key, "the key of another kind of job");
+        }
+        any = true;
     }
-    return true;
+    return any;
 }
 
-void make_alone(const JobGraph& graph, const std::string& key, Maker& maker) {
-    const Job& job = graph.at({key});
-    const Execution done = execute(only(graph, job.key), maker);
-    if (done.has_failed(job.key)) throw internal_error(done.failed.at(job.key), job.about);
-    log_info(
-        fmt::format("{} of {}: {}", id_of(job.kind), job.about, done.taken.empty() ? "made" : "was there"));
+void ChosenJobs::make(const JobGraph& graph, Maker& maker) {
+    const JobGraph part = only(graph, left_);
+    const Execution done = execute(part, maker);
+    for (const Key& key : part.wanted()) {
+        const Job& job = part.at(key);
+        left_.erase(key.hex);
+        if (done.has_failed(key)) {
+            ++failed_;
+            log_warning(fmt::format("{} of {} failed: {}", id_of(job.kind), job.about, done.failed.at(key)));
+            continue;
+        }
+        const bool was_there = std::ranges::find(done.taken, key) != done.taken.end();
+        log_info(fmt::format("{} of {}: {}", id_of(job.kind), job.about, was_there ? "was there" : "made"));
+    }
 }
 
-void throw_no_such_job(const std::string& key) {
-    throw usage_error("the command has no job " + key, "KEY", "a key that --jobs prints for it");
+std::size_t ChosenJobs::failed() const {
+    if (!left_.empty())
+        throw usage_error("the command has no job " + *left_.begin(), "KEY",
+                          "a key that --jobs prints for it");
+    return failed_;
 }
 
 }  // namespace aoscore

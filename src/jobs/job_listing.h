@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,16 +14,18 @@
 namespace aoscore {
 
 /// The jobs of one command, none of them made: {"jobs": [{"key", "kind", "about", "inputs", "after", "asked",
-/// "known"}]}, each once. A job is "asked" for where the results hold its artifact, and "known" where the
-/// store has that. `arguments` are the command line's; they are kept in the store under every job, so that
-/// any process that shares it can make the job from its key alone.
+/// "known", "unit", "cost_s"}]}, each once. A job is "asked" for where the results hold its artifact, and
+/// "known" where the store has that. Jobs of one "unit" are best made by one process: they share what they
+/// need, or meet the same disturbances. "cost_s" is the estimate. `arguments` are the command line's; they
+/// are kept in the store under every job, so that any process that shares it can make the job from its key
+/// alone.
 class JobListing {
   public:
     /// `store` must outlive it.
     JobListing(const ArtifactStore& store, std::vector<std::string> arguments)
         : store_(store), arguments_(std::move(arguments)) {}
 
-    void add(const JobGraph& graph);
+    void add(const JobGraph& graph, const std::function<double(const Job&)>& cost_s);
     nlohmann::json json() const { return {{"jobs", jobs_}}; }
 
   private:
@@ -30,20 +33,31 @@ class JobListing {
     std::vector<std::string> arguments_;
     nlohmann::json jobs_ = nlohmann::json::array();
     std::set<Key> listed_;
+    std::size_t graphs_ = 0;
 };
 
 /// The arguments of the command that listed this job. Throws usage_error where none did.
 std::vector<std::string> arguments_of_job(const std::string& key, const std::filesystem::path& cache);
 
-/// Whether the graph has the job. Throws usage_error for one whose artifact is not kept, and where there is
-/// no store to keep it in.
-bool has_job_to_make(const JobGraph& graph, const std::string& key, const ArtifactStore& store);
+/// Some of a command's jobs, to be made without the others.
+class ChosenJobs {
+  public:
+    /// Throws usage_error where there is no store to keep artifacts in.
+    ChosenJobs(const std::vector<std::string>& keys, const ArtifactStore& store);
 
-/// Makes the job's artifact, with the inputs that are missing, and nothing where it is there; says which.
-/// Throws internal_error where it fails.
-void make_alone(const JobGraph& graph, const std::string& key, Maker& maker);
+    /// Whether the graph has some of those that no earlier graph had. Throws usage_error for one whose
+    /// artifact is not kept.
+    bool any_in(const JobGraph& graph) const;
+    /// Makes these artifacts, with the inputs that are missing, and nothing where they are there; says which.
+    /// Where one fails, it is named in a warning, and the others are made.
+    void make(const JobGraph& graph, Maker& maker);
 
-/// Throws usage_error for a key that none of a command's graphs has.
-[[noreturn]] void throw_no_such_job(const std::string& key);
+    /// How many failed. Throws usage_error for a key that no graph had.
+    std::size_t failed() const;
+
+  private:
+    std::set<std::string> left_;
+    std::size_t failed_ = 0;
+};
 
 }  // namespace aoscore

@@ -1,6 +1,7 @@
 #include "page/comparison_page.h"
 
 #include "core/files.h"
+#include "core/folders.h"
 #include "metrics/evaluate.h"
 #include "metrics/intervals/bootstrap.h"
 #include "metrics/roles.h"
@@ -93,7 +94,7 @@ std::string verdict(const ComparisonPage& comparison) {
 }  // namespace
 
 void write_comparison_page(const fs::path& path, const ComparisonPage& comparison) {
-    const fs::path parts = home_dir() / "reports" / "comparison";
+    const fs::path parts = data_dir() / "reports" / "comparison";
     ComparisonPage shown = comparison;
     const ImageF error = shrunk(error_of(comparison), kWidest_px);
     for (ComparedImage* image : {&shown.truth, &shown.test})

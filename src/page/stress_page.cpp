@@ -1,6 +1,7 @@
 #include "page/stress_page.h"
 
 #include "core/files.h"
+#include "core/folders.h"
 #include "core/known_names.h"
 #include "page/document/html_document.h"
 #include "page/document/number_text.h"
@@ -204,7 +205,7 @@ json data_model(const StressResults& results, const fs::path& folder) {
 
 fs::path write_stress_page(const fs::path& results_folder) {
     const StressResults results = read_stress_results(results_folder);
-    const fs::path parts = home_dir() / "reports" / "stress";
+    const fs::path parts = data_dir() / "reports" / "stress";
     const Counts counts = count(results);
     json model = head_model(results);
     model["data"] = script_json(data_model(results, results_folder));

@@ -1,7 +1,7 @@
 #include "plan/plan.h"
 
 #include "core/error.h"
-#include "core/files.h"
+#include "core/folders.h"
 #include "core/image_size.h"
 #include "core/known_names.h"
 #include "core/signal.h"
@@ -302,7 +302,7 @@ std::size_t shared_cell(ViewPlan& view, CellPlan cell) {
 
 std::vector<ExperimentDefinition> list_experiments() {
     std::vector<ExperimentDefinition> experiments;
-    const std::filesystem::path folder = home_dir() / "reports";
+    const std::filesystem::path folder = data_dir() / "reports";
     std::error_code ec;
     for (const auto& entry : std::filesystem::directory_iterator(folder, ec)) {
         if (entry.path().extension() != ".json") continue;

@@ -1,11 +1,11 @@
 #include "results/results_folder.h"
 
-#include "core/files.h"
+#include "core/folders.h"
 
 namespace aoscore {
 
 std::filesystem::path results_folder(const std::filesystem::path& named, std::string_view name) {
-    return named.empty() ? home_dir() / "reports" / "out" / name : named;
+    return named.empty() ? results_dir() / name : named;
 }
 
 }  // namespace aoscore

@@ -1,7 +1,7 @@
 #include "scene/view_file.h"
 
 #include "core/error.h"
-#include "core/files.h"
+#include "core/folders.h"
 #include "core/strict_json.h"
 #include "scene/view_limits.h"
 
@@ -11,7 +11,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <set>
 #include <utility>
 
 namespace aoscore {
@@ -74,20 +73,32 @@ View read_view(StrictObject& object) {
 }  // namespace
 
 fs::path view_file_path(const std::string& id) {
-    return home_dir() / "scenes" / id / "views.json";
+    const std::vector<fs::path> folders = scene_folders();
+    for (const fs::path& folder : folders) {
+        if (fs::path path = folder / id / "views.json"; fs::exists(path)) return path;
+    }
+    return folders.back() / id / "views.json";
 }
 
 fs::path view_file_beside(const fs::path& scene_file) {
     return scene_file.parent_path() / (scene_file.stem().string() + ".views.json");
 }
 
+std::set<std::string> scenes_with_view_files() {
+    std::set<std::string> ids;
+    std::error_code ec;
+    for (const fs::path& folder : scene_folders()) {
+        for (const auto& entry : fs::directory_iterator(folder, ec)) {
+            if (fs::exists(entry.path() / "views.json")) ids.insert(entry.path().filename().string());
+        }
+    }
+    return ids;
+}
+
 std::vector<fs::path> view_files_of_stem(const std::string& stem) {
     std::vector<std::pair<double, fs::path>> found;
-    std::error_code ec;
-    for (fs::directory_iterator entry(home_dir() / "scenes", ec), end; !ec && entry != end;
-         entry.increment(ec)) {
-        const fs::path path = entry->path() / "views.json";
-        if (!fs::exists(path)) continue;
+    for (const std::string& id : scenes_with_view_files()) {
+        const fs::path path = view_file_path(id);
         const ViewFile file = read_view_file(path);
         if (std::find(file.stems.begin(), file.stems.end(), stem) != file.stems.end())
             found.emplace_back(file.tolerance_m, path);
@@ -101,7 +112,7 @@ std::vector<fs::path> view_files_of_stem(const std::string& stem) {
 ViewFile read_view_file(const fs::path& path) {
     const nlohmann::json json = parse_json_file(path);
     // Errors and pages name the file as users know it: from the project's root on.
-    const fs::path relative = path.lexically_relative(home_dir());
+    const fs::path relative = path.lexically_relative(data_dir());
     const std::string name =
         relative.empty() || *relative.begin() == ".." ? path.string() : relative.generic_string();
     StrictObject root = StrictObject::of_file(json, name);

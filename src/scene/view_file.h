@@ -3,6 +3,7 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,13 +33,17 @@ struct ViewFile {
     std::vector<View> views;
 };
 
-/// The path of the view file for a scene id or file stem, whether it exists or not.
+/// The ids of the scenes that have a view file in scene_folders() of core/folders.h.
+std::set<std::string> scenes_with_view_files();
+
+/// The path of the view file for a scene id or file stem, whether it exists or not; where the user and the program have
+/// one, the user's.
 std::filesystem::path view_file_path(const std::string& id);
 
 /// The path of the view file beside a scene's file, whether it exists or not: NAME.views.json for NAME.glb.
 std::filesystem::path view_file_beside(const std::filesystem::path& scene_file);
 
-/// The view files in scenes/ that list this stem, the most exact bounds first.
+/// The view files in scene_folders() that list this stem, the most exact bounds first.
 std::vector<std::filesystem::path> view_files_of_stem(const std::string& stem);
 
 /// Reads a view file. Throws file_error with file and place for unknown keys, missing or impossible values,

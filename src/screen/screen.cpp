@@ -5,6 +5,7 @@
 #include "screen/gbuffer/gbuffer.h"
 #include "screen/gbuffer/scene_geometry.h"
 #include "screen/gl/context.h"
+#include "screen/gl/pass_timer.h"
 #include "screen/passes/method_runner.h"
 
 #include <chrono>
@@ -229,28 +230,31 @@ ScreenRenderer::PassTimes ScreenRenderer::time(const MethodRequest& request) {
     gl::Finish();
     PassTimes times;
     if (stage.band_px != glm::ivec2(0)) times.gbuffer_ms = stage.timed_gbuffer_ms();
-    const Clock ao;
+    const PassTimer::Clock clock =
+        is_software_renderer(renderer()) ? PassTimer::Clock::wall : PassTimer::Clock::queries;
+    PassTimer ao(clock), filter(clock), lighting(clock);
+    ao.begin();
     const ProcessorWatch on_processor;
     if (runner.draw_depth_layers(frame)) {
-        gl::Finish();
+        if (clock == PassTimer::Clock::wall) gl::Finish();
         times.layers_processor_ms = on_processor.milliseconds();
     }
     runner.draw_method(frame);
-    gl::Finish();
+    ao.end();
     times.ao_processor_ms = on_processor.milliseconds();
-    times.ao_ms = ao.milliseconds();
     if (request.filter != nullptr) {
-        const Clock filter;
+        filter.begin();
         runner.draw_filter(frame);
-        gl::Finish();
-        times.filter_ms = filter.milliseconds();
+        filter.end();
     }
     if (request.lighting != nullptr) {
-        const Clock lighting;
+        lighting.begin();
         runner.draw_lighting(frame);
-        gl::Finish();
-        times.lighting_ms = lighting.milliseconds();
+        lighting.end();
     }
+    times.ao_ms = ao.milliseconds();
+    if (request.filter != nullptr) times.filter_ms = filter.milliseconds();
+    if (request.lighting != nullptr) times.lighting_ms = lighting.milliseconds();
     return times;
 }
 

@@ -170,7 +170,7 @@ class ScreenRenderer {
         std::optional<double> lighting_ms;
         std::optional<double> gbuffer_ms;  ///< of the picture with its guard band; empty without one
     };
-    /// Runs once for the clock (nothing is read back; glFinish before it stops).
+    /// Runs once for the clock of PassTimer; nothing is read back. Processor times are the driver's alone on a GPU.
     PassTimes time(const MethodRequest& request);
 
     /// The places to wait for a frame: after each of its passes, as for the times of passes, or only at its

@@ -9,25 +9,28 @@ namespace aoscore {
 nlohmann::json list_stress_jobs(const StressPlan& plan, const std::vector<std::string>& arguments) {
     StressSchedule schedule(plan);
     JobListing listing(schedule.store(), arguments);
+    // Stressed views are alike in size and rays.
+    const auto even = [](const Job&) { return 1.0; };
     for (const StressAxis& axis : schedule.axes()) {
         for (const StressSetting& setting : axis.settings)
-            listing.add(stress_jobs(schedule.work_of(axis, setting), schedule.unstressed()).graph);
+            listing.add(stress_jobs(schedule.work_of(axis, setting), schedule.unstressed()).graph, even);
     }
     return listing.json();
 }
 
-void make_stress_job(const StressPlan& plan, const std::string& key) {
+std::size_t make_stress_jobs(const StressPlan& plan, const std::vector<std::string>& keys) {
     StressSchedule schedule(plan);
+    ChosenJobs chosen(keys, schedule.store());
     for (const StressAxis& axis : schedule.axes()) {
         for (const StressSetting& setting : axis.settings) {
             const StressWork work = schedule.work_of(axis, setting);
             const StressJobs jobs = stress_jobs(work, schedule.unstressed());
-            if (!has_job_to_make(jobs.graph, key, schedule.store())) continue;
+            if (!chosen.any_in(jobs.graph)) continue;
             StressMaker maker(work, schedule.store(), schedule.unstressed());
-            return make_alone(jobs.graph, key, maker);
+            chosen.make(jobs.graph, maker);
         }
     }
-    throw_no_such_job(key);
+    return chosen.failed();
 }
 
 }  // namespace aoscore

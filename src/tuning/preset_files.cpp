@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/folders.h"
 #include "screen/method/preset_tuning.h"
 
 #include <fmt/format.h>
@@ -89,7 +90,7 @@ std::map<std::string, json> preset_files(const TuningResults& results, const Tun
 }
 
 void install_presets(const TuningResults& results, const TuningPlan& plan) {
-    const std::filesystem::path methods = home_dir() / "shaders" / "methods";
+    const std::filesystem::path methods = data_dir() / "shaders" / "methods";
     for (const auto& [method, presets] : preset_files(results, plan)) {
         if (!std::filesystem::is_directory(methods / method))
             throw usage_error(method + " is no method of the program's own", "--install",

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/folders.h"
 #include "core/image_size.h"
 #include "core/known_names.h"
 #include "core/strict_json.h"
@@ -56,7 +57,7 @@ TuningPlan::Method read_method(StrictObject object, const std::vector<MethodDesc
 
 fs::path tuning_definition_file(const std::string& name) {
     if (name.ends_with(".json")) return name;
-    const fs::path folder = home_dir() / "reports" / "tunings";
+    const fs::path folder = data_dir() / "reports" / "tunings";
     std::vector<std::string> known;
     std::error_code missing;
     for (const auto& entry : fs::directory_iterator(folder, missing)) {

@@ -44,6 +44,7 @@ only() {
 }
 only embree3/ reference/tracer/embree/ reference/benchmark/
 only GL/osmesa screen/gl/osmesa_context
+only EGL/ screen/gl/egl_context
 only GL/ screen/
 only Imf image/
 only OpenEXR image/

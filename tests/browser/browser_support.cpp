@@ -1,6 +1,7 @@
 #include "browser/browser_support.h"
 
 #include "core/files.h"
+#include "core/folders.h"
 #include "image/image_file.h"
 
 #include <fmt/format.h>
@@ -35,7 +36,7 @@ std::string missing_for_browser() {
     for (const char* program : {"chromium", "node"}) {
         if (std::system(fmt::format("command -v {} >/dev/null 2>&1", program).c_str()) != 0) return program;
     }
-    const fs::path packages = home_dir() / "node_modules";
+    const fs::path packages = data_dir() / "node_modules";
     for (const char* package : {"playwright-core", "axe-core", "html-validate"}) {
         if (!fs::exists(packages / package))
             return (packages / package).string() + " (./test.sh installs it)";
@@ -67,8 +68,8 @@ nlohmann::json exr_values(const Results& results, const fs::path& folder) {
 
 void expect_spec_holds(const std::string& script, const fs::path& folder) {
     const std::string command = fmt::format(
-        "AOSCORE_TEST_FOLDER='{}' AOSCORE_HOME='{}' timeout {} node '{}/{}' >'{}' 2>&1", folder.string(),
-        home_dir().string(), kLongestSpec_s, AOSCORE_BROWSER_SPECS, script, (folder / "spec.log").string());
+        "AOSCORE_TEST_FOLDER='{}' AOSCORE_DATA='{}' timeout {} node '{}/{}' >'{}' 2>&1", folder.string(),
+        data_dir().string(), kLongestSpec_s, AOSCORE_BROWSER_SPECS, script, (folder / "spec.log").string());
     const int status = std::system(command.c_str());
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0)
         << (WIFEXITED(status) && WEXITSTATUS(status) == kTimedOut

@@ -1,5 +1,6 @@
 #include "browser/browser_support.h"
 #include "core/files.h"
+#include "core/folders.h"
 #include "image/image_file.h"
 #include "support/support.h"
 
@@ -62,7 +63,7 @@ TEST(LiveExport, MeasuresWhatThePageShowed) {
     const fs::path folder = testing::output_dir();
     const fs::path mine = folder / "methods" / "my-ssao";
     fs::create_directories(mine.parent_path());
-    fs::copy(home_dir() / "shaders" / "methods" / "crytek-ssao", mine);
+    fs::copy(data_dir() / "shaders" / "methods" / "crytek-ssao", mine);
     testing::ProgramRun run = testing::run_aoscore(
         "score atrium --view close --size 160x96 --samples 16 --methods-dir methods --methods ssao --quiet "
         "--out measured",

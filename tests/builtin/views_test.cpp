@@ -1,5 +1,6 @@
 #include "builtin_table.h"
 #include "core/files.h"
+#include "core/folders.h"
 #include "reference/truth.h"
 #include "scene/scene.h"
 #include "scene/view_file.h"
@@ -19,7 +20,7 @@ constexpr int kWidth = 96, kHeight = 54;
 
 std::vector<fs::path> shipped_view_files() {
     std::vector<fs::path> files;
-    for (const fs::directory_entry& folder : fs::directory_iterator(home_dir() / "scenes")) {
+    for (const fs::directory_entry& folder : fs::directory_iterator(data_dir() / "scenes")) {
         if (folder.is_directory()) files.push_back(folder.path() / "views.json");
     }
     std::sort(files.begin(), files.end());

@@ -1,5 +1,6 @@
 // Tests a gate in a user's build: README's CTest project, word for word.
 #include "core/files.h"
+#include "core/folders.h"
 #include "core/shell.h"
 #include "support/support.h"
 
@@ -15,7 +16,7 @@ using ::testing::HasSubstr;
 
 /// The only block of CMake in README.md.
 std::string readme_project() {
-    const std::string readme = read_file(home_dir() / "README.md"), fence = "```cmake\n";
+    const std::string readme = read_file(data_dir() / "README.md"), fence = "```cmake\n";
     const auto begin = readme.find(fence);
     EXPECT_NE(begin, std::string::npos);
     const auto end = readme.find("```", begin + fence.size());

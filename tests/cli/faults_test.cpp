@@ -1,5 +1,6 @@
 // Tests faults around the program: streams, caches, names and signals.
 #include "core/files.h"
+#include "core/folders.h"
 #include "results/results.h"
 #include "support/support.h"
 
@@ -130,7 +131,7 @@ TEST(MethodFolder, ThatIsBadIsNamedInAWarningAndTheOthersAreListedAndScored) {
     const auto folder = output_dir();
     fs::create_directories(folder / "mine" / "bad");
     std::ofstream(folder / "mine" / "bad" / "method.json") << R"({"label": 1e999})";
-    fs::copy(home_dir() / "shaders" / "methods" / "alchemy", folder / "mine" / "good",
+    fs::copy(data_dir() / "shaders" / "methods" / "alchemy", folder / "mine" / "good",
              fs::copy_options::recursive);
     const ProgramRun list = run_aoscore("list methods --methods-dir mine", folder);
     EXPECT_EQ(list.exit_code, 0) << list.err;

@@ -1,5 +1,6 @@
 // Earlier measurements are not repeated, and no other is taken for them.
 #include "core/files.h"
+#include "core/folders.h"
 #include "results/results.h"
 #include "support/support.h"
 
@@ -165,7 +166,7 @@ TEST(Reuse, AnEditedShaderRepeatsItsOwnMethodOnly) {
     const auto folder = output_dir();
     for (const char* name : {"mine-a", "mine-b"}) {
         fs::create_directories(folder / "methods");
-        fs::copy(home_dir() / "shaders" / "methods" / "alchemy", folder / "methods" / name,
+        fs::copy(data_dir() / "shaders" / "methods" / "alchemy", folder / "methods" / name,
                  fs::copy_options::recursive);
     }
     const std::string sweep =

@@ -1,4 +1,5 @@
 #include "core/files.h"
+#include "core/folders.h"
 #include "support/support.h"
 
 #include <gmock/gmock.h>
@@ -36,7 +37,7 @@ TEST(StressCommand, MakesAPageInWhichEveryCellOpensItsPictures) {
          {"Depth format", "Radius", ">SAO<", "Reference (ray tracer)", "First setting that breaks"})
         EXPECT_THAT(html, HasSubstr(text));
     // There are rows for the reference, its bound, the method and every filter, with two and three settings.
-    const std::size_t rows = 3 + folders_in(home_dir() / "shaders" / "filters");
+    const std::size_t rows = 3 + folders_in(data_dir() / "shaders" / "filters");
     EXPECT_EQ(count_of(html, "data-at=\"0-") + count_of(html, "data-at=\"1-"), rows * 5);
     EXPECT_EQ(count_of(html, "\"visibility\":\"data:image/png;base64,"), 5U);
     EXPECT_EQ(count_of(html, "\"deviation\":\"data:image/png;base64,"), 5U);

@@ -1,6 +1,7 @@
 #include "page/synthetic_results.h"
 
 #include "core/files.h"
+#include "core/folders.h"
 #include "core/strict_json.h"
 #include "image/image_file.h"
 
@@ -260,7 +261,7 @@ Results synthetic_results() {
     for (const CellRecord& cell : results.cells) results.advice.push_back(advice_of(cell));
     for (const char* id : {"hussain-table-3", "hussain-table-4", "hussain-table-5"}) {
         TableRecord table;
-        table.definition = parse_json_file(home_dir() / "reports" / (std::string(id) + ".json"));
+        table.definition = parse_json_file(data_dir() / "reports" / (std::string(id) + ".json"));
         for (const nlohmann::json& row : table.definition.at("rows")) {
             table.cell_ids.push_back("atrium/" + table.definition.at("view").get<std::string>() + "/" +
                                      row.at("method").get<std::string>() + "/" +

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/folders.h"
 #include "support/support.h"
 
 #include <gmock/gmock.h>
@@ -22,9 +23,9 @@ class Plan : public ::testing::Test {
     void SetUp() override {
         home_ = testing::output_dir();
         std::filesystem::create_directories(home_ / "reports");
-        setenv("AOSCORE_HOME", home_.c_str(), 1);
+        setenv("AOSCORE_DATA", home_.c_str(), 1);
     }
-    void TearDown() override { unsetenv("AOSCORE_HOME"); }
+    void TearDown() override { unsetenv("AOSCORE_DATA"); }
 
     json definition(const std::string& id, const std::string& view) const {
         return {{"id", id},
@@ -119,14 +120,14 @@ TEST(Experiments, PlanTheClaimsThatTheyName) {
 }
 
 TEST(Experiments, PrintTimesOfOneSettingEach) {
-    const std::filesystem::path home = testing::output_dir(), real = home_dir();
+    const std::filesystem::path home = testing::output_dir(), real = data_dir();
     std::filesystem::create_directories(home / "reports");
     for (const char* folder : {"shaders", "scenes"}) {
         if (!std::filesystem::exists(home / folder))
             std::filesystem::create_directory_symlink(real / folder, home / folder);
     }
     const json definition = json::parse(read_file(real / "reports" / "vermeer-table-9-3.json"));
-    setenv("AOSCORE_HOME", home.c_str(), 1);
+    setenv("AOSCORE_DATA", home.c_str(), 1);
     for (const json& at : {json{{"method", "sd-hbao"}}, json{{"use", "always"}, {"depth_samples", 3}},
                            json{{"use", "always"}, {"depth_samples", 2}}}) {
         json changed = definition;
@@ -142,7 +143,7 @@ TEST(Experiments, PrintTimesOfOneSettingEach) {
             EXPECT_THAT(e.what(), HasSubstr("views[0].printed[0].at"));
         }
     }
-    unsetenv("AOSCORE_HOME");
+    unsetenv("AOSCORE_DATA");
 }
 
 }  // namespace

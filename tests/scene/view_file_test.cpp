@@ -25,7 +25,7 @@ class ViewFiles : public ::testing::Test {
   protected:
     void SetUp() override {
         folder_ = aoscore::testing::output_dir();
-        setenv("AOSCORE_HOME", folder_.c_str(), 1);
+        setenv("AOSCORE_DATA", folder_.c_str(), 1);
         views_ = {{"title", "A room"},
                   {"verified", true},
                   {"bounds", {{"low", {0, 0, 0}}, {"high", {4, 2, 3}}, {"tolerance_m", 0.01}}},
@@ -45,7 +45,7 @@ class ViewFiles : public ::testing::Test {
                      {"near_m", 0.1},
                      {"far_m", 10}}}}};
     }
-    void TearDown() override { unsetenv("AOSCORE_HOME"); }
+    void TearDown() override { unsetenv("AOSCORE_DATA"); }
 
     void write() {
         fs::create_directories(folder_ / "scenes" / "room");

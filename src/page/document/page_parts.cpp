@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/folders.h"
 #include "page/section.h"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ constexpr std::array kLibraries = {
 };
 
 std::string library_file(const Library& library, const char* file) {
-    const fs::path path = home_dir() / "node_modules" / library.package / file;
+    const fs::path path = data_dir() / "node_modules" / library.package / file;
     if (!fs::exists(path)) {
         throw file_error(std::string("the page's library ") + library.package + " is not installed",
                          path.string(), "./run.sh installs it, or npm ci in the folder of package.json");
@@ -50,7 +51,7 @@ std::string licence_comment(const Library& library) {
 }  // namespace
 
 fs::path page_folder() {
-    return home_dir() / "reports" / "page";
+    return data_dir() / "reports" / "page";
 }
 
 std::string page_style() {

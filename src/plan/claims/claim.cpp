@@ -1,7 +1,7 @@
 #include "plan/claims/claim.h"
 
 #include "core/error.h"
-#include "core/files.h"
+#include "core/folders.h"
 #include "core/image_size.h"
 #include "core/known_names.h"
 #include "core/signal.h"
@@ -265,7 +265,7 @@ class Reader {
 }  // namespace
 
 std::vector<ClaimList> load_claims() {
-    return load_claims(home_dir() / "reports" / "claims");
+    return load_claims(data_dir() / "reports" / "claims");
 }
 
 std::vector<ClaimList> load_claims(const std::filesystem::path& folder) {

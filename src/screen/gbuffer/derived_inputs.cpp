@@ -1,6 +1,6 @@
 #include "screen/gbuffer/derived_inputs.h"
 
-#include "core/files.h"
+#include "core/folders.h"
 #include "screen/gbuffer/precision.h"
 #include "screen/gl/texture.h"
 #include "screen/passes/pass_program.h"
@@ -21,7 +21,7 @@ const ShaderProgram& DerivedInputs::program(const GBuffer& gbuffer, const std::s
         fmt::format("#define ORTHOGRAPHIC {}\n{}", gbuffer.orthographic() ? 1 : 0, macros);
     const auto found = programs_.find(file + all);
     if (found != programs_.end()) return found->second;
-    const auto folder = home_dir() / "shaders" / "gbuffer";
+    const auto folder = data_dir() / "shaders" / "gbuffer";
     ShaderSource vertex, fragment;
     vertex.add_file(folder / "screen.vert", folder);
     fragment.add_block("(program's macros)", all);

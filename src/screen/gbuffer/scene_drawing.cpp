@@ -1,6 +1,6 @@
 #include "screen/gbuffer/scene_drawing.h"
 
-#include "core/files.h"
+#include "core/folders.h"
 #include "scene/cofactors.h"
 
 #include <fmt/format.h>
@@ -78,7 +78,7 @@ const ShaderProgram& SceneDrawing::program(const Look& look, bool orthographic, 
     macros += look.macros;
     const auto found = programs_.find(macros);
     if (found != programs_.end()) return found->second;
-    const auto folder = home_dir() / "shaders" / "gbuffer";
+    const auto folder = data_dir() / "shaders" / "gbuffer";
     ShaderSource vertex, fragment;
     vertex.add_block(fmt::format("({}'s macros)", name_), macros);
     vertex.add_file(folder / "scene.vert", folder);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 namespace aoscore {
 
@@ -8,6 +9,7 @@ namespace aoscore {
 ///
 /// Implementations:
 ///   OsmesaContext (osmesa_context.h)  OSMesa: software rendering by llvmpipe, without a display or a GPU
+///   EglContext (egl_context.h)        EGL: a GPU's driver, without a display
 class GlContext {
   public:
     GlContext() = default;
@@ -22,6 +24,14 @@ class GlContext {
     /// The entry point of an OpenGL function ("glClear"); null when there is none.
     virtual Function function(const char* name) const = 0;
 };
+
+/// Chooses where contexts come from: "osmesa", "egl", or "egl:DEVICE", an index or a part of a device's name.
+/// It is the environment variable AOSCORE_GL of this process, which its child processes take over. Throws
+/// usage_error for anything else.
+void choose_gl(const std::string& choice);
+
+/// The choice: AOSCORE_GL where it is set, else "osmesa". Throws usage_error where it is not one.
+std::string chosen_gl();
 
 /// The one place that chooses an implementation. Makes the context current and loads the functions of gl.h.
 /// Throws internal_error when no context can be made, or a function is missing.

@@ -8,6 +8,7 @@
 #define AOSCORE_GL_FUNCTIONS(X)                         \
     X(ACTIVETEXTURE, ActiveTexture)                     \
     X(ATTACHSHADER, AttachShader)                       \
+    X(BEGINQUERY, BeginQuery)                           \
     X(BINDBUFFER, BindBuffer)                           \
     X(BINDFRAMEBUFFER, BindFramebuffer)                 \
     X(BINDTEXTURE, BindTexture)                         \
@@ -23,6 +24,7 @@
     X(DELETEBUFFERS, DeleteBuffers)                     \
     X(DELETEFRAMEBUFFERS, DeleteFramebuffers)           \
     X(DELETEPROGRAM, DeleteProgram)                     \
+    X(DELETEQUERIES, DeleteQueries)                     \
     X(DELETESHADER, DeleteShader)                       \
     X(DELETETEXTURES, DeleteTextures)                   \
     X(DELETEVERTEXARRAYS, DeleteVertexArrays)           \
@@ -33,11 +35,13 @@
     X(DRAWELEMENTSBASEVERTEX, DrawElementsBaseVertex)   \
     X(ENABLE, Enable)                                   \
     X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) \
+    X(ENDQUERY, EndQuery)                               \
     X(FINISH, Finish)                                   \
     X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D)       \
     X(FRAMEBUFFERTEXTURELAYER, FramebufferTextureLayer) \
     X(GENBUFFERS, GenBuffers)                           \
     X(GENFRAMEBUFFERS, GenFramebuffers)                 \
+    X(GENQUERIES, GenQueries)                           \
     X(GENTEXTURES, GenTextures)                         \
     X(GENVERTEXARRAYS, GenVertexArrays)                 \
     X(GETACTIVEUNIFORM, GetActiveUniform)               \
@@ -45,6 +49,7 @@
     X(GETINTEGERV, GetIntegerv)                         \
     X(GETPROGRAMINFOLOG, GetProgramInfoLog)             \
     X(GETPROGRAMIV, GetProgramiv)                       \
+    X(GETQUERYOBJECTUI64V, GetQueryObjectui64v)         \
     X(GETSHADERINFOLOG, GetShaderInfoLog)               \
     X(GETSHADERIV, GetShaderiv)                         \
     X(GETSTRING, GetString)                             \

@@ -1,6 +1,6 @@
 #include "screen/method/method_data.h"
 
-#include "core/files.h"
+#include "core/folders.h"
 #include "screen/gbuffer/derived_inputs.h"
 #include "screen/method/kernel.h"
 #include "screen/passes/pass_program.h"
@@ -111,7 +111,7 @@ void add_passes(json& data, const MethodDescriptor& method) {
 
 std::string gbuffer_shader(const std::string& name) {
     ShaderSource source;
-    const auto folder = home_dir() / "shaders" / "gbuffer";
+    const auto folder = data_dir() / "shaders" / "gbuffer";
     source.add_file(folder / name, folder);
     return source.text();
 }

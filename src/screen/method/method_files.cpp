@@ -1,7 +1,7 @@
 #include "screen/method/method_files.h"
 
 #include "core/error.h"
-#include "core/files.h"
+#include "core/folders.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@ namespace aoscore {
 namespace fs = std::filesystem;
 
 fs::path shader_library() {
-    return home_dir() / "shaders";
+    return data_dir() / "shaders";
 }
 
 bool lies_in(const fs::path& path, const fs::path& folder) {

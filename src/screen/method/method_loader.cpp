@@ -1,5 +1,5 @@
 #include "core/error.h"
-#include "core/files.h"
+#include "core/folders.h"
 #include "core/known_names.h"
 #include "core/printable.h"
 #include "core/signal.h"
@@ -536,7 +536,7 @@ std::vector<MethodDescriptor> sorted_unique(std::vector<MethodDescriptor> all) {
 
 std::vector<MethodDescriptor> load_methods(const fs::path& extra_dir) {
     std::vector<MethodDescriptor> all;
-    load_folder(home_dir() / "shaders" / "methods", false, all);
+    load_folder(data_dir() / "shaders" / "methods", false, all);
     if (!extra_dir.empty()) load_folder(extra_dir, false, all);
     return sorted_unique(std::move(all));
 }
@@ -580,16 +580,16 @@ AddedPresets add_presets(std::vector<MethodDescriptor>& methods, const fs::path&
 
 std::vector<MethodDescriptor> load_filters() {
     std::vector<MethodDescriptor> all;
-    load_folder(home_dir() / "shaders" / "filters", true, all);
+    load_folder(data_dir() / "shaders" / "filters", true, all);
     return sorted_unique(std::move(all));
 }
 
 MethodDescriptor load_fixed_pass() {
-    return load_descriptor(home_dir() / "shaders" / "fixed_pass" / "sixteen-taps", method_inputs(), false);
+    return load_descriptor(data_dir() / "shaders" / "fixed_pass" / "sixteen-taps", method_inputs(), false);
 }
 
 MethodDescriptor load_lighting() {
-    return load_descriptor(home_dir() / "shaders" / "lighting" / "phong", filter_inputs(), true);
+    return load_descriptor(data_dir() / "shaders" / "lighting" / "phong", filter_inputs(), true);
 }
 
 }  // namespace aoscore

@@ -1,6 +1,6 @@
 #include "screen/method/request_digest.h"
 
-#include "core/files.h"
+#include "core/folders.h"
 #include "core/hash.h"
 #include "core/json_text.h"
 #include "screen/passes/pass_program.h"
@@ -41,7 +41,7 @@ void add_descriptor(Digest& digest, const MethodRequest& request, const MethodDe
 // Adds the shaders that draw the G-buffer and compute inputs from it.
 void add_input_shaders(Digest& digest) {
     std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(home_dir() / "shaders" / "gbuffer"))
+    for (const auto& entry : fs::directory_iterator(data_dir() / "shaders" / "gbuffer"))
         files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     for (const fs::path& file : files)

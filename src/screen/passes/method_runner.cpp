@@ -1,7 +1,7 @@
 #include "screen/passes/method_runner.h"
 
 #include "core/error.h"
-#include "core/files.h"
+#include "core/folders.h"
 #include "core/hash.h"
 #include "core/known_names.h"
 #include "screen/gl/texture.h"
@@ -252,7 +252,7 @@ void MethodRunner::upsample(GLuint coarse, int scale) {
         gbuffer_->orthographic() ? 1 : 0, scale);
     auto found = upsampling_.find(macros);
     if (found == upsampling_.end()) {
-        const auto folder = home_dir() / "shaders" / "gbuffer";
+        const auto folder = data_dir() / "shaders" / "gbuffer";
         ShaderSource vertex, fragment;
         vertex.add_file(folder / "screen.vert", folder);
         fragment.add_block("(program's macros)", macros);

@@ -1,7 +1,7 @@
 #include "screen/passes/pass_program.h"
 
 #include "core/error.h"
-#include "core/files.h"
+#include "core/folders.h"
 #include "core/signal.h"
 #include "image/channels.h"
 #include "screen/method/kernel.h"
@@ -197,7 +197,7 @@ std::string mirror_macros(Mirror mirror) {
 
 ShaderSource screen_vertex() {
     ShaderSource source;
-    const auto folder = home_dir() / "shaders" / "gbuffer";
+    const auto folder = data_dir() / "shaders" / "gbuffer";
     source.add_file(folder / "screen.vert", folder);
     return source;
 }

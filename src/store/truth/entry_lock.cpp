@@ -47,6 +47,8 @@ std::optional<EntryLock> EntryLock::try_acquire(const std::filesystem::path& pat
         if (descriptor < 0) throw file_error(std::strerror(errno), path.string());
         if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
             const int why = errno;
+            // Some network file systems have no locks: two processes may then do the same work, with the same result.
+            if (why == ENOLCK || why == EOPNOTSUPP) return EntryLock(path, descriptor);
             close(descriptor);
             if (why == EWOULDBLOCK || why == EINTR) return std::nullopt;
             throw file_error(std::string("cannot be locked: ") + std::strerror(why), path.string());

@@ -7,7 +7,7 @@
 namespace aoscore {
 
 /// Holds a lock file, so that only one process works on a cache file. The system releases it when the process
-/// ends, however it ends. The file is removed with the lock.
+/// ends, however it ends. The file is removed with the lock. Where the file system has no locks, everybody has it.
 class EntryLock {
   public:
     /// Waits for the lock; calls `waiting` once when it is not free at once. Throws file_error when the file

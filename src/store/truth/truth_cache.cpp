@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -204,11 +203,6 @@ std::string_view origin_id(TruthOrigin origin) {
 
 std::string scene_name(const Scene& scene) {
     return scene.file.empty() ? scene.id : fs::absolute(scene.file).string();
-}
-
-fs::path default_cache_dir() {
-    if (const char* dir = std::getenv("AOSCORE_CACHE"); dir != nullptr && *dir != '\0') return dir;
-    return home_dir() / "references" / "cache";
 }
 
 namespace {

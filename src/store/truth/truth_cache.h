@@ -67,10 +67,6 @@ struct ClearedCache {
     std::size_t kept_in_use = 0;  ///< files kept because another process is using them
 };
 
-/// The folder of the user's cache: the environment variable AOSCORE_CACHE where it is set, else
-/// references/cache below home_dir().
-std::filesystem::path default_cache_dir();
-
 /// Keeps truths in a folder, so that none is traced twice. Every file is named by the digest of all that its
 /// bits depend on, so that no stale one is ever served. Tiles are stored as they are done: a run that was
 /// killed goes on where it stopped. Any number of processes may use one folder: one that wants a truth that

@@ -5,7 +5,7 @@ import path from 'node:path';
 import { after } from 'node:test';
 import { pathToFileURL } from 'node:url';
 
-export const require = createRequire(path.join(process.env.AOSCORE_HOME, 'package.json'));
+export const require = createRequire(path.join(process.env.AOSCORE_DATA, 'package.json'));
 const { chromium } = require('playwright-core');
 
 export const folder = process.env.AOSCORE_TEST_FOLDER;

@@ -1,0 +1,50 @@
+#include "screen/gl/pass_timer.h"
+
+#include "screen/gl/gl.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace aoscore {
+
+bool is_software_renderer(const std::string& gl_renderer) {
+    constexpr std::array<std::string_view, 5> kNames{"llvmpipe", "softpipe", "swrast", "SwiftShader",
+                                                     "Software Rasterizer"};
+    return std::ranges::any_of(
+        kNames, [&](std::string_view name) { return gl_renderer.find(name) != std::string::npos; });
+}
+
+PassTimer::PassTimer(Clock clock) {
+    if (clock == Clock::queries) gl::GenQueries(1, &query_);
+}
+
+PassTimer::~PassTimer() {
+    if (query_ != 0) gl::DeleteQueries(1, &query_);
+}
+
+void PassTimer::begin() {
+    if (query_ != 0) {
+        gl::BeginQuery(GL_TIME_ELAPSED, query_);
+    } else {
+        watch_ = Stopwatch();
+    }
+}
+
+void PassTimer::end() {
+    if (query_ != 0) {
+        gl::EndQuery(GL_TIME_ELAPSED);
+        return;
+    }
+    gl::Finish();
+    wall_ms_ = watch_.seconds() * 1e3;
+}
+
+double PassTimer::milliseconds() const {
+    if (query_ == 0) return wall_ms_;
+    GLuint64 ns = 0;
+    gl::GetQueryObjectui64v(query_, GL_QUERY_RESULT, &ns);
+    return static_cast<double>(ns) * 1e-6;
+}
+
+}  // namespace aoscore

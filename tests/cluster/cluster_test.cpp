@@ -1,0 +1,167 @@
+// The same results, whether one process makes them or many do.
+#include "core/files.h"
+#include "core/hash.h"
+#include "image/image_file.h"
+#include "results/results.h"
+#include "support/support.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+#include <map>
+#include <span>
+
+namespace aoscore {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using testing::output_dir;
+using testing::program;
+using testing::run_aoscore;
+using testing::source_dir;
+
+const std::string kScore =
+    "score pillar --methods gtao,hbao,alchemy,ssao --size 96x54 --samples 32 --out out";
+
+struct Ended {
+    int status = -1;
+    std::string text;
+};
+
+Ended run_shell(const std::string& command) {
+    Ended ended;
+    FILE* pipe = popen(("{ " + command + "; } 2>&1").c_str(), "r");
+    std::array<char, 4096> part;
+    for (std::size_t n; (n = fread(part.data(), 1, part.size(), pipe)) > 0;)
+        ended.text.append(part.data(), n);
+    ended.status = pclose(pipe);
+    return ended;
+}
+
+/// Everything that was measured, times aside: metrics of cells, and all pixels of truths, G-buffers and
+/// pictures.
+std::map<std::string, std::string> measured(const fs::path& folder) {
+    std::map<std::string, std::string> found;
+    const Results results = read_results(folder);
+    for (const CellRecord& cell : results.cells) {
+        for (const auto& [metric, score] : cell.ranked)
+            found[cell.id + " " + metric] = score.value ? fmt::format("{}", *score.value) : "";
+        found[cell.id + " failed"] = cell.error;
+    }
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.path().extension() != ".exr") continue;
+        const ImageFile file = read_image(entry.path());
+        for (std::size_t i = 0; i < file.channels.size(); ++i) {
+            const std::string name =
+                fs::relative(entry.path(), folder).string() + " " + file.channel_names[i];
+            found[name] = Digest().array(std::span(file.channels[i].pixels)).hex();
+        }
+    }
+    return found;
+}
+
+/// What one process measures, in a cache of its own.
+std::map<std::string, std::string> measured_by_one(const fs::path& folder) {
+    fs::create_directories(folder);
+    EXPECT_EQ(run_aoscore(kScore, folder).exit_code, 0);
+    return measured(folder / "out");
+}
+
+TEST(Plan, MadePartByPartInAnyOrderIsTheResultOfOneProcess) {
+    const fs::path folder = output_dir(), parts = folder / "parts";
+    const auto one = measured_by_one(folder / "one");
+    ASSERT_FALSE(one.empty());
+    fs::create_directories(parts);
+    ASSERT_EQ(run_aoscore("plan --parts 4 --out plan.json " + kScore, parts).exit_code, 0);
+    for (const int part : {3, 1, 4, 2, 3, 9}) {
+        const auto run = run_aoscore("work plan.json --part " + std::to_string(part), parts);
+        EXPECT_EQ(run.exit_code, 0) << part << run.err;
+    }
+    ASSERT_EQ(run_aoscore(kScore, parts).exit_code, 0);
+    EXPECT_EQ(read_results(parts / "out").work.passes, 0u) << "something was left for the last process";
+    EXPECT_EQ(read_results(parts / "out").work.rays, 0u);
+    EXPECT_EQ(measured(parts / "out"), one);
+    ASSERT_EQ(run_aoscore("plan --parts 4 --out again.json " + kScore, parts).exit_code, 0);
+    EXPECT_THAT(read_file(parts / "again.json"), HasSubstr("\"parts\": []")) << "everything is in the cache";
+}
+
+TEST(Plan, RefusesWhatPartsCannotDecideAndPlansOfAnotherVersion) {
+    const fs::path folder = output_dir();
+    const auto run = run_aoscore("plan --parts 2 --out plan.json score pillar --methods gtao", folder);
+    EXPECT_EQ(run.exit_code, 64);
+    EXPECT_THAT(run.err, HasSubstr("--samples"));
+    EXPECT_FALSE(fs::exists(folder / "plan.json"));
+    write_atomically(folder / "old.json", R"({"aoscore": "0.0.1", "arguments": [], "parts": []})");
+    const auto old = run_aoscore("work old.json --part 1", folder);
+    EXPECT_EQ(old.exit_code, 4);
+    EXPECT_THAT(old.err, HasSubstr("0.0.1"));
+    ASSERT_EQ(run_aoscore("plan --parts 1 --out plan.json " + kScore, folder).exit_code, 0);
+    std::string other = read_file(folder / "plan.json");
+    other.replace(other.find("\"jobs\": [") + 9, 0, "\"0123\", ");
+    write_atomically(folder / "other.json", other);
+    EXPECT_EQ(run_aoscore("work other.json --part 1", folder).exit_code, 64);
+}
+
+TEST(Snakemake, MakesTheResultOfOneProcess) {
+    const fs::path folder = output_dir(), many = folder / "many";
+    const auto one = measured_by_one(folder / "one");
+    fs::create_directories(many);
+    const Ended ended = run_shell(
+        "cd '" + many.string() + "' && HOME='" + many.string() + "' AOSCORE_CACHE='" +
+        (many / "truth-cache").string() + "' snakemake -s '" + (source_dir() / "cluster/Snakefile").string() +
+        "' --cores 2 --config parts=4 aoscore='" + program() + "' command='" + kScore + "'");
+    ASSERT_EQ(ended.status, 0) << ended.text;
+    EXPECT_EQ(measured(many / "out"), one);
+}
+
+/// A Slurm of one node on this machine, for as long as it lives.
+class LocalSlurm {
+  public:
+    explicit LocalSlurm(fs::path folder) : folder_(std::move(folder)) {
+        const Ended ended = run_shell(script("start"));
+        EXPECT_EQ(ended.status, 0) << ended.text;
+    }
+    ~LocalSlurm() { run_shell(script("stop")); }
+    Ended run(const std::string& command) const {
+        return run_shell("export SLURM_CONF='" + (folder_ / "slurm.conf").string() + "'; " + command);
+    }
+
+  private:
+    std::string script(const std::string& what) const {
+        return "bash '" + (source_dir() / "tests/cluster/local_slurm.sh").string() + "' " + what + " '" +
+               folder_.string() + "'";
+    }
+    fs::path folder_;
+};
+
+TEST(Slurm, MakesTheResultOfOneProcessWithAPartKilledAndRequeued) {
+    const fs::path folder = output_dir(), many = folder / "many";
+    const auto one = measured_by_one(folder / "one");
+    fs::create_directories(many);
+    const LocalSlurm slurm(folder / "slurm");
+    const std::string here = "cd '" + many.string() + "' && export AOSCORE_CACHE='" +
+                             (many / "truth-cache").string() + "' AOSCORE='" + program() + "'; ";
+    const Ended ended = slurm.run(here + "page=$('" + (source_dir() / "cluster/slurm.sh").string() + "' 8 " +
+                                  kScore + R"() || exit 1
+array=$(squeue -h -r -o '%F %j' | awk '$2 == "aoscore-part" { print $1; exit }')
+for _ in $(seq 100); do squeue -h -r -t RUNNING -o '%j' | grep -q aoscore-part && break; sleep 0.05; done
+part=$(squeue -h -r -t RUNNING -o '%K %j' | awk '$2 == "aoscore-part" { print $1; exit }')
+echo "requeued part $part"
+scontrol requeue "${array}_$part"
+for _ in $(seq 1200); do
+    state=$(scontrol show job "$page" | sed -n 's/.*JobState=\([A-Z]*\).*/\1/p')
+    case $state in COMPLETED) exit 0 ;; FAILED | CANCELLED | TIMEOUT) break ;; esac
+    sleep 0.1
+done
+squeue; scontrol show job "$page"; tail work/*.log; exit 1)");
+    ASSERT_EQ(ended.status, 0) << ended.text;
+    EXPECT_THAT(ended.text, ::testing::ContainsRegex("requeued part [1-8]"));
+    EXPECT_EQ(measured(many / "out"), one);
+}
+
+}  // namespace
+}  // namespace aoscore
