@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/processor_watch.h"
 #include "screen/gbuffer/gbuffer.h"
+#include "screen/gbuffer/precision.h"
 #include "screen/gbuffer/scene_geometry.h"
 #include "screen/gl/context.h"
 #include "screen/passes/method_runner.h"
@@ -20,9 +21,15 @@ class Clock {
     double milliseconds() const {
         return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
     }
+    /// Once all that was drawn has ended.
+    ScreenRenderer::PassTime finished() const {
+        gl::Finish();
+        return {milliseconds(), on_processor_.milliseconds()};
+    }
 
   private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    ProcessorWatch on_processor_;
 };
 
 std::string gl_text(GLenum name) {
@@ -45,11 +52,10 @@ struct ScreenRenderer::Impl {
         glm::ivec2 band_px{0};  ///< the guard band
 
         void draw_gbuffer_again() { gbuffer.draw(gbuffer.geometry(), Capture(gbuffer.capture())); }
-        double timed_gbuffer_ms() {
+        PassTime timed_gbuffer() {
             const Clock clock;
             draw_gbuffer_again();
-            gl::Finish();
-            return clock.milliseconds();
+            return clock.finished();
         }
         template <class Pixel>
         Image<Pixel> inner(const Image<Pixel>& drawn) const {
@@ -152,8 +158,8 @@ void ScreenRenderer::use_gbuffer(std::size_t kept) {
     impl_->shows_scene = false;
 }
 
-double ScreenRenderer::time_gbuffer() {
-    return impl_->ready_stage().timed_gbuffer_ms();
+ScreenRenderer::PassTime ScreenRenderer::time_gbuffer() {
+    return impl_->ready_stage().timed_gbuffer();
 }
 
 GBufferImages ScreenRenderer::read_gbuffer(const CaptureIndex& index) {
@@ -220,33 +226,25 @@ ScreenRenderer::PassTimes ScreenRenderer::time(const MethodRequest& request) {
     runner.forget_derived();  // a method's cost includes the inputs made for it
     gl::Finish();
     PassTimes times;
-    if (stage.band_px != glm::ivec2(0)) times.gbuffer_ms = stage.timed_gbuffer_ms();
+    if (stage.band_px != glm::ivec2(0)) times.gbuffer = stage.timed_gbuffer();
     const Clock ao;
-    const ProcessorWatch on_processor;
-    if (runner.draw_depth_layers(frame)) {
-        gl::Finish();
-        times.layers_processor_ms = on_processor.milliseconds();
-    }
+    if (runner.draw_depth_layers(frame)) times.layers_processor_ms = ao.finished().processor_ms;
     runner.draw_method(frame);
-    gl::Finish();
-    times.ao_processor_ms = on_processor.milliseconds();
-    times.ao_ms = ao.milliseconds();
+    times.ao = ao.finished();
     if (request.filter != nullptr) {
         const Clock filter;
         runner.draw_filter(frame);
-        gl::Finish();
-        times.filter_ms = filter.milliseconds();
+        times.filter = filter.finished();
     }
     if (request.lighting != nullptr) {
         const Clock lighting;
         runner.draw_lighting(frame);
-        gl::Finish();
-        times.lighting_ms = lighting.milliseconds();
+        times.lighting = lighting.finished();
     }
     return times;
 }
 
-double ScreenRenderer::time_frame(const MethodRequest& request, Waits waits) {
+ScreenRenderer::PassTime ScreenRenderer::time_frame(const MethodRequest& request, Waits waits) {
     Impl::Stage& stage = impl_->ready_stage(request);
     MethodRunner& runner = stage.runner;
     const MethodRunner::Frame frame = runner.prepare(request);
@@ -263,12 +261,16 @@ double ScreenRenderer::time_frame(const MethodRequest& request, Waits waits) {
     runner.draw_filter(frame);
     pass_drawn();
     runner.draw_lighting(frame);
-    gl::Finish();
-    return clock.milliseconds();
+    return clock.finished();
 }
 
 std::size_t ScreenRenderer::gbuffer_bytes(const MethodRequest& request) {
-    return impl_->ready_stage(request).gbuffer.bytes();
+    const GBuffer& gbuffer = impl_->ready_stage(request).gbuffer;
+    const bool positions = format_of(request.precision).positions;
+    // Four floats in place of one.
+    const std::size_t more = positions ? 3 * sizeof(float) : 0;
+    return gbuffer.bytes() +
+           more * static_cast<std::size_t>(gbuffer.width()) * static_cast<std::size_t>(gbuffer.height());
 }
 
 ScreenRenderer::Work ScreenRenderer::work() const {
