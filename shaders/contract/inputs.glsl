@@ -45,6 +45,14 @@ vec2 tapped_texel(vec2 image_px) { return floor(image_px); }
 float depth_of_tapped(vec2 texel) { return picture_texel(u_linear_depth, texel).r; }
 #endif
 
+// Where a run stores positions in place of depth, they lie in the same texture: depth, then x and y.
+#ifdef STORED_POSITIONS
+vec3 stored_position(vec2 texel) {
+    vec3 stored = picture_texel(u_linear_depth, texel).rgb;
+    return vec3(stored.gb, -stored.r);
+}
+#endif
+
 // Taps. What lies outside of the picture is a setting of the run: BORDER_FAR 1, the depth of the background; 0, the
 // depth of the nearest texel (clamp to edge), which stretches the picture's edge outward.
 float texel_linear_depth(vec2 texel) {
@@ -63,6 +71,12 @@ float tap_linear_depth(vec2 image_px) { return texel_linear_depth(tapped_texel(i
 // texel's centre, so that a plane in the scene gives points on that plane.
 vec3 tap_position(vec2 image_px) {
     vec2 texel = tapped_texel(image_px);
+#ifdef STORED_POSITIONS
+    if (texel == clamp(texel, vec2(0.0), u_size_px - 1.0)) {
+        COUNT_TAP
+        return stored_position(texel);
+    }
+#endif
     return view_position(texel + 0.5, texel_linear_depth(texel));
 }
 

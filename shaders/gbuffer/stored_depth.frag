@@ -5,7 +5,7 @@
 uniform sampler2D u_linear_depth;
 uniform sampler2D u_hardware_depth;  // window depth, as the rasteriser left it in 32-bit floats
 
-layout(location = 0) out float o_linear_depth;
+layout(location = 0) out vec4 o_stored;  // depth; where positions are stored, x and y after it
 
 float depth_of_window(float z) {
 #if ORTHOGRAPHIC
@@ -54,8 +54,12 @@ float stored(float depth, float window) {
     return depth_of_reversed(reversed_window(depth));
 #elif STORED == LINEAR_16
     return mix(u_near, u_far, rounded(linear, 65535.0));
+#elif STORED == LINEAR_16_300M
+    return 300.0 * rounded(depth / 300.0, 65535.0);
 #elif STORED == LINEAR_TWO_BYTES
     return mix(u_near, u_far, packed_in_two_bytes(linear));
+#elif STORED == POSITION
+    return depth;
 #endif
 }
 
@@ -63,5 +67,6 @@ void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
     float depth = texelFetch(u_linear_depth, texel, 0).r;
     float window = texelFetch(u_hardware_depth, texel, 0).r;
-    o_linear_depth = is_background(depth) ? u_far : clamp(stored(depth, window), u_near, u_far * (1.0 - 2e-7));
+    float linear = is_background(depth) ? u_far : clamp(stored(depth, window), u_near, u_far * (1.0 - 2e-7));
+    o_stored = vec4(linear, view_position(vec2(texel) + 0.5, linear).xy, 0.0);
 }

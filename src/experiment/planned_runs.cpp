@@ -122,6 +122,8 @@ CellWork cell_work(const ResolvedCell& cell, const ExperimentPlan& plan, const P
     work.wants_times = cell.plan.timed;
     work.whole_frames = cell.plan.whole_frames;
     work.repeats = cell.plan.repeats && !plan.first_answer;
+    work.converged = cell.converged;
+    work.lit_by_sky = cell.plan.lit_by_sky;
     if (work.whole_frames) light(work.timed, registry.lighting, drawn_for_m);
     return work;
 }

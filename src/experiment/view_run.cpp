@@ -93,15 +93,14 @@ void warn_of_small_radius(const View& chosen, ViewRecord& view) {
 }
 
 void record_times(const StoredTimes& times, const ViewRecord& view, CellRecord& record) {
-    record.ao = summarize(times.ao_ms);
-    record.filter_pass = summarize(times.filter_ms);
-    if (times.fixed_pass_ms > 0) record.fixed_pass_ms = times.fixed_pass_ms;
-    record.ao_processor = summarize(times.ao_processor_ms);
+    record.ao = summarize(times.ao);
+    record.filter_pass = summarize(times.filter);
+    record.fixed_pass = summarize(times.fixed_pass);
     record.layers_processor = summarize(times.layers_processor_ms);
-    record.lighting = summarize(times.lighting_ms);
-    record.frame_at_once = summarize(times.frame_at_once_ms);
-    record.frame_by_pass = summarize(times.frame_by_pass_ms);
-    record.gbuffer = summarize(times.gbuffer_ms);
+    record.lighting = summarize(times.lighting);
+    record.frame_at_once = summarize(times.frame_at_once);
+    record.frame_by_pass = summarize(times.frame_by_pass);
+    record.gbuffer = summarize(times.gbuffer);
     record.gbuffer_bytes = times.gbuffer_bytes;
     const std::optional<double> gbuffer_ms =
         record.gbuffer.median_ms ? record.gbuffer.median_ms : view.gbuffer.median_ms;
@@ -134,7 +133,7 @@ class Assembly {
 
     ViewRecord view(const ViewRecord& described) const {
         ViewRecord view = maker_.view() != nullptr ? renamed(*maker_.view(), described) : described;
-        if (maker_.gbuffer_ms() != nullptr) view.gbuffer = summarize(*maker_.gbuffer_ms());
+        if (maker_.gbuffer_runs() != nullptr) view.gbuffer = summarize(*maker_.gbuffer_runs());
         if (there(run_.jobs.truth_file)) view.truth_file = run_.work.truth_file();
         if (there(run_.jobs.gbuffer_file)) view.gbuffer_file = run_.work.gbuffer_file();
         for (std::size_t i = 0; i < run_.jobs.cells.size(); ++i) add_own_truth(i, view.truths);
@@ -166,6 +165,7 @@ class Assembly {
             record.analysis = score->analysis;
             record.raw = score->raw;
             record.signals = score->signals;
+            record.light = score->light;
         }
         if (const OwnScore* own = own_score(i)) record.own = sure_metrics(*own, run_.plan.score_goal);
         if (keys.fetches && maker_.fetches(*keys.fetches) != nullptr)

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace aoscore {
 namespace {
@@ -14,18 +16,30 @@ class DepthEdges {
   public:
     DepthEdges(const CameraFrame& frame, const PrimaryHits& hits) : frame_(frame), hits_(hits) {}
 
-    Mask mask() const {
-        Mask edges(frame_.width(), frame_.height());
-        for (int y = 0; y < edges.height; ++y) {
-            for (int x = 0; x < edges.width; ++x) {
-                if (x + 1 < edges.width && is_edge(x, y, x + 1, y)) edges.at(x, y) = edges.at(x + 1, y) = 1;
-                if (y + 1 < edges.height && is_edge(x, y, x, y + 1)) edges.at(x, y) = edges.at(x, y + 1) = 1;
+    /// The pixels on the near and on the far side of an edge.
+    struct Sides {
+        Mask near, far;
+    };
+    Sides sides() const {
+        Sides sides{Mask(frame_.width(), frame_.height()), Mask(frame_.width(), frame_.height())};
+        for (int y = 0; y < frame_.height(); ++y) {
+            for (int x = 0; x < frame_.width(); ++x) {
+                if (x + 1 < frame_.width() && is_edge(x, y, x + 1, y)) mark(sides, {x, y}, {x + 1, y});
+                if (y + 1 < frame_.height() && is_edge(x, y, x, y + 1)) mark(sides, {x, y}, {x, y + 1});
             }
         }
-        return edges;
+        return sides;
     }
 
   private:
+    void mark(Sides& sides, glm::ivec2 a, glm::ivec2 b) const {
+        const auto depth = [&](glm::ivec2 p) {
+            constexpr float kBackground = std::numeric_limits<float>::infinity();
+            return hits_.surface.at(p.x, p.y) != 0 ? hits_.depth.at(p.x, p.y) : kBackground;
+        };
+        if (depth(a) > depth(b)) std::swap(a, b);
+        sides.near.at(a.x, a.y) = sides.far.at(b.x, b.y) = 1;
+    }
     bool is_edge(int x, int y, int nx, int ny) const {
         const bool here = hits_.surface.at(x, y) != 0, there = hits_.surface.at(nx, ny) != 0;
         if (!here || !there) return here != there;
@@ -65,7 +79,13 @@ PixelFacts pixel_facts(const CameraFrame& frame, const Truth& truth) {
     PixelFacts facts;
     facts.depth_m = truth.hits.depth;
     facts.tilt = tilts(frame, truth.hits);
-    facts.edge_distance_px = distance_to(DepthEdges(frame, truth.hits).mask());
+    const DepthEdges::Sides sides = DepthEdges(frame, truth.hits).sides();
+    facts.behind_edge_px = distance_to(sides.far);
+    facts.edge_distance_px = distance_to(sides.near);
+    for (std::size_t i = 0; i < facts.edge_distance_px.size(); ++i) {
+        float& edge_px = facts.edge_distance_px.pixels[i];
+        edge_px = std::min(edge_px, facts.behind_edge_px.pixels[i]);
+    }
     for (std::size_t c = 0; c < kCauses; ++c) {
         if (truth.occlusion_by_cause[c].empty()) continue;
         facts.causes.push_back({std::string(kCauseIds[c]), &truth.occlusion_by_cause[c]});

@@ -106,8 +106,9 @@ void measure_signals(const MethodOutput& picture, const Truth& truth, const Hidd
 
 }  // namespace
 
-Repeats repeat_image(ScreenRenderer& renderer, const MethodRequest& request, const Truth& truth,
+Repeats repeat_image(ScreenRenderer& renderer, const RepeatRequest& asked, const Truth& truth,
                      const Ground& ground, LayersDrawn& drawn) {
+    const MethodRequest& request = asked.request;
     const Mask& valid = ground.contract.valid;
     const HiddenOcclusion* of_layers = hidden_by_first_layer(renderer, request, drawn);
     const std::optional<HiddenOcclusion> of_truth = part_of_truth(truth, ground, kHiddenCause);
@@ -123,6 +124,13 @@ Repeats repeat_image(ScreenRenderer& renderer, const MethodRequest& request, con
     const ImageF mean = mean_image(filtered);
     if (of_truth) repeats.of_truth = found_occlusion(*of_truth, mean, valid, Findings::within_hidden);
     if (of_grazing) repeats.of_grazing = found_occlusion(*of_grazing, mean, valid, Findings::within_hidden);
+    if (asked.converged) {
+        std::vector<MethodOutput> converged = drawn_with_seeds(renderer, *asked.converged);
+        repeats.raw_from_converged =
+            convergence(raw, mean_image(planes(converged, &MethodOutput::raw)), valid);
+        repeats.from_converged =
+            convergence(filtered, mean_image(planes(converged, &MethodOutput::visibility)), valid);
+    }
     if (of_layers != nullptr)
         repeats.of_layers = found_occlusion(*of_layers, mean_image(raw), valid, Findings::free);
     return repeats;

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 
 // This is a file of its own, because the code of repeats is the code that the linker takes for it
@@ -22,10 +23,17 @@ struct LayersDrawn {
     std::map<std::string, HiddenOcclusion> by_digest;  ///< of one view; all are forgotten beyond kMost
 };
 
+/// A request to draw again, and the one that makes its converged picture where it is held against that.
+struct RepeatRequest {
+    const MethodRequest& request;
+    const std::optional<MethodRequest>& converged;
+};
+
 /// Draws a request again on the renderer's current G-buffer, with Repeats::kSeeds seeds that follow its own,
 /// and where it reads depth layers, over the first layer and over all. What is hidden from the truth is told
-/// where it was traced with its causes; signals where it holds them.
-Repeats repeat_image(ScreenRenderer& renderer, const MethodRequest& request, const Truth& truth,
+/// where it was traced with its causes; signals where it holds them. The converged picture is the mean over
+/// as many seeds.
+Repeats repeat_image(ScreenRenderer& renderer, const RepeatRequest& asked, const Truth& truth,
                      const Ground& ground, LayersDrawn& drawn);
 
 nlohmann::json to_json(const Repeats& repeats);

@@ -21,8 +21,9 @@ struct Score {
     std::size_t nonfinite = 0;  ///< valid pixels that are NaN or infinite: then there are no numbers
     MetricMap ranked;
     std::optional<ErrorAnalysis> analysis;
-    MetricMap raw;                             ///< metrics before the filter; empty without one
-    std::map<std::string, MetricMap> signals;  ///< metrics of the image's signals beside visibility, by id
+    MetricMap raw;                               ///< metrics before the filter; empty without one
+    std::map<std::string, MetricMap> signals;    ///< metrics of the image's signals beside visibility, by id
+    std::map<std::string, MeasureRecord> light;  ///< see light_errors(); empty where it was not asked for
 
     /// Says why there are no numbers; empty where there are.
     std::string error() const;
@@ -35,6 +36,7 @@ void visit_members(Visit& visit, Record& score) {
     visit("analysis", score.analysis);
     visit("raw", score.raw);
     visit("signals", score.signals);
+    visit("light", score.light);
 }
 
 /// Settings of a score.

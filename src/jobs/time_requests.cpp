@@ -25,31 +25,28 @@ bool succeeds(RequestTimes& times, Action action) {
 
 void time_pass(ScreenRenderer& renderer, const MethodRequest& request, RequestTimes& times) {
     const ScreenRenderer::PassTimes run = renderer.time(request);
-    times.ao_ms.push_back(run.ao_ms);
-    times.ao_processor_ms.push_back(run.ao_processor_ms);
+    times.ao.add(run.ao);
     if (run.layers_processor_ms) times.layers_processor_ms.push_back(*run.layers_processor_ms);
-    if (run.filter_ms) times.filter_ms.push_back(*run.filter_ms);
-    if (run.lighting_ms) times.lighting_ms.push_back(*run.lighting_ms);
-    if (run.gbuffer_ms) times.gbuffer_ms.push_back(*run.gbuffer_ms);
+    if (run.filter) times.filter.add(*run.filter);
+    if (run.lighting) times.lighting.add(*run.lighting);
+    if (run.gbuffer) times.gbuffer.add(*run.gbuffer);
 }
 
 // Times both kinds of frames. Their order changes from round to round, since one may warm caches for the
 // other.
 void time_whole_frames(ScreenRenderer& renderer, const MethodRequest& request, RequestTimes& times) {
     using Waits = ScreenRenderer::Waits;
-    const auto at_once = [&] {
-        times.frame_at_once_ms.push_back(renderer.time_frame(request, Waits::at_the_end));
-    };
-    const bool first = times.frame_by_pass_ms.size() % 2 == 0;
+    const auto at_once = [&] { times.frame_at_once.add(renderer.time_frame(request, Waits::at_the_end)); };
+    const bool first = times.frame_by_pass.ms.size() % 2 == 0;
     if (first) at_once();
-    times.frame_by_pass_ms.push_back(renderer.time_frame(request, Waits::after_every_pass));
+    times.frame_by_pass.add(renderer.time_frame(request, Waits::after_every_pass));
     if (!first) at_once();
 }
 
 bool reached(const TimingGoal& goal, const RequestTimes& times) {
-    for (const auto* runs_ms : {&times.ao_ms, &times.filter_ms, &times.lighting_ms, &times.frame_at_once_ms,
-                                &times.frame_by_pass_ms}) {
-        if (!runs_ms->empty() && !goal.reached(*runs_ms)) return false;
+    for (const PassRuns* runs :
+         {&times.ao, &times.filter, &times.lighting, &times.frame_at_once, &times.frame_by_pass}) {
+        if (!runs->empty() && !goal.reached(runs->ms)) return false;
     }
     return true;
 }
@@ -63,7 +60,7 @@ std::vector<RequestTimes> time_requests(ScreenRenderer& renderer, const std::vec
     for (std::size_t i = 0; i < requests.size(); ++i) {
         throw_if_interrupted();
         succeeds(times[i], [&] {
-            const double warm_up_ms = renderer.time(requests[i].request).ao_ms;
+            const double warm_up_ms = renderer.time(requests[i].request).ao.ms;
             times[i].gbuffer_bytes = static_cast<double>(renderer.gbuffer_bytes(requests[i].request));
             runs_left[i] = goal ? goal->most : timed_runs(warm_up_ms);
         });
@@ -88,10 +85,10 @@ std::vector<RequestTimes> time_requests(ScreenRenderer& renderer, const std::vec
     return times;
 }
 
-std::vector<double> time_gbuffer(ScreenRenderer& renderer, double first_ms) {
-    std::vector<double> runs_ms;
-    for (int i = timed_runs(first_ms); i > 0; --i) runs_ms.push_back(renderer.time_gbuffer());
-    return runs_ms;
+PassRuns time_gbuffer(ScreenRenderer& renderer, double first_ms) {
+    PassRuns runs;
+    for (int i = timed_runs(first_ms); i > 0; --i) runs.add(renderer.time_gbuffer());
+    return runs;
 }
 
 }  // namespace aoscore

@@ -17,15 +17,14 @@ struct TimedRequest {
 
 /// The timed runs of one request, in the order they were taken.
 struct RequestTimes {
-    std::vector<double> ao_ms;
-    std::vector<double> ao_processor_ms;      ///< processor time of all threads
+    PassRuns ao;
     std::vector<double> layers_processor_ms;  ///< the part that draws depth layers; empty without them
-    std::vector<double> filter_ms;            ///< empty without a filter
-    std::vector<double> lighting_ms;          ///< empty without lighting
-    std::vector<double> gbuffer_ms;           ///< of the picture with its guard band; empty without one
+    PassRuns filter;                          ///< empty without a filter
+    PassRuns lighting;                        ///< empty without lighting
+    PassRuns gbuffer;                         ///< of the picture with its guard band; empty without one
     double gbuffer_bytes = 0;                 ///< of the G-buffer, with its guard band
-    std::vector<double> frame_at_once_ms, frame_by_pass_ms;  ///< empty where no whole frames are asked for
-    std::string error;  ///< why the runs ended early; empty when they did not
+    PassRuns frame_at_once, frame_by_pass;    ///< empty where no whole frames are asked for
+    std::string error;                        ///< why the runs ended early; empty when they did not
 };
 
 /// Times requests on the renderer's current G-buffer: a warm-up each, then round by round over all of them,
@@ -34,7 +33,7 @@ struct RequestTimes {
 std::vector<RequestTimes> time_requests(ScreenRenderer& renderer, const std::vector<TimedRequest>& requests,
                                         const std::optional<TimingGoal>& goal, const std::string& what);
 
-/// Draws the last G-buffer again for the clock; milliseconds.
-std::vector<double> time_gbuffer(ScreenRenderer& renderer, double first_ms);
+/// Draws the last G-buffer again for the clock.
+PassRuns time_gbuffer(ScreenRenderer& renderer, double first_ms);
 
 }  // namespace aoscore

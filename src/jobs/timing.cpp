@@ -28,6 +28,17 @@ Timing summarize(std::vector<double> runs_ms) {
     return timing;
 }
 
+void PassRuns::add(const ScreenRenderer::PassTime& run) {
+    ms.push_back(run.ms);
+    processor_ms.push_back(run.processor_ms);
+}
+
+Timing summarize(const PassRuns& runs) {
+    Timing timing = summarize(runs.ms);
+    timing.processor_runs_ms = runs.processor_ms;
+    return timing;
+}
+
 bool TimingGoal::reached(const std::vector<double>& runs_ms) const {
     const int runs = static_cast<int>(runs_ms.size());
     if (runs >= most) return true;

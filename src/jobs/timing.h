@@ -1,6 +1,7 @@
 #pragma once
 
 #include "results/results.h"
+#include "screen/screen.h"
 
 #include <cstddef>
 #include <functional>
@@ -10,6 +11,16 @@ namespace aoscore {
 
 /// Median and half the distance between the quartiles of the runs; both empty without runs.
 Timing summarize(std::vector<double> runs_ms);
+
+/// The runs of one pass, in the order they were taken: by the clock, and as processor time of all threads.
+struct PassRuns {
+    std::vector<double> ms, processor_ms;
+
+    bool empty() const { return ms.empty(); }
+    void add(const ScreenRenderer::PassTime& run);
+};
+/// The same of both; empty without runs.
+Timing summarize(const PassRuns& runs);
 
 /// Says when a pass has been timed often enough: as soon as the interval that holds its median with
 /// `confidence` extends no farther than `half_width` times the median to either side, after at least `least`

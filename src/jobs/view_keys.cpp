@@ -120,7 +120,9 @@ Key ViewKeys::image(const CellWork& cell) const {
 Key ViewKeys::score(const CellWork& cell) const {
     KeyBuilder key("score");
     key.input(image(cell)).input(truth(std::span(work_.queries).first(1))).input(contract());
-    return key.value(work_.mask_threshold).value(work_.seed).value(work_.untold).key();
+    key.value(work_.mask_threshold).value(work_.seed).value(work_.untold);
+    if (cell.lit_by_sky) key.text(code_digest("light")).text(code_digest("irradiance"));
+    return key.key();
 }
 
 Key ViewKeys::own_score(const CellWork& cell) const {
@@ -135,7 +137,9 @@ Key ViewKeys::fetches(const CellWork& cell) const {
 Key ViewKeys::repeats(const CellWork& cell) const {
     KeyBuilder key("repeats");
     key.input(image(cell)).input(truth(std::span(work_.queries).first(1))).input(contract());
-    return key.value(Repeats::kSeeds).key();
+    key.value(Repeats::kSeeds);
+    if (cell.converged) key.text(request_digest(*cell.converged, orthographic()));
+    return key.key();
 }
 
 Key ViewKeys::times(const CellWork& cell) const {

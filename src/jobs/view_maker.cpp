@@ -4,6 +4,7 @@
 #include "core/log.h"
 #include "image/image_file.h"
 #include "jobs/draw_image.h"
+#include "jobs/sky_light.h"
 #include "jobs/time_requests.h"
 #include "jobs/view_files.h"
 #include "jobs/view_record.h"
@@ -19,11 +20,6 @@ template <class Map>
 const typename Map::mapped_type* found_in(const Map& map, const Key& key) {
     const auto found = map.find(key);
     return found == map.end() ? nullptr : &found->second;
-}
-
-std::vector<double> numbers_from(const nlohmann::json& payload, const std::string& where) {
-    if (!payload.is_array() || payload.empty()) throw file_error("is no list of times", where);
-    return payload.get<std::vector<double>>();
 }
 
 double number_from(const nlohmann::json& payload, const std::string& where) {
@@ -92,7 +88,7 @@ void ViewMaker::read_payload(const Job& job, const nlohmann::json& payload) {
     const std::string& where = job.key.hex;
     switch (job.kind) {
         case ArtifactKind::gbuffer_times:
-            gbuffer_ms_ = numbers_from(payload, where);
+            gbuffer_runs_ = pass_runs_from_json(payload, where);
             break;
         case ArtifactKind::view:
             view_ = view_record_from_json(payload, where);
@@ -157,8 +153,8 @@ void ViewMaker::make(const Job& job) {
     switch (job.kind) {
         case ArtifactKind::gbuffer_times:
             draw(work_.read_inputs());
-            gbuffer_ms_ = time_gbuffer(work_.tools.ready_renderer(), drawn_ms_);
-            return keep(job, *gbuffer_ms_);
+            gbuffer_runs_ = time_gbuffer(work_.tools.ready_renderer(), drawn_ms_);
+            return keep(job, to_json(*gbuffer_runs_));
         case ArtifactKind::gbuffer:
             draw(work_.drawn_inputs());
             gbuffer_ = work_.tools.ready_renderer().read_gbuffer();
@@ -229,10 +225,23 @@ void ViewMaker::make_score(const Job& job) {
     const ScoreSettings settings{cell(job).contestant->is_filtered(), work_.mask_threshold, work_.seed,
                                  work_.untold};
     if (!truth_side_) truth_side_.emplace(truth_->truth, *ground_);
-    const Score& score = scores_[job.key] =
+    Score& score = scores_[job.key] =
         score_image(truth_->truth, *ground_, *truth_side_, image_->second, settings);
     if (!score.error().empty()) throw internal_error(score.error());
+    if (cell(job).lit_by_sky) light_by_sky(score);
     keep(job, to_json(score));
+}
+
+void ViewMaker::light_by_sky(Score& score) {
+    static const SkyCones cones(generated_sky());
+    const Truth& truth = truth_->truth;
+    if (!irradiance_) {
+        const int samples = std::max(truth.samples + truth.samples % 2, 2);
+        irradiance_ =
+            trace_irradiance(work_.scene, frame_, generated_sky(), work_.radius_m, samples, work_.seed);
+    }
+    score.light = light_errors({cones, frame_, truth.hits.normal}, image_->second, *irradiance_,
+                               ground_->contract.valid, work_.seed);
 }
 
 void ViewMaker::make_own_score(const Job& job) {
@@ -244,8 +253,8 @@ void ViewMaker::make_own_score(const Job& job) {
 
 void ViewMaker::make_repeats(const Job& job) {
     const MethodRequest& request = *cell(job).contestant->timed_request();
-    const Repeats& repeats = repeats_[job.key] =
-        repeat_image(work_.tools.ready_renderer(), request, truth_->truth, *ground_, layers_drawn_);
+    const Repeats& repeats = repeats_[job.key] = repeat_image(
+        work_.tools.ready_renderer(), {request, cell(job).converged}, truth_->truth, *ground_, layers_drawn_);
     keep(job, to_json(repeats));
 }
 
@@ -257,16 +266,20 @@ std::vector<std::string> ViewMaker::make_in_turns(std::span<const Job* const> jo
     const std::vector<RequestTimes> times =
         time_requests(work_.tools.ready_renderer(), requests, work_.timing_goal, "timing " + work_.key);
     const RequestTimes& fixed_pass = times.back();
-    const double fixed_pass_ms = summarize(fixed_pass.ao_ms).median_ms.value_or(0);
     std::vector<std::string> errors;
     for (std::size_t i = 0; i < jobs.size(); ++i) {
         errors.push_back(times[i].error);
         if (!errors.back().empty()) continue;
-        const StoredTimes stored{
-            times[i].ao_ms,           times[i].filter_ms,           fixed_pass_ms,
-            fixed_pass.lighting_ms,   times[i].frame_at_once_ms,    times[i].frame_by_pass_ms,
-            times[i].ao_processor_ms, times[i].layers_processor_ms, times[i].gbuffer_ms,
-            times[i].gbuffer_bytes};
+        const RequestTimes& runs = times[i];
+        const StoredTimes stored{runs.ao,
+                                 runs.filter,
+                                 fixed_pass.ao,
+                                 fixed_pass.lighting,
+                                 runs.frame_at_once,
+                                 runs.frame_by_pass,
+                                 runs.layers_processor_ms,
+                                 runs.gbuffer,
+                                 runs.gbuffer_bytes};
         times_[jobs[i]->key] = stored;
         keep(*jobs[i], to_json(stored));
     }

@@ -7,6 +7,7 @@
 #include "jobs/stored_times.h"
 #include "jobs/view_jobs.h"
 #include "jobs/view_work.h"
+#include "reference/irradiance.h"
 #include "store/artifact_store.h"
 #include "store/truth/truth_cache.h"
 
@@ -35,7 +36,7 @@ class ViewMaker final : public Maker {
 
     // The artifacts of the results that were taken or made; null before that.
     const ViewRecord* view() const { return view_ ? &*view_ : nullptr; }
-    const std::vector<double>* gbuffer_ms() const { return gbuffer_ms_ ? &*gbuffer_ms_ : nullptr; }
+    const PassRuns* gbuffer_runs() const { return gbuffer_runs_ ? &*gbuffer_runs_ : nullptr; }
     const Score* score(const Key& key) const;
     const OwnScore* own_score(const Key& key) const;
     const double* fetches(const Key& key) const;
@@ -62,6 +63,7 @@ class ViewMaker final : public Maker {
     CachedTruth trace(TruthRequest request, const std::string& what);
     void make_image(const Job& job);
     void make_score(const Job& job);
+    void light_by_sky(Score& score);
     void make_own_score(const Job& job);
     void make_repeats(const Job& job);
 
@@ -79,12 +81,13 @@ class ViewMaker final : public Maker {
     std::optional<CachedTruth> truth_, own_truth_;
     std::optional<Ground> ground_;
     std::optional<std::pair<Key, MethodOutput>> image_;
-    std::optional<TruthSide> truth_side_;  ///< side of the ranking's truth on the ground
+    std::optional<Irradiance> irradiance_;  ///< under the generated sky
+    std::optional<TruthSide> truth_side_;   ///< side of the ranking's truth on the ground
     std::uint64_t rays_ = 0;
     LayersDrawn layers_drawn_;
 
     std::optional<ViewRecord> view_;
-    std::optional<std::vector<double>> gbuffer_ms_;
+    std::optional<PassRuns> gbuffer_runs_;
     std::map<Key, Score> scores_;
     std::map<Key, OwnScore> own_scores_;
     std::map<Key, double> fetches_;

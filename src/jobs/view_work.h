@@ -27,8 +27,11 @@ struct CellWork {
     bool wants_times = true;        ///< whether its passes are timed, where the view's costs are wanted
     /// Whole lit frames are timed too, with a wait at their end and with one after every pass.
     bool whole_frames = false;
-    bool repeats = false;  ///< whether it is drawn again with other seeds (jobs/repeats.h)
-    MethodRequest timed;   ///< the contestant's, with its lighting where whole frames are timed
+    bool repeats = false;     ///< whether it is drawn again with other seeds (jobs/repeats.h)
+    bool lit_by_sky = false;  ///< whether its light is held against ray-traced irradiance (jobs/sky_light.h)
+    /// Its own converged picture, against which it is held with its repeats.
+    std::optional<MethodRequest> converged = {};
+    MethodRequest timed;  ///< the contestant's, with its lighting where whole frames are timed
 };
 
 /// One view of a scene with everything to measure on it. Objects that it refers to must outlive it.

@@ -250,7 +250,8 @@ std::vector<CellPlan> scored_cells(const MethodDescriptor& method) {
 bool CellPlan::same_as(const CellPlan& other) const {
     return method == other.method && preset == other.preset && overrides == other.overrides &&
            filter == other.filter && filter_overrides == other.filter_overrides && modes == other.modes &&
-           radius_factor == other.radius_factor && signals == other.signals;
+           radius_factor == other.radius_factor && signals == other.signals && converged == other.converged &&
+           draw == other.draw;
 }
 
 bool has_score_goal(const ExperimentPlan& plan) {
@@ -297,6 +298,7 @@ std::size_t shared_cell(ViewPlan& view, CellPlan cell) {
     found->whole_frames |= cell.whole_frames;
     found->repeats |= cell.repeats;
     found->step &= cell.step;
+    found->lit_by_sky |= cell.lit_by_sky;
     return static_cast<std::size_t>(found - view.cells.begin());
 }
 

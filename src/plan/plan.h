@@ -41,6 +41,13 @@ struct CellPlan {
     bool step = false;  ///< measured for advice alone: it stands in no table, ranking or gate
     /// It is drawn again with other seeds, and held against what one depth layer hides (jobs/repeats.h).
     bool repeats = false;
+    /// Changes of its parameters that make it its own converged picture, against which it is held with its
+    /// repeats; empty: it is not.
+    ParameterValues converged = {};
+    /// What it lights a surface with under the generated sky is held against ray-traced irradiance.
+    bool lit_by_sky = false;
+    /// Added to the run's seed, for other random kernels and noise.
+    int draw = 0;
     /// Signals beside visibility to score where the method gives them (see core/signal.h).
     std::vector<std::string> signals = {};
     /// Whether both are the same measurement, whatever files it leaves.

@@ -37,6 +37,7 @@ std::vector<std::string> changes_of(const CellPlan& plan, std::string_view equal
     for (const auto& [id, value] : plan.filter_overrides) add(std::string(kFilterPrefix) + id, value);
     for (const auto& [mode, choice] : unusual_modes(plan.modes)) add(mode, choice);
     if (plan.radius_factor != 1) add("radius-factor", plan.radius_factor);
+    if (plan.draw != 0) add("draw", plan.draw);
     return changes;
 }
 
@@ -58,6 +59,8 @@ std::string cell_name(const CellPlan& plan) {
     std::vector<std::string> changes = changes_of(plan, "=");
     // Signals cost time: one method may be a cell with them and one without.
     for (const std::string& id : plan.signals) changes.push_back("signal=" + id);
+    for (const auto& [id, value] : plan.converged)
+        changes.push_back(fmt::format("converged.{}={}", id, value.text()));
     if (!changes.empty()) name += fmt::format("/{}", fmt::join(changes, ","));
     return name;
 }
@@ -119,7 +122,7 @@ ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64
     cell.request.parameters = drawn_values(method, plan.preset, plan.overrides, method_for_m);
     if (const ImageFolder* folder = find_folder(registry, plan.method))
         cell.request.parameters = folder->stated;
-    cell.request.seed = seed;
+    cell.request.seed = seed + static_cast<std::uint64_t>(plan.draw);
     cell.request.signals = plan.signals;
     plan.modes.apply_to(cell.request);
     add_lengths(method, cell.request.parameters, plan.overrides, origin, "", cell.lengths);
@@ -134,6 +137,12 @@ ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64
                     cell.lengths);
     }
     cell.own = own_truth(method, cell.request.parameters);
+    if (plan.converged.empty()) return cell;
+    ParameterValues changes = plan.overrides;
+    for (const auto& [id, value] : plan.converged) changes[id] = value;
+    cell.converged = cell.request;
+    cell.converged->signals.clear();
+    cell.converged->parameters = drawn_values(method, plan.preset, changes, drawn_for_m);
     return cell;
 }
 

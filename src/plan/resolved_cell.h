@@ -31,6 +31,7 @@ Registry load_registry();
 struct ResolvedCell {
     CellPlan plan;
     MethodRequest request;
+    std::optional<MethodRequest> converged = {};  ///< its own converged picture, where it is asked for
     TruthQuery own;
     std::string filter = "none";
     std::vector<LengthRecord> lengths;

@@ -10,7 +10,7 @@ namespace aoscore {
 
 /// The runs of the AO pass as processor time, each without the part that drew its depth layers.
 inline std::vector<double> runs_without_layers_ms(const CellRecord& cell) {
-    std::vector<double> runs_ms = cell.ao_processor.runs_ms;
+    std::vector<double> runs_ms = cell.ao.processor_runs_ms;
     const std::vector<double>& layers_ms = cell.layers_processor.runs_ms;
     for (std::size_t i = 0; i < std::min(runs_ms.size(), layers_ms.size()); ++i) runs_ms[i] -= layers_ms[i];
     return runs_ms;

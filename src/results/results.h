@@ -29,6 +29,8 @@ struct Timing {
     std::vector<double> runs_ms;
     std::optional<double> median_ms;  ///< empty without runs
     std::optional<double> spread_ms;  ///< half the distance between the quartiles
+    /// The same runs as processor time of all threads; empty where it was not taken.
+    std::vector<double> processor_runs_ms = {};
 };
 
 /// The id of the truth by which all methods of a view are ranked.
@@ -160,6 +162,12 @@ struct LengthRecord {
 inline constexpr const char* kMethodRole = "method";
 inline constexpr const char* kBoundRole = "bound";
 
+/// A measured number with its interval.
+struct MeasureRecord {
+    double value = 0;
+    std::optional<Interval> interval;  ///< 95 % confidence; empty where nothing can be resampled
+};
+
 /// One scene x view x method x preset.
 struct CellRecord {
     std::string id;  ///< unique in the run: "atrium/wide/hbao/performance-wide"
@@ -174,12 +182,12 @@ struct CellRecord {
     std::vector<LengthRecord> lengths;  ///< lengths among them and the filter's
     std::string error;                  ///< why the cell failed; else empty
     Timing ao, filter_pass;
-    /// The AO pass as processor time of all threads, and the part of it that draws the method's depth layers;
-    /// the latter has no runs where it reads none.
-    Timing ao_processor, layers_processor;
-    std::optional<double> fixed_pass_ms;  ///< sixteen fetches a pixel, timed in the same rounds
-    Timing lighting;  ///< the lighting pass, timed in the same rounds; no runs where not asked for
-    Timing gbuffer;   ///< its G-buffer with the guard band, in place of the view's; no runs without one
+    /// The part of the AO pass' processor time that draws the method's depth layers; no runs where it reads
+    /// none.
+    Timing layers_processor;
+    Timing fixed_pass;  ///< sixteen fetches a pixel, timed in the same rounds; no runs where nothing was
+    Timing lighting;    ///< the lighting pass, timed in the same rounds; no runs where not asked for
+    Timing gbuffer;     ///< its G-buffer with the guard band, in place of the view's; no runs without one
     std::optional<double> gbuffer_bytes;  ///< of the G-buffer, with the guard band; empty where not timed
     std::optional<double> frame_ms;  ///< G-buffer + AO + filter + lighting where it was timed, medians added
     std::optional<FrameRecord> frame;         ///< set where lighting was timed
@@ -197,18 +205,15 @@ struct CellRecord {
     std::map<std::string, MetricMap> signals;
     std::optional<ErrorAnalysis> analysis;  ///< against the ranking's truth; empty for a failed cell
     std::optional<Repeats> repeats;         ///< empty where they were not asked for
+    /// The errors of its light under the generated sky, see light_errors(); empty where they were not asked
+    /// for.
+    std::map<std::string, MeasureRecord> light;
     std::string image_file;  ///< EXR: Y (output), raw.Y (before the filter), channels of its signals; empty
                              ///< when not kept
 };
 
 /// The method's label, with its setting where it has one: "Alchemy AO, noise none".
 std::string shown_name(const CellRecord& cell);
-
-/// A metric or a mask's area of one method over a ranking's views, with its interval.
-struct MeasureRecord {
-    double value = 0;
-    std::optional<Interval> interval;  ///< 95 % confidence; empty where nothing can be resampled
-};
 
 /// One method with its settings in a ranking.
 struct PlaceRecord {

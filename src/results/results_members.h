@@ -18,6 +18,7 @@ void visit_members(Visit& visit, Record& timing) {
     visit("runs_ms", timing.runs_ms);
     visit("median_ms", timing.median_ms);
     visit("spread_ms", timing.spread_ms);
+    visit("processor_runs_ms", timing.processor_runs_ms);
 }
 
 template <class Visit, RecordOf<FoundOcclusion> Record>
@@ -34,6 +35,13 @@ void visit_members(Visit& visit, Record& found) {
     visit("squared_parts", found.squared_parts);
 }
 
+template <class Visit, RecordOf<Convergence> Record>
+void visit_members(Visit& visit, Record& convergence) {
+    visit("counts", convergence.counts);
+    visit("squares", convergence.squares);
+    visit("bands", convergence.bands);
+}
+
 template <class Visit, RecordOf<Repeats> Record>
 void visit_members(Visit& visit, Record& repeats) {
     visit("counts", repeats.counts);
@@ -42,6 +50,8 @@ void visit_members(Visit& visit, Record& repeats) {
     visit("of_truth", repeats.of_truth);
     visit("of_layers", repeats.of_layers);
     visit("of_grazing", repeats.of_grazing);
+    visit("raw_from_converged", repeats.raw_from_converged);
+    visit("from_converged", repeats.from_converged);
     visit("hidden_signals", repeats.hidden_signals);
     visit("other_signals", repeats.other_signals);
 }
@@ -176,9 +186,8 @@ void visit_members(Visit& visit, Record& cell) {
     visit("error", cell.error);
     visit("ao", cell.ao);
     visit("filter_pass", cell.filter_pass);
-    visit("ao_processor", cell.ao_processor);
     visit("layers_processor", cell.layers_processor);
-    visit("fixed_pass_ms", cell.fixed_pass_ms);
+    visit("fixed_pass", cell.fixed_pass);
     visit("lighting", cell.lighting);
     visit("gbuffer", cell.gbuffer);
     visit("gbuffer_bytes", cell.gbuffer_bytes);
@@ -196,6 +205,7 @@ void visit_members(Visit& visit, Record& cell) {
     visit("signals", cell.signals);
     visit("analysis", cell.analysis);
     visit("repeats", cell.repeats);
+    visit("light", cell.light);
     visit("image_file", cell.image_file);
 }
 

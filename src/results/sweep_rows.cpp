@@ -40,7 +40,8 @@ void add_costs(SweepRow& row, const SweepRecord& sweep) {
         row.cost_low_ms = interval->low;
         row.cost_high_ms = interval->high;
     }
-    if (cell.fixed_pass_ms.value_or(0) > 0) row.relative_cost = *row.cost_ms / *cell.fixed_pass_ms;
+    if (cell.fixed_pass.median_ms.value_or(0) > 0)
+        row.relative_cost = *row.cost_ms / *cell.fixed_pass.median_ms;
     if (sweep.budget_ms) row.within_budget = *row.cost_ms <= *sweep.budget_ms;
 }
 

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/processor_watch.h"
 #include "screen/gbuffer/gbuffer.h"
+#include "screen/gbuffer/precision.h"
 #include "screen/gbuffer/scene_geometry.h"
 #include "screen/gl/context.h"
 #include "screen/gl/pass_timer.h"
@@ -21,9 +22,15 @@ class Clock {
     double milliseconds() const {
         return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
     }
+    /// Once all that was drawn has ended.
+    ScreenRenderer::PassTime finished() const {
+        gl::Finish();
+        return {milliseconds(), on_processor_.milliseconds()};
+    }
 
   private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    ProcessorWatch on_processor_;
 };
 
 std::string gl_text(GLenum name) {
@@ -46,11 +53,10 @@ struct ScreenRenderer::Impl {
         glm::ivec2 band_px{0};  ///< the guard band
 
         void draw_gbuffer_again() { gbuffer.draw(gbuffer.geometry(), Capture(gbuffer.capture())); }
-        double timed_gbuffer_ms() {
+        PassTime timed_gbuffer() {
             const Clock clock;
             draw_gbuffer_again();
-            gl::Finish();
-            return clock.milliseconds();
+            return clock.finished();
         }
         template <class Pixel>
         Image<Pixel> inner(const Image<Pixel>& drawn) const {
@@ -161,8 +167,8 @@ void ScreenRenderer::use_gbuffer(std::size_t kept) {
     impl_->shows_scene = false;
 }
 
-double ScreenRenderer::time_gbuffer() {
-    return impl_->ready_stage().timed_gbuffer_ms();
+ScreenRenderer::PassTime ScreenRenderer::time_gbuffer() {
+    return impl_->ready_stage().timed_gbuffer();
 }
 
 GBufferImages ScreenRenderer::read_gbuffer(const CaptureIndex& index) {
@@ -229,19 +235,14 @@ ScreenRenderer::PassTimes ScreenRenderer::time(const MethodRequest& request) {
     runner.forget_derived();  // a method's cost includes the inputs made for it
     gl::Finish();
     PassTimes times;
-    if (stage.band_px != glm::ivec2(0)) times.gbuffer_ms = stage.timed_gbuffer_ms();
+    if (stage.band_px != glm::ivec2(0)) times.gbuffer = stage.timed_gbuffer();
     const PassTimer::Clock clock =
         is_software_renderer(renderer()) ? PassTimer::Clock::wall : PassTimer::Clock::queries;
     PassTimer ao(clock), filter(clock), lighting(clock);
     ao.begin();
-    const ProcessorWatch on_processor;
-    if (runner.draw_depth_layers(frame)) {
-        if (clock == PassTimer::Clock::wall) gl::Finish();
-        times.layers_processor_ms = on_processor.milliseconds();
-    }
+    if (runner.draw_depth_layers(frame)) times.layers_processor_ms = ao.processor_ms_so_far();
     runner.draw_method(frame);
     ao.end();
-    times.ao_processor_ms = on_processor.milliseconds();
     if (request.filter != nullptr) {
         filter.begin();
         runner.draw_filter(frame);
@@ -252,13 +253,16 @@ ScreenRenderer::PassTimes ScreenRenderer::time(const MethodRequest& request) {
         runner.draw_lighting(frame);
         lighting.end();
     }
-    times.ao_ms = ao.milliseconds();
-    if (request.filter != nullptr) times.filter_ms = filter.milliseconds();
-    if (request.lighting != nullptr) times.lighting_ms = lighting.milliseconds();
+    const auto time_of = [](const PassTimer& timer) {
+        return PassTime{timer.milliseconds(), timer.processor_ms()};
+    };
+    times.ao = time_of(ao);
+    if (request.filter != nullptr) times.filter = time_of(filter);
+    if (request.lighting != nullptr) times.lighting = time_of(lighting);
     return times;
 }
 
-double ScreenRenderer::time_frame(const MethodRequest& request, Waits waits) {
+ScreenRenderer::PassTime ScreenRenderer::time_frame(const MethodRequest& request, Waits waits) {
     Impl::Stage& stage = impl_->ready_stage(request);
     MethodRunner& runner = stage.runner;
     const MethodRunner::Frame frame = runner.prepare(request);
@@ -275,12 +279,16 @@ double ScreenRenderer::time_frame(const MethodRequest& request, Waits waits) {
     runner.draw_filter(frame);
     pass_drawn();
     runner.draw_lighting(frame);
-    gl::Finish();
-    return clock.milliseconds();
+    return clock.finished();
 }
 
 std::size_t ScreenRenderer::gbuffer_bytes(const MethodRequest& request) {
-    return impl_->ready_stage(request).gbuffer.bytes();
+    const GBuffer& gbuffer = impl_->ready_stage(request).gbuffer;
+    const bool positions = format_of(request.precision).positions;
+    // Four floats in place of one.
+    const std::size_t more = positions ? 3 * sizeof(float) : 0;
+    return gbuffer.bytes() +
+           more * static_cast<std::size_t>(gbuffer.width()) * static_cast<std::size_t>(gbuffer.height());
 }
 
 ScreenRenderer::Work ScreenRenderer::work() const {

@@ -43,9 +43,21 @@ enum class Border { far, clamp };
 enum class Normals { as_described, geometric, smooth, from_depth, from_depth_accurate };
 
 /// The precision of stored depth and normals; normals from depth use the stored depth. precision.h describes
-/// each. Window depth is OpenGL's, linear depth is even between near and far plane; the last one is an RGBA8
-/// texture for both (Gravås, Image-space Ambient Obscurance in WebGL, 2013, section 3.1).
-enum class Precision { full, depth_32f, depth_32f_reversed, depth_24, depth_16, linear_16, packed_rgba8 };
+/// each. Window depth is OpenGL's, linear depth is even between near and far plane; packed_rgba8 is one
+/// texture for both (Gravås, Image-space Ambient Obscurance in WebGL, 2013, section 3.1), normal_xy leaves
+/// out a normal's sign (section 3.1.5.1).
+enum class Precision {
+    full,
+    depth_32f,
+    depth_32f_reversed,
+    depth_24,
+    depth_16,
+    linear_16,
+    linear_16_300m,
+    packed_rgba8,
+    normal_xy,
+    positions
+};
 
 /// The resolution of shading, for any method: all pixels; a quarter of them, upsampled by nearness in depth;
 /// the same, with full shading where the coarse picture varies (Bavoil and Sainz, Multi-Layer Dual-Resolution
@@ -130,8 +142,13 @@ class ScreenRenderer {
     /// Makes a G-buffer that was kept the current one again, without drawing it. Throws internal_error for
     /// another number.
     void use_gbuffer(std::size_t kept);
-    /// Draws the last G-buffer again for the clock. Returns milliseconds to glFinish.
-    double time_gbuffer();
+    /// The time of one run, to glFinish.
+    struct PassTime {
+        double ms = 0;            ///< by the clock
+        double processor_ms = 0;  ///< of all threads of this process
+    };
+    /// Draws the last G-buffer again for the clock.
+    PassTime time_gbuffer();
     /// Reads one picture of the G-buffer.
     GBufferImages read_gbuffer(const CaptureIndex& index = {});
     /// Draws the G-buffer's scene into depth layers, as methods read them. Returns milliseconds to glFinish.
@@ -161,14 +178,12 @@ class ScreenRenderer {
     Work work() const;
 
     struct PassTimes {
-        double ao_ms =
-            0;  ///< with the inputs that are made for the method alone, its depth layers among them
-        double ao_processor_ms = 0;  ///< the same as processor time of all threads
+        PassTime ao;  ///< with the inputs that are made for the method alone, its depth layers among them
         /// The part of it that draws depth layers; empty for a method that reads none.
         std::optional<double> layers_processor_ms;
-        std::optional<double> filter_ms;
-        std::optional<double> lighting_ms;
-        std::optional<double> gbuffer_ms;  ///< of the picture with its guard band; empty without one
+        std::optional<PassTime> filter;
+        std::optional<PassTime> lighting;
+        std::optional<PassTime> gbuffer;  ///< of the picture with its guard band; empty without one
     };
     /// Runs once for the clock of PassTimer; nothing is read back. Processor times are the driver's alone on a GPU.
     PassTimes time(const MethodRequest& request);
@@ -176,8 +191,8 @@ class ScreenRenderer {
     /// The places to wait for a frame: after each of its passes, as for the times of passes, or only at its
     /// end.
     enum class Waits { after_every_pass, at_the_end };
-    /// Times a whole frame in milliseconds: draws the last G-buffer again, then the request's passes.
-    double time_frame(const MethodRequest& request, Waits waits);
+    /// Times a whole frame: draws the last G-buffer again, then the request's passes.
+    PassTime time_frame(const MethodRequest& request, Waits waits);
 
     /// The bytes of the G-buffer that the request reads, with its guard band.
     std::size_t gbuffer_bytes(const MethodRequest& request);

@@ -85,7 +85,7 @@ void StressMaker::make_setting(const Job& job) {
 void StressMaker::time_cell(const StressRequest& request, StressCell& cell) {
     if (const MethodRequest* timed = request.contestant->timed_request()) {
         const ScreenRenderer::PassTimes times = work_.view.tools.ready_renderer().time(*timed);
-        cell.time_ms = times.filter_ms ? *times.filter_ms : times.ao_ms;
+        cell.time_ms = times.filter ? times.filter->ms : times.ao.ms;
     } else if (request.subject->kind == "reference") {
         cell.time_ms = 1000 * sources_.truth()->seconds;
     }

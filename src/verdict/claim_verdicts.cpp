@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <random>
 #include <set>
 
 namespace aoscore {
@@ -46,6 +48,54 @@ const ViewRecord* find_view(const Results& results, const ViewPlan& plan) {
         if (other_size == nullptr) other_size = &view;
     }
     return other_size;
+}
+
+/// The cell with those blocks of its errors alone whose middle lies in a part of the picture.
+CellRecord within(const ClaimRegion& region, const CellRecord& cell, const ViewRecord& view) {
+    CellRecord part;
+    part.id = cell.id;
+    if (!cell.analysis) return part;
+    part.analysis.emplace();
+    const BlockErrors& all = cell.analysis->blocks;
+    BlockErrors& some = part.analysis->blocks;
+    some.side_px = all.side_px;
+    for (std::size_t i = 0; i < all.counts.size(); ++i) {
+        const auto across = static_cast<std::size_t>(all.across);
+        const double x = (static_cast<double>(i % across) + 0.5) * all.side_px / view.width;
+        const double y = (static_cast<double>(i / across) + 0.5) * all.side_px / view.height;
+        if (x < region.left || x > region.right || y < region.top || y > region.bottom) continue;
+        for (const auto sums : {&BlockErrors::counts, &BlockErrors::squared_sums, &BlockErrors::absolute_sums,
+                                &BlockErrors::signed_sums, &BlockErrors::variance_sums,
+                                &BlockErrors::missing_counts, &BlockErrors::false_counts}) {
+            if (i < (all.*sums).size()) (some.*sums).push_back((all.*sums)[i]);
+        }
+    }
+    some.across = static_cast<int>(some.counts.size());
+    some.down = 1;
+    return part;
+}
+
+/// The quantity over a cell's draws: the mean, whose uncertainty is also that of the draws, which are
+/// resampled; or that of the draw with the least.
+Measured over_draws(const std::vector<Measured>& of, const ClaimCell& cell, std::uint64_t seed) {
+    if (of.size() == 1) return of.front();
+    if (cell.best_draw) return *std::ranges::min_element(of, {}, [](const Measured& m) { return *m.value; });
+    const double count = static_cast<double>(of.size());
+    Measured mean = combined(of, [count](const std::vector<double>& values) {
+        return std::accumulate(values.begin(), values.end(), 0.0) / count;
+    });
+    constexpr std::size_t kResamples = 2000;
+    mean.draws.resize(kResamples);
+    std::mt19937_64 random(seed);
+    for (std::size_t i = 0; i < mean.draws.size(); ++i) {
+        double sum = 0;
+        for (std::size_t k = 0; k < of.size(); ++k) {
+            const Measured& drawn = of[random() % of.size()];
+            sum += i < drawn.draws.size() ? drawn.draws[i] : *drawn.value;
+        }
+        mean.draws[i] = sum / count;
+    }
+    return mean;
 }
 
 class Judge {
@@ -121,27 +171,43 @@ class Judge {
         std::vector<Found> list;
         for (const ClaimCell& asked : check.cells) {
             const ViewRecord* view = find_view(results_, list_.views.at(asked.view));
-            const std::string name = cell_name(asked.plan);
-            const CellRecord* cell = nullptr;
-            for (const CellRecord& other : results_.cells) {
-                if (view != nullptr && other.id == view->key + "/" + name) cell = &other;
+            std::vector<Measured> of_draws;
+            const CellRecord* first = nullptr;
+            for (const CellPlan& plan : asked.drawn()) {
+                const CellRecord* cell = find_cell(view, cell_name(plan));
+                if (first == nullptr) first = cell;
+                Measured measured = measured_of(cell, view, asked, quantity);
+                if (!measured.value) {
+                    reason = why_not(cell, cell_name(plan), asked.view, quantity);
+                    return std::nullopt;
+                }
+                of_draws.push_back(std::move(measured));
             }
-            if (cell == nullptr) {
-                reason = fmt::format("{} {} on {}", kNotMeasured, name, asked.view);
-                return std::nullopt;
-            }
-            if (!cell->error.empty()) {
-                reason = fmt::format("{} failed: {}", cell->id, cell->error);
-                return std::nullopt;
-            }
-            Measured measured = quantity.measure(*cell, *view, results_.seed);
-            if (!measured.value) {
-                reason = fmt::format("{} has no {}", cell->id, quantity.label);
-                return std::nullopt;
-            }
-            list.push_back({&asked, cell, view, std::move(measured)});
+            list.push_back({&asked, first, view, over_draws(of_draws, asked, results_.seed)});
         }
         return list;
+    }
+
+    const CellRecord* find_cell(const ViewRecord* view, const std::string& name) const {
+        if (view == nullptr) return nullptr;
+        const std::string id = view->key + "/" + name;
+        const auto found = std::ranges::find(results_.cells, id, &CellRecord::id);
+        return found == results_.cells.end() ? nullptr : &*found;
+    }
+
+    Measured measured_of(const CellRecord* cell, const ViewRecord* view, const ClaimCell& asked,
+                         const Quantity& quantity) const {
+        if (cell == nullptr || !cell->error.empty()) return {};
+        const auto region = list_.regions.find(asked.view);
+        if (region == list_.regions.end()) return quantity.measure(*cell, *view, results_.seed);
+        return quantity.measure(within(region->second, *cell, *view), *view, results_.seed);
+    }
+
+    static std::string why_not(const CellRecord* cell, const std::string& name, const std::string& view,
+                               const Quantity& quantity) {
+        if (cell == nullptr) return fmt::format("{} {} on {}", kNotMeasured, name, view);
+        if (!cell->error.empty()) return fmt::format("{} failed: {}", cell->id, cell->error);
+        return fmt::format("{} has no {}", cell->id, quantity.label);
     }
 
     static std::string name_of(const Found& found) {

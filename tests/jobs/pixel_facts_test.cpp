@@ -45,6 +45,9 @@ TEST(PixelFacts, AStepInDepthIsAnEdgeAndDistancesCountFromIt) {
     EXPECT_EQ(facts.edge_distance_px.at(20, 10), 0);
     EXPECT_EQ(facts.edge_distance_px.at(25, 10), 5);
     EXPECT_EQ(facts.edge_distance_px.at(0, 10), 19);
+    EXPECT_EQ(facts.behind_edge_px.at(20, 10), 0) << "what is farther lies behind the edge";
+    EXPECT_EQ(facts.behind_edge_px.at(25, 10), 5);
+    EXPECT_EQ(facts.behind_edge_px.at(19, 10), 1);
     EXPECT_EQ(facts.depth_m.pixels, truth.hits.depth.pixels);
     EXPECT_TRUE(facts.causes.empty());
 }

@@ -33,7 +33,7 @@ class RepeatedImages : public ::testing::Test {
         return request;
     }
     Repeats repeated(const char* method, const ParameterValues& overrides) {
-        return repeat_image(renderer_, request(method, overrides), truth_, ground_, drawn_);
+        return repeat_image(renderer_, {request(method, overrides), {}}, truth_, ground_, drawn_);
     }
     double layers_found(const ParameterValues& overrides) {
         return found_share(repeated("sd-hbao-plus", overrides).of_layers).value();
@@ -73,7 +73,7 @@ TEST_F(RepeatedImages, HaveNoNoiseWhereNoSeedMatters) {
 TEST_F(RepeatedImages, HoldSignalsAgainstTheTruthWhereOcclusionIsHiddenAndWhereNot) {
     MethodRequest asked = request("hbao", {});
     asked.signals = further_signals();
-    const Repeats repeats = repeat_image(renderer_, asked, truth_, ground_, drawn_);
+    const Repeats repeats = repeat_image(renderer_, {asked, {}}, truth_, ground_, drawn_);
     const double hidden = repeats.hidden_signals.at("cone_angle").at(kConeBiasMetric).value.value();
     const double other = repeats.other_signals.at("cone_angle").at(kConeBiasMetric).value.value();
     EXPECT_GT(hidden, other) << "cones are too wide where the occluder is not seen";

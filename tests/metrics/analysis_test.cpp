@@ -62,7 +62,7 @@ TEST(WorstRegions, AreConnectedPiecesWithPlaceSizeAndCauseWorstFirst) {
     pair.test.at(30, 20) = 0.8F;
     for (int x = 3; x < 6; ++x) pair.test.at(x, 25) = 0.25F;
     ImageF outside(40, 30, 0.1F), hidden(40, 30, 0.4F);
-    const PixelFacts facts{{}, {}, {}, {{"outside", &outside}, {"hidden", &hidden}}};
+    const PixelFacts facts{{}, {}, {}, {}, {{"outside", &outside}, {"hidden", &hidden}}};
     const auto regions = worst_regions(occlusion_masks(pair.input()), pair.input(), facts.causes);
     ASSERT_EQ(regions.size(), 3U);
     const ErrorRegion& worst = regions[0];
@@ -252,6 +252,27 @@ TEST(Splits, PutErrorsBesideAnEdgeWhereTheyBelong) {
         EXPECT_NEAR(split.bins[2].share, 8.0 / 128, 1e-12);
         EXPECT_DOUBLE_EQ(*split.bins[2].bias, 0.5 / 8);
     }
+}
+
+TEST(Splits, TellTheFarSideOfAnEdgeFromTheNearOne) {
+    Pair pair(128, 64);
+    Mask near(128, 64), far(128, 64);
+    for (int y = 0; y < 64; ++y) near.at(40, y) = far.at(41, y) = 1;
+    PixelFacts facts;
+    facts.behind_edge_px = distance_to(far);
+    facts.edge_distance_px = distance_to(near);
+    for (std::size_t i = 0; i < near.size(); ++i)
+        facts.edge_distance_px.pixels[i] =
+            std::min(facts.edge_distance_px.pixels[i], facts.behind_edge_px.pixels[i]);
+    for (int y = 0; y < 64; ++y) pair.test.at(43, y) -= 0.5F;
+    const std::vector<Split> splits = error_splits(pair.input(), facts);
+    const auto split = std::ranges::find(splits, "edge_side", &Split::id);
+    ASSERT_NE(split, splits.end());
+    ASSERT_EQ(split->bins[0].label, "far side");
+    EXPECT_DOUBLE_EQ(split->bins[0].error_share, 1);
+    EXPECT_DOUBLE_EQ(split->bins[0].share, 8.0 / 128) << "the eight pixels behind it";
+    EXPECT_DOUBLE_EQ(split->bins[1].share, 8.0 / 128) << "and the eight before it";
+    EXPECT_DOUBLE_EQ(*split->bins[0].bias, -0.5 / 8);
 }
 
 TEST(DistanceTo, IsTheDistanceFromTheNearestMarkedPixel) {

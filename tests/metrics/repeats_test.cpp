@@ -127,5 +127,28 @@ TEST(Repeats, TheVarianceOverSeedsIsThatOfEachPixelAndNotOfThePicture) {
     EXPECT_THROW(variance_sums({pictures[0]}, valid), Error);
 }
 
+// Differences that change from pixel to pixel are noise, those of whole squares are bands.
+TEST(Convergence, TellsBandsFromNoise) {
+    const ImageF converged = filled(0.5F, 0.5F);
+    ImageF noisy = converged, banded = converged;
+    for (int y = 0; y < kSide; ++y) {
+        for (int x = 0; x < kSide; ++x) {
+            noisy.at(x, y) += (x + y) % 2 == 0 ? 0.1F : -0.1F;
+            banded.at(x, y) += x / Convergence::kSide % 2 == 0 ? 0.1F : -0.1F;
+        }
+    }
+    const auto root_mean = [](const std::vector<double>& squares, const Convergence& of) {
+        return std::sqrt(sum(squares) / sum(of.counts));
+    };
+    const Convergence noise = convergence({noisy, noisy}, converged, all_valid());
+    EXPECT_DOUBLE_EQ(sum(noise.counts), 2.0 * kSide * kSide) << "of both pictures";
+    EXPECT_NEAR(root_mean(noise.squares, noise), 0.1, 1e-6);
+    EXPECT_NEAR(root_mean(noise.bands, noise), 0, 1e-6);
+    const Convergence bands = convergence({banded}, converged, all_valid());
+    EXPECT_NEAR(root_mean(bands.squares, bands), 0.1, 1e-6);
+    EXPECT_NEAR(root_mean(bands.bands, bands), 0.1, 1e-6);
+    EXPECT_THROW(convergence({ImageF(1, 1)}, converged, all_valid()), Error);
+}
+
 }  // namespace
 }  // namespace aoscore

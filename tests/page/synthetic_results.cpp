@@ -121,7 +121,7 @@ CellRecord cell_record(const std::string& view, const MethodFacts& facts, const 
         cell.error = "7 pixels are NaN or infinite";
         return cell;
     }
-    cell.fixed_pass_ms = 50;
+    cell.fixed_pass = {{50}, 50.0, 0.0, {}};
     cell.ao = {{facts.ao_ms - 1, facts.ao_ms, facts.ao_ms + 2}, facts.ao_ms, 1.0};
     if (cell.filter != "none") cell.filter_pass = {{5, 5.5, 6}, 5.5, 0.5};
     cell.lighting = {{8, 9, 10}, 9, 0.5};

@@ -99,13 +99,13 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     cell.parameters = {{"radius", 0.5}, {"count", 4}, {"on", true}};
     cell.lengths = {{"radius", 0.5, "m", LengthRecord::kSet}};
     cell.error = "none";
-    cell.ao = {{1, 2, 4}, 2.0, 1.5};
+    cell.ao = {{1, 2, 4}, 2.0, 1.5, {2, 3, 7}};
     cell.filter_pass = {{}, std::nullopt, std::nullopt};
-    cell.ao_processor = {{5, 6, 7}, 6.0, 0.5};
     cell.layers_processor = {{3}, 3.0, 0.0};
     cell.repeats.emplace();
+    cell.light["rmse.cone"] = {0.25, Interval{0.2, 0.3}};
     cell.frame_ms = 3.25;
-    cell.fixed_pass_ms = 12.5;
+    cell.fixed_pass = {{12.5}, 12.5, 0.0, {20}};
     cell.lighting = {{8}, 8.0, 0.0};
     cell.gbuffer = {{5}, 5.0, 0.0};
     cell.gbuffer_bytes = 4096;
@@ -120,9 +120,9 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     results.cells = {cell};
     const CellRecord back = results_from_json(to_json(results), "results.json").cells.at(0);
     const auto& [id, view_key, method, method_label, role, preset, setting, filter, parameters, lengths,
-                 error, ao, filter_pass, ao_processor, layers_processor, fixed_pass_ms, lighting, gbuffer,
-                 gbuffer_bytes, frame_ms, frame, frame_at_once, frame_by_pass, fetches_per_pixel, nonfinite,
-                 ranked_truth, own_truth, ranked, own, raw, signals, analysis, repeats, image_file] = back;
+                 error, ao, filter_pass, layers_processor, fixed_pass, lighting, gbuffer, gbuffer_bytes,
+                 frame_ms, frame, frame_at_once, frame_by_pass, fetches_per_pixel, nonfinite, ranked_truth,
+                 own_truth, ranked, own, raw, signals, analysis, repeats, light, image_file] = back;
     EXPECT_EQ(std::tie(id, view_key, method, method_label, role, preset, setting, filter, parameters, error),
               std::tie(cell.id, cell.view_key, cell.method, cell.method_label, cell.role, cell.preset,
                        cell.setting, cell.filter, cell.parameters, cell.error));
@@ -136,13 +136,15 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     EXPECT_EQ(ao.spread_ms, 1.5);
     EXPECT_TRUE(filter_pass.runs_ms.empty());
     EXPECT_EQ(filter_pass.median_ms, std::nullopt);
-    EXPECT_EQ(ao_processor.runs_ms, cell.ao_processor.runs_ms);
-    EXPECT_EQ(ao_processor.median_ms, 6.0);
+    EXPECT_EQ(ao.processor_runs_ms, cell.ao.processor_runs_ms);
     EXPECT_EQ(layers_processor.median_ms, 3.0);
     EXPECT_TRUE(repeats);
+    EXPECT_EQ(light.at("rmse.cone").value, 0.25);
+    EXPECT_EQ(light.at("rmse.cone").interval->high, 0.3);
     EXPECT_EQ(frame_ms, 3.25);
     EXPECT_EQ(fetches_per_pixel, std::nullopt);
-    EXPECT_EQ(fixed_pass_ms, 12.5);
+    EXPECT_EQ(fixed_pass.median_ms, 12.5);
+    EXPECT_EQ(fixed_pass.processor_runs_ms, cell.fixed_pass.processor_runs_ms);
     EXPECT_EQ(lighting.median_ms, 8.0);
     EXPECT_EQ(gbuffer.median_ms, 5.0);
     EXPECT_EQ(gbuffer_bytes, 4096.0);

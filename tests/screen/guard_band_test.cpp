@@ -160,8 +160,8 @@ TEST(GuardBand, CostsTheBytesAndFetchesOfItsPixelsAndLeavesTheGBufferAlone) {
     const double pixels = 1.5 * 1.5;
     EXPECT_EQ(static_cast<double>(renderer.gbuffer_bytes(banded)),
               pixels * static_cast<double>(renderer.gbuffer_bytes(plain)));
-    EXPECT_TRUE(renderer.time(banded).gbuffer_ms.has_value());
-    EXPECT_FALSE(renderer.time(plain).gbuffer_ms.has_value());
+    EXPECT_TRUE(renderer.time(banded).gbuffer.has_value());
+    EXPECT_FALSE(renderer.time(plain).gbuffer.has_value());
     EXPECT_EQ(renderer.count_fetches(banded).width, kWidth);
     renderer.run(banded);
     EXPECT_EQ(renderer.gbuffer_digest(), before);

@@ -119,7 +119,7 @@ TEST_F(Lighting, IsDrawnOnlyWhereItIsAskedFor) {
     renderer_.set_scene(corner_scene());
     renderer_.draw_gbuffer(CameraFrame(corner_camera(), kWidth, kHeight), needed_gbuffer_inputs(plain));
     EXPECT_TRUE(renderer_.run(plain).lit.empty());
-    EXPECT_FALSE(renderer_.time(plain).lighting_ms);
+    EXPECT_FALSE(renderer_.time(plain).lighting);
 }
 
 TEST_F(Lighting, IsPartOfWhatDecidesARequest) {
@@ -134,7 +134,7 @@ TEST_F(Lighting, OfAWholeFrameIsThatOfItsPasses) {
     const std::string before = renderer_.gbuffer_digest();
     using Waits = ScreenRenderer::Waits;
     for (const Waits waits : {Waits::after_every_pass, Waits::at_the_end})
-        EXPECT_GT(renderer_.time_frame(request({}), waits), 0);
+        EXPECT_GT(renderer_.time_frame(request({}), waits).processor_ms, 0);
     EXPECT_EQ(renderer_.gbuffer_digest(), before) << "drawn again as it was";
     EXPECT_EQ(renderer_.run(request({})).lit.pixels, once.lit.pixels);
 }

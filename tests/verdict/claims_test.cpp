@@ -1,6 +1,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "plan/claims/quantity.h"
+#include "plan/claims/time_quantities.h"
 #include "plan/resolved_cell.h"
 #include "support/support.h"
 #include "verdict/claim_verdicts.h"
@@ -82,9 +83,8 @@ class Claims : public ::testing::Test {
             record.method = record.method_label = cell.method;
             const auto found = ms.find(cell_name(cell));
             if (found == ms.end()) continue;
-            record.ao.runs_ms = found->second;
-            record.ao.median_ms = found->second.at(found->second.size() / 2);
-            record.fetches_per_pixel = 10;
+            record.ao.processor_runs_ms = found->second;
+            record.fetches_per_pixel = found->second.front();
             results.cells.push_back(std::move(record));
         }
         return results;
@@ -119,6 +119,11 @@ TEST_F(Claims, AnOrderHoldsFailsOrCannotBeTold) {
     EXPECT_EQ(verdict(order(), {{"alchemy/default", kSix}, {"crytek-ssao/default", kFive}}),
               ClaimRecord::kFails);
     EXPECT_EQ(verdict(order(), {{"alchemy/default", kFive}, {"crytek-ssao/default", kFive}}),
+              ClaimRecord::kCannotTell)
+        << "another load could have turned them round";
+    json fetches = order();
+    fetches["quantity"] = "fetches";
+    EXPECT_EQ(verdict(fetches, {{"alchemy/default", kFive}, {"crytek-ssao/default", kFive}}),
               ClaimRecord::kFails)
         << "what is equal is not less";
     EXPECT_EQ(verdict(order(), {{"alchemy/default", kFive}, {"crytek-ssao/default", kWild}}),
@@ -278,9 +283,12 @@ TEST_F(Claims, CellsAreDrawnAgainAndCausesTracedOnlyForWhatNeedsThem) {
         return plan.views.at(0);
     };
     const ViewPlan plain = planned("rmse", json::array()), again = planned("noise", json::array());
+    const ViewPlan hidden = planned("truth_found", json::array());
     EXPECT_FALSE(plain.extras.causes || plain.cells.at(0).repeats);
-    EXPECT_TRUE(again.extras.causes && again.cells.at(0).repeats);
-    EXPECT_FALSE(again.extras.bent_normals);
+    EXPECT_TRUE(!again.extras.causes && again.cells.at(0).repeats);
+    EXPECT_TRUE(hidden.extras.causes && hidden.cells.at(0).repeats);
+    EXPECT_FALSE(hidden.extras.bent_normals);
+    EXPECT_THROW(planned("unconverged", json::array()), Error) << "no cell says what is converged";
     EXPECT_TRUE(planned("rmse", {"cone_angle"}).extras.bent_normals);
     EXPECT_THROW(planned("hidden_cone_error", {"bent_normal"}), Error) << "no cell gives cones";
     EXPECT_THROW(planned("rmse", {"colour"}), Error) << "no signal";
@@ -311,12 +319,10 @@ TEST_F(Claims, WhatRepeatsFindIsAPartOfSums) {
     EXPECT_FALSE(find_quantity("noise", "test").measure(CellRecord(), ViewRecord(), 1).value);
 }
 
-// What others do on the machine must not change a verdict: the AO pass is told without its layers, run by
-// run.
+// The AO pass is told without its layers, run by run.
 TEST_F(Claims, ThePassIsTimedWithoutItsDepthLayers) {
     CellRecord cell;
-    cell.ao_processor.runs_ms = {10, 11, 12};
-    cell.ao_processor.median_ms = 11;
+    cell.ao.processor_runs_ms = {10, 11, 12};
     const auto measured = [&](const char* id) {
         return find_quantity(id, "test").measure(cell, ViewRecord(), 1).value;
     };
@@ -325,7 +331,78 @@ TEST_F(Claims, ThePassIsTimedWithoutItsDepthLayers) {
     cell.layers_processor.median_ms = 3;
     EXPECT_EQ(measured("ao_processor_ms"), 8);
     EXPECT_EQ(measured("layers_processor_ms"), 3);
-    EXPECT_EQ(measured("cost_processor_ms"), 11);
+    EXPECT_EQ(measured("ao_ms"), 11);
+}
+
+// Of a clock's milliseconds nothing comes into a verdict: they hold what others did meanwhile.
+TEST_F(Claims, TimesAreProcessorTimesAndSureOfNoMoreThanALoadLeaves) {
+    CellRecord cell;
+    cell.ao.runs_ms = {10, 11, 12};
+    cell.ao.median_ms = 11;
+    const auto measured = [&] { return find_quantity("ao_ms", "test").measure(cell, ViewRecord(), 1); };
+    EXPECT_FALSE(measured().value);
+    cell.ao.processor_runs_ms = kFive;
+    EXPECT_EQ(measured().value, 5);
+    const double half_width = 1.96 * time_quantities::kLoadSpread;
+    EXPECT_NEAR(measured().range()->low, 5 * std::exp(-half_width), 0.05) << "though all runs were alike";
+    EXPECT_NEAR(measured().range()->high, 5 * std::exp(half_width), 0.05);
+}
+
+// The machine may be all of it, so that a spread can be small enough, and never proven too large.
+TEST_F(Claims, TheSpreadOfRunsIsKnownFromAboveAlone) {
+    CellRecord cell;
+    cell.ao.processor_runs_ms = kWild;
+    const Measured spread = find_quantity("variation", "test").measure(cell, ViewRecord(), 1);
+    EXPECT_GT(*spread.value, 0.2);
+    EXPECT_EQ(spread.range()->low, 0);
+    EXPECT_GE(spread.range()->high, *spread.value);
+}
+
+TEST_F(Claims, ACellOfManyDrawsIsTheirMeanOrTheirBest) {
+    const auto measured = [&](const char* of_draws) {
+        json file = file_of({{"kind", "value"}, {"quantity", "fetches"}, {"low", 0}, {"cells", {"a"}}});
+        file["cells"]["a"].update({{"draws", 4}, {"of_draws", of_draws}});
+        const ClaimList list = loaded(file);
+        const Results results = results_of(list, {{"alchemy/default", {10, 10}},
+                                                  {"alchemy/default/draw=1", {12, 12}},
+                                                  {"alchemy/default/draw=2", {14, 14}},
+                                                  {"alchemy/default/draw=3", {16, 16}}});
+        return judge_claims({list}, results).at(0).findings.at(0);
+    };
+    const ClaimFinding mean = measured("mean"), best = measured("best");
+    EXPECT_EQ(mean.value, 13);
+    // The standard deviation of the mean of four such numbers is sqrt(5) / 2.
+    EXPECT_NEAR(*mean.high - *mean.low, 2 * 1.96 * std::sqrt(5.0) / 2, 0.6);
+    EXPECT_EQ(best.value, 10);
+    EXPECT_EQ(best.low, best.high);
+    EXPECT_THROW(measured("worst"), Error);
+}
+
+TEST_F(Claims, ARegionCountsItsOwnBlocksAlone) {
+    json file = file_of({{"kind", "value"}, {"quantity", "bias"}, {"low", 0}, {"cells", {"a"}}});
+    file["views"]["v"]["region"] = {0, 0, 0.5, 1};
+    const ClaimList list = loaded(file);
+    Results results = results_of(list, {{"alchemy/default", kFive}});
+    BlockErrors& blocks = results.cells.at(0).analysis.emplace().blocks;
+    blocks.side_px = 16;
+    blocks.across = 4;
+    blocks.down = 3;
+    for (int i = 0; i < 12; ++i) {
+        const bool left = i % 4 < 2;
+        blocks.counts.push_back(10);
+        blocks.squared_sums.push_back(left ? 2.5 : 0.1);
+        blocks.absolute_sums.push_back(left ? 5 : 1);
+        blocks.signed_sums.push_back(left ? 5 : -1);
+        blocks.missing_counts.push_back(0);
+        blocks.false_counts.push_back(0);
+    }
+    const ClaimFinding finding = judge_claims({list}, results).at(0).findings.at(0);
+    EXPECT_DOUBLE_EQ(finding.value.value(), 0.5);
+    EXPECT_DOUBLE_EQ(finding.low.value(), 0.5);
+    file["claims"][0]["checks"][0]["quantity"] = "ssim";
+    EXPECT_THROW(loaded(file), Error) << "it is known over the whole picture alone";
+    file["views"]["v"]["region"] = {0.5, 0, 0.5, 1};
+    EXPECT_THROW(loaded(file), Error) << "nothing lies in it";
 }
 
 TEST_F(Claims, EveryCellThatTheClaimsAskForCanBeResolved) {

@@ -48,6 +48,23 @@ PixelDivision by_edge_distance(const Mask& valid, const PixelFacts& facts) {
     return by_image(facts.edge_distance_px, valid, {2, 4, 8, 16, 32});
 }
 
+/// A halo of a near object lies on what is farther away beside it.
+PixelDivision by_edge_side(const Mask& valid, const PixelFacts& facts) {
+    const ImageF &edge_px = facts.edge_distance_px, &behind_px = facts.behind_edge_px;
+    if (edge_px.empty() || behind_px.empty()) return {};
+    constexpr float kBeside_px = 8;
+    PixelDivision division;
+    division.bins = {"far side", "near side", "away from edges"};
+    division.bin_of = Image<std::uint8_t>(valid.width, valid.height, 3);
+    for (std::size_t i = 0; i < valid.size(); ++i) {
+        if (valid.pixels[i] == 0) continue;
+        const bool is_beside = edge_px.pixels[i] < kBeside_px;
+        const bool is_behind = behind_px.pixels[i] <= edge_px.pixels[i];
+        division.bin_of.pixels[i] = !is_beside ? 2 : is_behind ? 0 : 1;
+    }
+    return division;
+}
+
 PixelDivision by_tilt(const Mask& valid, const PixelFacts& facts) {
     return by_image(facts.tilt, valid, {0.1, 0.25, 0.5, 0.75});
 }
@@ -107,6 +124,9 @@ constexpr Kind kKinds[] = {
      "Methods that know one depth layer err most beside a jump in depth: halos "
      "and lost occluders.",
      by_edge_distance},
+    {"edge_side", "Side of a depth edge", "",
+     "Within 8 pixels of a jump in depth: a halo lies on the far side, around what stands before it.",
+     by_edge_side},
     {"tilt", "Tilt of the surface", "",
      "Cosine between normal and line of sight, 1 where the surface faces the "
      "camera.",

@@ -13,6 +13,7 @@ struct PixelFacts {
     ImageF depth_m;           ///< view depth -z
     ImageF tilt;              ///< |n v|, cosine between normal and line of sight, in [0,1]
     ImageF edge_distance_px;  ///< distance to the nearest pixel beside a depth edge
+    ImageF behind_edge_px;    ///< distance to the nearest pixel on the far side of one
     /// Occlusion of the truth by one cause, in [0,1]; all causes add up to 1 - visibility.
     struct Cause {
         std::string name;

@@ -73,6 +73,55 @@ std::optional<FoundOcclusion> found_occlusion(const HiddenOcclusion& occlusion, 
     return sums;
 }
 
+namespace {
+
+/// The mean over each square of a picture's differences from `converged`, at each of its valid pixels.
+ImageF square_means(const ImageF& picture, const ImageF& converged, const Mask& valid) {
+    constexpr int kSide = Convergence::kSide;
+    const int across = (valid.width + kSide - 1) / kSide, down = (valid.height + kSide - 1) / kSide;
+    std::vector<double> sums(static_cast<std::size_t>(across) * static_cast<std::size_t>(down), 0);
+    std::vector<double> counts(sums.size(), 0);
+    const auto square = [&](int x, int y) {
+        return static_cast<std::size_t>(y / kSide) * static_cast<std::size_t>(across) +
+               static_cast<std::size_t>(x / kSide);
+    };
+    ImageF means(valid.width, valid.height, 0);
+    for (int y = 0; y < valid.height; ++y) {
+        for (int x = 0; x < valid.width; ++x) {
+            if (valid.at(x, y) == 0) continue;
+            sums[square(x, y)] += double{picture.at(x, y)} - double{converged.at(x, y)};
+            counts[square(x, y)] += 1;
+        }
+    }
+    for (int y = 0; y < valid.height; ++y) {
+        for (int x = 0; x < valid.width; ++x) {
+            if (valid.at(x, y) != 0)
+                means.at(x, y) = static_cast<float>(sums[square(x, y)] / counts[square(x, y)]);
+        }
+    }
+    return means;
+}
+
+}  // namespace
+
+Convergence convergence(const std::vector<ImageF>& pictures, const ImageF& converged, const Mask& valid) {
+    require_size(converged, valid);
+    Convergence sums;
+    for (const ImageF& picture : pictures) {
+        require_size(picture, valid);
+        const ImageF means = square_means(picture, converged, valid);
+        add_sums(sums.counts, valid_counts(valid));
+        add_sums(sums.squares, block_sums(valid, [&](std::size_t i) {
+                     const double off = double{picture.pixels[i]} - double{converged.pixels[i]};
+                     return off * off;
+                 }));
+        add_sums(sums.bands, block_sums(valid, [&](std::size_t i) {
+                     return double{means.pixels[i]} * double{means.pixels[i]};
+                 }));
+    }
+    return sums;
+}
+
 std::vector<double> variance_sums(const std::vector<ImageF>& of, const Mask& valid) {
     if (of.size() < 2) throw internal_error("one picture has no variance");
     for (const ImageF& image : of) require_size(image, valid);

@@ -49,6 +49,20 @@ enum class Findings { free, within_hidden };
 std::optional<FoundOcclusion> found_occlusion(const HiddenOcclusion& occlusion, const ImageF& visibility,
                                               const Mask& valid, Findings findings);
 
+/// How far pictures are from what their estimator converges to, summed over the blocks of BlockGrid.
+struct Convergence {
+    std::vector<double> counts;   ///< valid pixels, of all pictures together
+    std::vector<double> squares;  ///< squared differences
+    /// The part of them that is alike over squares of kSide pixels: the square of a square's mean for each of
+    /// its pixels. A filter of that size leaves it: it is seen as bands, the rest as noise.
+    std::vector<double> bands;
+
+    static constexpr int kSide = 4;
+};
+
+/// Sums the differences of `pictures` from `converged`, all of one size. Throws sizes_differ.
+Convergence convergence(const std::vector<ImageF>& pictures, const ImageF& converged, const Mask& valid);
+
 /// What drawing a cell again shows: with other seeds, and over one depth layer and over all.
 struct Repeats {
     static constexpr int kSeeds = 4;
@@ -60,6 +74,9 @@ struct Repeats {
     /// means over the seeds. Of grazing: what is found of the truth's occlusion by surfaces that the camera
     /// sees at a grazing angle (its cause "grazing"), as of the hidden one.
     std::optional<FoundOcclusion> of_truth, of_layers, of_grazing;
+    /// How far from the converged picture, before and after the filter, where that was asked for; it is
+    /// filtered likewise.
+    std::optional<Convergence> raw_from_converged, from_converged;
     /// Metrics of signals beside visibility where the truth has hidden occlusion, and where it has none.
     std::map<std::string, std::map<std::string, MetricValue>> hidden_signals, other_signals;
 };

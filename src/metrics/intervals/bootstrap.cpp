@@ -106,6 +106,13 @@ std::vector<double> resampled(const std::string& measure, BootstrapImages images
     return resampled_together({&statistic(measure), 1}, images, seed).front();
 }
 
+double value_of_blocks(const std::string& measure, const BlockErrors& image) {
+    DrawnSums all;
+    for (const DrawnSums& block : sums_of_blocks(image)) all += block;
+    all.ms_ssim = image.maps.ms_ssim.value_or(kNotThere);
+    return all.count > 0 ? statistic(measure).value(all) : kNotThere;
+}
+
 std::optional<Interval> confidence_interval(std::vector<double> values) {
     std::erase_if(values, [](double value) { return std::isnan(value); });
     if (values.empty()) return std::nullopt;

@@ -33,6 +33,10 @@ const std::vector<std::string>& bootstrap_measures();
 /// measure's sums. Throws internal_error for a measure that is not among bootstrap_measures().
 std::vector<double> resampled(const std::string& measure, BootstrapImages images, std::uint64_t seed);
 
+/// The measure over all blocks of an image, not resampled. NaN without a valid pixel, or where the image
+/// lacks the measure's sums. Throws internal_error for a measure that is not among bootstrap_measures().
+double value_of_blocks(const std::string& measure, const BlockErrors& image);
+
 /// The middle 95 % of resampled values, or of their differences a - b. Empty where one is infinite or none is
 /// a number.
 std::optional<Interval> confidence_interval(std::vector<double> values);

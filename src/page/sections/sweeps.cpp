@@ -147,7 +147,7 @@ std::string answer(const Rows& rows, std::optional<double> budget_ms) {
 std::optional<double> median_fixed_pass(const Rows& rows) {
     std::vector<double> all;
     for (const SweepRow* row : rows) {
-        if (row->cell->fixed_pass_ms) all.push_back(*row->cell->fixed_pass_ms);
+        if (row->cell->fixed_pass.median_ms) all.push_back(*row->cell->fixed_pass.median_ms);
     }
     if (all.empty()) return std::nullopt;
     return median(std::move(all));

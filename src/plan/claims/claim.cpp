@@ -80,8 +80,20 @@ class Reader {
         view.radius_m = object.number("radius_m", 1e-9, 1e6);
         view.extras = {};
         view.timing_goal = TimingGoal();
+        if (object.has("region")) list_.regions[name] = read_region(object);
         object.finish();
         list_.views[name] = view;
+    }
+
+    static ClaimRegion read_region(StrictObject& view) {
+        const std::vector<double> sides = view.numbers("region", 4);
+        const ClaimRegion region{sides[0], sides[1], sides[2], sides[3]};
+        const bool lies_inside = 0 <= region.left && region.left < region.right && region.right <= 1 &&
+                                 0 <= region.top && region.top < region.bottom && region.bottom <= 1;
+        if (!lies_inside)
+            throw file_error("is no part of the picture", view.where("region"),
+                             "left, top, right, bottom from 0 to 1");
+        return region;
     }
 
     Claim read_claim(StrictObject& object) {
@@ -143,7 +155,7 @@ class Reader {
         const json& cells = object.raw("cells");
         if (!cells.is_array()) throw file_error("is no list", object.where("cells"));
         for (const json& cell : cells) add_cells(check.cells, cell, object.where("cells"));
-        for (const ClaimCell& cell : check.cells) require_signal(cell, quantity, object.where("cells"));
+        for (const ClaimCell& cell : check.cells) require_measured(cell, quantity, object.where("cells"));
         if (check.cells.size() < kind.least_cells || check.cells.size() > kind.most_cells) {
             throw file_error(fmt::format("has {} cells", check.cells.size()), object.where("cells"),
                              fmt::format("{} to {}", kind.least_cells, kind.most_cells));
@@ -152,12 +164,18 @@ class Reader {
         return check;
     }
 
-    static void require_signal(const ClaimCell& cell, const Quantity& quantity, const std::string& where) {
+    void require_measured(const ClaimCell& cell, const Quantity& quantity, const std::string& where) const {
+        const auto refuse = [&](std::string_view why) {
+            throw file_error(fmt::format("holds {}, {}", cell.label, why), where);
+        };
+        if (quantity.needs.converged && cell.plan.converged.empty())
+            refuse("which does not say what is converged");
+        if (!quantity.needs.regional && list_.regions.contains(cell.view))
+            refuse(fmt::format("of which {} is measured over the whole picture alone", quantity.id));
         const std::string_view signal = quantity.needs.signal;
         const std::vector<std::string>& asked = cell.plan.signals;
-        if (signal.empty() || std::ranges::find(asked, signal) != asked.end()) return;
-        throw file_error(fmt::format("holds {}, which does not ask for the signal {}", cell.label, signal),
-                         where);
+        if (!signal.empty() && std::ranges::find(asked, signal) == asked.end())
+            refuse(fmt::format("which does not ask for the signal {}", signal));
     }
 
     // Reads a cell: a name, or an object that takes a named cell by "like" and changes it.
@@ -205,7 +223,8 @@ class Reader {
             else
                 set_parameter(varied, axis, value);
             ClaimCell read = read_cell(varied, where);
-            read.label = axis + " " + (value.is_string() ? value.get<std::string>() : value.dump());
+            read.label =
+                axis + " " + (value.is_string() ? value.get<std::string>() : value.dump()) + draws_text(read);
             if (value.is_number()) read.x = value.get<double>();
             cells.push_back(std::move(read));
         }
@@ -240,11 +259,27 @@ class Reader {
         cell.plan.signals = object.texts_or_empty("signals");
         for (const std::string& id : cell.plan.signals) signal(id);
         if (object.has("modes")) read_modes(object.object("modes"), cell.plan.modes);
+        if (object.has("converged")) cell.plan.converged = parameter_values(object.object("converged"));
+        read_draws(object, cell);
         cell.plan.keep_image = false;
         object.finish();
         cell.x = double{1} * view->second.width * view->second.height;
-        cell.label = fmt::format("{}, {}", cell.view, cell_name(cell.plan));
+        cell.label = fmt::format("{}, {}{}", cell.view, cell_name(cell.plan), draws_text(cell));
         return cell;
+    }
+
+    static void read_draws(StrictObject& object, ClaimCell& cell) {
+        constexpr int kMostDraws = 256;
+        if (object.has("draws")) cell.draws = object.integer("draws", 2, kMostDraws);
+        const std::string of = object.text_or("of_draws", "mean");
+        cell.best_draw = of == "best";
+        if ((of != "mean" && !cell.best_draw) || (cell.best_draw && cell.draws == 1))
+            throw file_error("is " + of, object.where("of_draws"), "mean, or best of several draws");
+    }
+
+    static std::string draws_text(const ClaimCell& cell) {
+        if (cell.draws == 1) return "";
+        return fmt::format(", {} of {} draws", cell.best_draw ? "best" : "mean", cell.draws);
     }
 
     static void read_modes(StrictObject object, RunModes& modes) {
@@ -263,6 +298,12 @@ class Reader {
 };
 
 }  // namespace
+
+std::vector<CellPlan> ClaimCell::drawn() const {
+    std::vector<CellPlan> cells(static_cast<std::size_t>(draws), plan);
+    for (std::size_t i = 0; i < cells.size(); ++i) cells[i].draw = static_cast<int>(i);
+    return cells;
+}
 
 std::vector<ClaimList> load_claims() {
     return load_claims(data_dir() / "reports" / "claims");
@@ -324,12 +365,15 @@ void plan_check(ExperimentPlan& plan, const ClaimList& list, const ClaimCheck& c
         view.own_parameters = true;
         view.lit = needs.lit();
         view.extras = extras_for(cell.plan.signals);
-        view.extras.causes = needs.repeats;
-        CellPlan asked = cell.plan;
-        asked.timed = needs.timed();
-        asked.whole_frames = needs.whole_frames;
-        asked.repeats = needs.repeats;
-        shared_cell(plan.views[shared_view(plan, std::move(view))], std::move(asked));
+        view.extras.causes = needs.causes;
+        const std::size_t index = shared_view(plan, std::move(view));
+        for (CellPlan& asked : cell.drawn()) {
+            asked.timed = needs.timed();
+            asked.whole_frames = needs.whole_frames;
+            asked.repeats = needs.repeats;
+            asked.lit_by_sky = needs.lit_by_sky;
+            shared_cell(plan.views[index], std::move(asked));
+        }
     }
 }
 

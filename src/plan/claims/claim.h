@@ -16,6 +16,13 @@ struct ClaimCell {
     CellPlan plan;
     std::optional<double> x;  ///< the varied value where it is a number, else the view's pixels
     std::string label;        ///< the varied value: "samples 8"; else method and preset
+    /// The number of draws of random kernels and noise that it is measured with; its quantity is their mean,
+    /// or that of the draw with the least.
+    int draws = 1;
+    bool best_draw = false;
+
+    /// The cells to be measured: one for each draw.
+    std::vector<CellPlan> drawn() const;
 };
 
 /// One measurable part of a claim: an expression of quantities of cells that must lie in a range.
@@ -60,10 +67,17 @@ struct Claim {
     std::string note;    ///< how our measurement differs from the source's
 };
 
+/// A part of the picture, from its top left corner, in parts of its width and height: 0 to 1.
+struct ClaimRegion {
+    double left = 0, top = 0, right = 1, bottom = 1;
+};
+
 /// The claims of one source, or of several sources about one subject: reports/claims/<id>.json.
 struct ClaimList {
     std::string id;
     std::map<std::string, ViewPlan> views;  ///< they have no cells
+    /// Of the views in which only a part of the picture counts, by their names.
+    std::map<std::string, ClaimRegion> regions;
     std::vector<Claim> claims;
 };
 

@@ -25,6 +25,9 @@ struct Measured {
     std::optional<Range> range() const;
 };
 
+/// A value without uncertainty.
+Measured exact(std::optional<double> value);
+
 /// Applies f to the values, and to each of their draws. Empty where one of them is, or f is not finite.
 Measured combined(const std::vector<Measured>& of,
                   const std::function<double(const std::vector<double>&)>& f);
@@ -34,7 +37,11 @@ struct QuantityNeeds {
     bool times = false;         ///< the times of its passes
     bool lighting = false;      ///< and that of the lighting pass of its view
     bool whole_frames = false;  ///< and times of whole frames, which are lit
-    bool repeats = false;       ///< drawn again with other seeds, and held against the truth's causes
+    bool repeats = false;       ///< drawn again with other seeds
+    bool causes = false;        ///< and held against the truth's causes
+    bool converged = false;     ///< and against its own converged picture
+    bool lit_by_sky = false;    ///< its light held against ray-traced irradiance
+    bool regional = false;      ///< it may be measured over a part of the picture
     std::string_view signal{};  ///< a signal beside visibility; empty: none
 
     bool lit() const { return lighting || whole_frames; }

@@ -55,6 +55,14 @@ Measured noise_of(const std::optional<Repeats>& repeats, Blocks Repeats::*varian
         [strength](const auto& s) { return strength * std::sqrt(s[0] / s[1]); }, seed);
 }
 
+Measured root_mean(const CellRecord& cell, std::optional<Convergence> Repeats::*which,
+                   Blocks Convergence::*squares, std::uint64_t seed) {
+    if (!cell.repeats || !((*cell.repeats).*which)) return {};
+    const Convergence& sums = *((*cell.repeats).*which);
+    return of_blocks(
+        {&(sums.*squares), &sums.counts}, [](const auto& s) { return std::sqrt(s[0] / s[1]); }, seed);
+}
+
 const FoundOcclusion* found_in(const CellRecord& cell, std::optional<FoundOcclusion> Repeats::*which) {
     if (!cell.repeats || !((*cell.repeats).*which)) return nullptr;
     return &*((*cell.repeats).*which);
@@ -104,6 +112,18 @@ Measured repeats_fitted_noise(const CellRecord& cell, const ViewRecord&, std::ui
     const FoundOcclusion* found = found_in(cell, &Repeats::of_truth);
     if (found == nullptr) return {};
     return noise_of(cell.repeats, &Repeats::variance, found->strength, seed);
+}
+
+Measured unconverged(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return root_mean(cell, &Repeats::from_converged, &Convergence::squares, seed);
+}
+
+Measured raw_unconverged(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return root_mean(cell, &Repeats::raw_from_converged, &Convergence::squares, seed);
+}
+
+Measured raw_unconverged_bands(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return root_mean(cell, &Repeats::raw_from_converged, &Convergence::bands, seed);
 }
 
 Measured found_of_truth(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {

@@ -11,6 +11,9 @@ namespace aoscore::repeat_quantities {
 Measured repeats_noise(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed);
 Measured repeats_raw_noise(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed);
 Measured repeats_fitted_noise(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed);
+Measured unconverged(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed);
+Measured raw_unconverged(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed);
+Measured raw_unconverged_bands(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed);
 Measured found_of_truth(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed);
 Measured found_of_grazing(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed);
 Measured unevenness_of_truth(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed);

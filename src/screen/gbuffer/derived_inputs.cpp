@@ -100,17 +100,25 @@ GLuint DerivedInputs::half_depth(const GBuffer& gbuffer, GLuint linear_depth) {
     return textures_.emplace(key, std::move(depth)).first->second.name();
 }
 
-GLuint DerivedInputs::stored_depth(const GBuffer& gbuffer, std::string_view stored) {
-    const std::string key = fmt::format("stored_depth {}", stored);
-    if (const auto found = textures_.find(key); found != textures_.end()) return found->second.name();
+const ShaderProgram& DerivedInputs::storing_program(const GBuffer& gbuffer, const std::string& file,
+                                                    std::string_view PrecisionFormat::*of,
+                                                    std::string_view stored) {
     std::string macros;
     int number = 0;
     for (const PrecisionFormat& format : precision_formats()) {
-        if (!format.stored.empty()) macros += fmt::format("#define {} {}\n", format.stored, ++number);
+        if (!(format.*of).empty()) macros += fmt::format("#define {} {}\n", format.*of, ++number);
     }
-    gl::Texture depth = make_texture(kR32F, gbuffer.width(), gbuffer.height());
-    const ShaderProgram& p =
-        program(gbuffer, "stored_depth.frag", macros + fmt::format("#define STORED {}\n", stored));
+    return program(gbuffer, file, macros + fmt::format("#define STORED {}\n", stored));
+}
+
+GLuint DerivedInputs::stored_depth(const GBuffer& gbuffer, std::string_view stored) {
+    const std::string key = fmt::format("stored_depth {}", stored);
+    if (const auto found = textures_.find(key); found != textures_.end()) return found->second.name();
+    const bool positions = std::ranges::any_of(precision_formats(), [&](const PrecisionFormat& format) {
+        return format.stored == stored && format.positions;
+    });
+    gl::Texture depth = make_texture(positions ? kRgba32F : kR32F, gbuffer.width(), gbuffer.height());
+    const ShaderProgram& p = storing_program(gbuffer, "stored_depth.frag", &PrecisionFormat::stored, stored);
     p.use();
     gl::Uniform1i(p.location("u_linear_depth"), 0);
     gl::Uniform1i(p.location("u_hardware_depth"), 1);
@@ -121,15 +129,16 @@ GLuint DerivedInputs::stored_depth(const GBuffer& gbuffer, std::string_view stor
     return textures_.emplace(key, std::move(depth)).first->second.name();
 }
 
-GLuint DerivedInputs::packed_normal(const GBuffer& gbuffer, GLuint normal) {
-    const std::string key = fmt::format("packed_normal {}", normal);
+GLuint DerivedInputs::stored_normal(const GBuffer& gbuffer, GLuint normal, std::string_view stored) {
+    const std::string key = fmt::format("stored_normal {} {}", stored, normal);
     if (const auto found = textures_.find(key); found != textures_.end()) return found->second.name();
     gl::Texture normals = make_texture(kRgba32F, gbuffer.width(), gbuffer.height());
-    const ShaderProgram& p = program(gbuffer, "packed_normal.frag", "");
+    const ShaderProgram& p =
+        storing_program(gbuffer, "stored_normal.frag", &PrecisionFormat::normals, stored);
     p.use();
     gl::Uniform1i(p.location("u_normal"), 0);
     draw(gbuffer, p, normal, {{normals.name()}, gbuffer.width(), gbuffer.height()});
-    gl::check("packing normals");
+    gl::check("storing normals");
     return textures_.emplace(key, std::move(normals)).first->second.name();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "screen/gbuffer/gbuffer.h"
+#include "screen/gbuffer/precision.h"
 #include "screen/gl/shader_program.h"
 #include "screen/method/method.h"
 
@@ -25,10 +26,11 @@ class DerivedInputs {
     GLuint depth_mips(const GBuffer& gbuffer, GLuint linear_depth, const std::string& filter, double radius_m,
                       Mirror mirror);
 
-    /// The view depth that a depth buffer of that format returns (PrecisionFormat::stored), metres.
+    /// The view depth that a depth buffer of that format returns (PrecisionFormat::stored), metres; with x
+    /// and y where positions are stored.
     GLuint stored_depth(const GBuffer& gbuffer, std::string_view stored);
-    /// The normal after rounding to two bytes.
-    GLuint packed_normal(const GBuffer& gbuffer, GLuint normal);
+    /// The normal that is left in that format (PrecisionFormat::normals).
+    GLuint stored_normal(const GBuffer& gbuffer, GLuint normal, std::string_view stored);
 
     /// `linear_depth` at half the resolution, rounded up: one texel of each block of 2x2.
     GLuint half_depth(const GBuffer& gbuffer, GLuint linear_depth);
@@ -39,6 +41,9 @@ class DerivedInputs {
     GLuint normal_from_depth(const GBuffer& gbuffer, GLuint linear_depth, bool accurate);
 
   private:
+    /// Draws `source` in one of the formats that `of` names.
+    const ShaderProgram& storing_program(const GBuffer& gbuffer, const std::string& file,
+                                         std::string_view PrecisionFormat::*of, std::string_view stored);
     const ShaderProgram& program(const GBuffer& gbuffer, const std::string& file, const std::string& macros);
     struct Target {
         std::initializer_list<GLuint> textures;

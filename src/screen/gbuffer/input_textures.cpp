@@ -113,7 +113,8 @@ GLuint InputTextures::normal(const std::string& input, Precision precision) {
     const GLuint exact = from_depth ? derived_.normal_from_depth(*gbuffer_, linear_depth(precision),
                                                                  input == "normal_from_depth_accurate")
                                     : drawn(input);
-    return format_of(precision).packs_normals ? derived_.packed_normal(*gbuffer_, exact) : exact;
+    const std::string_view stored = format_of(precision).normals;
+    return stored.empty() ? exact : derived_.stored_normal(*gbuffer_, exact, stored);
 }
 
 GLuint InputTextures::drawn(const std::string& input) const {

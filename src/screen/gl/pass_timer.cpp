@@ -29,15 +29,22 @@ void PassTimer::begin() {
     } else {
         watch_ = Stopwatch();
     }
+    on_processor_ = ProcessorWatch();
 }
 
 void PassTimer::end() {
     if (query_ != 0) {
         gl::EndQuery(GL_TIME_ELAPSED);
-        return;
+    } else {
+        gl::Finish();
+        wall_ms_ = watch_.seconds() * 1e3;
     }
-    gl::Finish();
-    wall_ms_ = watch_.seconds() * 1e3;
+    processor_ms_ = on_processor_.milliseconds();
+}
+
+double PassTimer::processor_ms_so_far() const {
+    if (query_ == 0) gl::Finish();
+    return on_processor_.milliseconds();
 }
 
 double PassTimer::milliseconds() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/processor_watch.h"
 #include "core/stopwatch.h"
 
 #include <string>
@@ -28,11 +29,17 @@ class PassTimer {
     void end();
     /// Waits for the result of a query.
     double milliseconds() const;
+    /// Processor time of all threads of this process, between begin() and end(); on a GPU it is the driver's
+    /// alone.
+    double processor_ms() const { return processor_ms_; }
+    /// The same up to now; by the wall clock, it waits for what was drawn.
+    double processor_ms_so_far() const;
 
   private:
     unsigned query_ = 0;  ///< 0: the wall clock
     Stopwatch watch_;
-    double wall_ms_ = 0;
+    ProcessorWatch on_processor_;
+    double wall_ms_ = 0, processor_ms_ = 0;
 };
 
 }  // namespace aoscore

@@ -4,6 +4,7 @@
 #include "core/folders.h"
 #include "core/hash.h"
 #include "core/known_names.h"
+#include "screen/gbuffer/precision.h"
 #include "screen/gl/texture.h"
 #include "screen/method/method_files.h"
 #include "screen/passes/processors.h"
@@ -50,6 +51,8 @@ PassBuild MethodRunner::base_build(const MethodRequest& request, const MethodDes
     build.seed = request.seed;
     build.orthographic = gbuffer_->orthographic();
     build.border_far = request.border == Border::far;
+    build.positions =
+        format_of(request.precision).positions && request.resolution != Resolution::half_gbuffer;
     build.uniform_form = request.uniform_form;
     build.mirror = request.mirror;
     return build;

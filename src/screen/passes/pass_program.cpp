@@ -174,13 +174,15 @@ const std::set<std::string>& filter_inputs() {
 }
 
 std::map<std::string, int> pass_macros(const PassBuild& build) {
-    return {{"ORTHOGRAPHIC", build.orthographic ? 1 : 0},
-            {"BORDER_FAR", build.border_far ? 1 : 0},
-            {"SCALE", build.scale},
-            {"COARSER_SCALE", build.coarser_scale},
-            {"HALF_TAPS", build.half_taps ? 1 : 0},
-            {"DUAL", build.dual ? 1 : 0},
-            {"COUNT_FETCHES", build.count_fetches ? 1 : 0}};
+    std::map<std::string, int> macros{{"ORTHOGRAPHIC", build.orthographic ? 1 : 0},
+                                      {"BORDER_FAR", build.border_far ? 1 : 0},
+                                      {"SCALE", build.scale},
+                                      {"COARSER_SCALE", build.coarser_scale},
+                                      {"HALF_TAPS", build.half_taps ? 1 : 0},
+                                      {"DUAL", build.dual ? 1 : 0},
+                                      {"COUNT_FETCHES", build.count_fetches ? 1 : 0}};
+    if (build.positions) macros["STORED_POSITIONS"] = 1;
+    return macros;
 }
 
 std::string mirror_macros(Mirror mirror) {

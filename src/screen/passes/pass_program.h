@@ -22,6 +22,7 @@ struct PassBuild {
     int coarser_scale = 1;       ///< the scale of the pass before it
     bool half_taps = false;      ///< taps read a G-buffer of half the resolution
     bool dual = false;           ///< shades only where the coarse result varies
+    bool positions = false;      ///< positions are stored in place of depth
     bool uniform_form = false;   ///< parameters and kernels as uniforms, not constants
     bool count_fetches = false;  ///< with the second output o_fetches
     Mirror mirror = Mirror::none;
