@@ -226,9 +226,10 @@ TEST(Descriptor, FiltersOfAllPresetsExistWithTheNamedPreset) {
     }
 }
 
-std::string with_layers(const std::string& layers, const char* input = "depth_layers") {
+std::string with_layers(const std::string& layers, const char* input = "depth_layers",
+                        const char* member = "depth_layers") {
     const std::string asked = replaced(kDescriptor, "\"reference_radius\"",
-                                       fmt::format("\"depth_layers\": {}, \"reference_radius\"", layers));
+                                       fmt::format("\"{}\": {}, \"reference_radius\"", member, layers));
     return replaced(asked, "[\"linear_depth\"]", fmt::format("[\"linear_depth\", \"{}\"]", input));
 }
 
@@ -242,10 +243,28 @@ TEST(Descriptor, DepthLayersAreValuesOrParametersThatTakeNothingElse) {
           std::pair(R"({"sampling": "dice"})", "depth_layers.sampling"),
           std::pair(R"({"per_sample": 1})", "depth_layers.per_sample"),
           std::pair(R"({"seed": -1})", "depth_layers.seed"),
+          std::pair(R"({"reach": -1})", "depth_layers.reach"),
+          std::pair(R"({"facing": 1})", "depth_layers.facing"),
+          std::pair(R"({"cameras": 1})", "depth_layers.cameras"),
           std::pair(R"({"layers": 2})", "depth_layers.layers")}) {
         EXPECT_THAT(loading_error(with_layers(wrong)), HasSubstr(place)) << wrong;
     }
     EXPECT_THAT(loading_error(with_layers(R"({"sampling": "dice"})")), HasSubstr("stratified"));
+}
+
+TEST(Descriptor, SideLayersAreDepthLayersWithPlacesOfCameras) {
+    constexpr const char* kMember = "side_layers";
+    for (const auto& [wrong, place] :
+         {std::pair(R"({"samples": 17})", "side_layers.samples"),
+          std::pair(R"({"cameras": 5})", "side_layers.cameras"),
+          std::pair(R"({"scale": 0})", "side_layers.scale"),
+          std::pair(R"({"right": "far"})", "side_layers.right"),
+          std::pair(R"({"aim": -1})", "side_layers.aim"), std::pair(R"({"left": 1})", "side_layers.left")}) {
+        EXPECT_THAT(loading_error(with_layers(wrong, kMember, kMember)), HasSubstr(place)) << wrong;
+    }
+    EXPECT_THAT(loading_error(with_layers("{}", "normal_smooth", kMember)), HasSubstr("no pass lists"));
+    EXPECT_THAT(loading_error(replaced(kDescriptor, "[\"linear_depth\"]", "[\"side_layers\"]")),
+                HasSubstr("side_layers: is missing"));
 }
 
 TEST(Descriptor, DepthLayersAreAskedForWhereAPassListsThemAndNowhereElse) {

@@ -1,7 +1,9 @@
 // Compares methods over several depths a texel with those over one depth that they extend.
+#include "core/error.h"
 #include "hand_made.h"
 #include "support/support.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -219,6 +221,13 @@ TEST_F(StochasticDepth, OfClosedMeshesHidesWhatLiesInside) {
     }
     for (Instance& instance : mirrored.instances) instance.scene_from_mesh[0] *= -1.0;
     EXPECT_EQ(seen(mirrored).pixels, solid.pixels);
+
+    try {
+        run("sd-ssao", values("sd-ssao", {{"closed_meshes", true}}));
+        FAIL() << "stochastic samples are in no order";
+    } catch (const Error& e) {
+        EXPECT_THAT(e.what(), ::testing::HasSubstr("peeled layers alone"));
+    }
 }
 
 }  // namespace

@@ -67,10 +67,11 @@ Measured false_area(const CellRecord& cell, const ViewRecord&, std::uint64_t see
 }
 
 // Occlusion over the truth's: the bias is what it lacks of it.
-Measured share_of_truth(const CellRecord& cell, const ViewRecord& view, std::uint64_t seed) {
+Measured share_of_truth(const CellRecord& cell, const ViewRecord& view, std::uint64_t) {
     double occlusion = 0;
     for (const CauseRecord& cause : view.causes) occlusion += cause.mean_occlusion;
-    return combined({bias(cell, view, seed)}, [occlusion](const auto& v) { return 1 - v[0] / occlusion; });
+    return combined({exact(value_of(cell.ranked, kBiasMetric))},
+                    [occlusion](const auto& v) { return 1 - v[0] / occlusion; });
 }
 Measured tile_pattern(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
     return exact(cell.analysis ? cell.analysis->tile_pattern : std::nullopt);

@@ -1,5 +1,6 @@
 #include "screen/method/depth_layers.h"
 
+#include "core/error.h"
 #include "core/known_names.h"
 #include "screen/method/input_members.h"
 
@@ -56,6 +57,10 @@ DepthLayers asked_depth_layers(const InputMembers& input, const ParameterValues&
     layers.least_gap_m = value("least_gap").number();
     layers.reach_m = value("reach").number();
     layers.facing = value("facing").boolean();
+    if (layers.facing && layers.sampling != "peeled") {
+        throw usage_error("front and back faces are told apart in peeled layers alone", "depth layers",
+                          "sampling peeled");
+    }
     return layers;
 }
 
@@ -81,7 +86,8 @@ bool reads_ray_layers(const MethodDescriptor& method, const ParameterValues& par
 }
 
 std::optional<ParameterValues> first_layer_alone(const MethodDescriptor& method) {
-    return with_layers(method, {{"samples", 1}, {"alpha", 1.0}, {"sampling", "stratified"}});
+    return with_layers(method,
+                       {{"samples", 1}, {"alpha", 1.0}, {"sampling", "stratified"}, {"facing", false}});
 }
 
 std::optional<ParameterValues> all_layers(const MethodDescriptor& method) {
