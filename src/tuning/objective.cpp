@@ -143,9 +143,9 @@ std::pair<double, double> Objective::timed(const std::vector<double>& settings) 
     for (const RequestTimes& one : times) {
         if (!one.error.empty()) throw Error(ExitCode::cells_failed, one.error, views_[0]->key);
     }
-    double ms = median(times[0].ao_ms);
-    if (!times[0].filter_ms.empty()) ms += median(times[0].filter_ms);
-    return {ms, median(times[1].ao_ms)};
+    double ms = median(times[0].ao.ms);
+    if (!times[0].filter.ms.empty()) ms += median(times[0].filter.ms);
+    return {ms, median(times[1].ao.ms)};
 }
 
 double Objective::timed_in_passes(const std::vector<double>& settings) {

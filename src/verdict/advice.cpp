@@ -97,7 +97,7 @@ class StepsOfOne {
         if (!error || !cell_.analysis) return std::move(advice_);
         advice_.error = *error;
         advice_.fetches = cell_.fetches_per_pixel;
-        advice_.fixed_pass_ms = cell_.fixed_pass_ms;
+        advice_.fixed_pass_ms = cell_.fixed_pass.median_ms;
         if (const auto cost = cost_of(cell_, view_)) advice_.ms = cost->ms;
         errors_.push_back(resampled_errors(advice_.metric, *error, cell_.analysis->blocks, results_.seed));
         for (const StepPlan& step : plan_.steps) {
@@ -157,11 +157,12 @@ class StepsOfOne {
 
     void add_cost(StepRecord& record, const CellRecord& changed) const {
         const auto before = cost_of(cell_, view_), after = cost_of(changed, view_);
-        if (!before || !after || !cell_.fixed_pass_ms || !changed.fixed_pass_ms) {
+        if (!before || !after || !cell_.fixed_pass.median_ms || !changed.fixed_pass.median_ms) {
             record.reason = "it was not timed";
             return;
         }
-        const Cost more = less(scaled(*after, *cell_.fixed_pass_ms / *changed.fixed_pass_ms), *before);
+        const Cost more =
+            less(scaled(*after, *cell_.fixed_pass.median_ms / *changed.fixed_pass.median_ms), *before);
         record.ms = more.ms;
         record.ms_interval = more.interval;
     }

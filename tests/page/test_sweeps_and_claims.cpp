@@ -65,7 +65,7 @@ TEST_F(SweepsAndClaims, PrintedTimesStandBesideThoseOfTheSameSettingAsPartsOfThe
     std::erase_if(sweep.points,
                   [](const SweepPointRecord& p) { return !p.cell_id.starts_with("atrium/wide/"); });
     for (CellRecord& cell : results.cells) {
-        cell.ao_processor.runs_ms = {cell.id == sweep.points[1].cell_id ? 50.0 : 30.0};
+        cell.ao.processor_runs_ms = {cell.id == sweep.points[1].cell_id ? 50.0 : 30.0};
         cell.layers_processor.runs_ms = {10.0};
         cell.layers_processor.median_ms = 10;
     }

@@ -35,7 +35,7 @@ CellRecord cell(const std::string& name, double error, double ms, double fetches
     record.method = record.method_label = name;
     record.preset = "default";
     record.ao = timed(ms);
-    record.fixed_pass_ms = 2;
+    record.fixed_pass.median_ms = 2;
     record.fetches_per_pixel = fetches;
     std::mt19937 random(7);
     std::uniform_real_distribution<double> factor(0.5, 1.5);
@@ -146,7 +146,7 @@ TEST(Advice, LeavesOutNoiseOfAPictureThatIsTheSameForEverySeed) {
 TEST(Advice, MeasuresTimeByTheFixedPassThatWasTimedWithEach) {
     Made made(cell("subject", 0.1, 10, 16));
     CellRecord later = cell("later", 0.08, 24, 16);  // the machine was half as fast
-    later.fixed_pass_ms = 4;
+    later.fixed_pass.median_ms = 4;
     made.add_step("more-taps", later);
     EXPECT_NEAR(*made.judged().steps.at(0).ms, 2, 1e-9);
 }
