@@ -48,4 +48,6 @@ set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libegl1")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+# The programs are built before: packing makes nothing of it anew.
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 include(CPack)

@@ -13,8 +13,6 @@ namespace {
 using nlohmann::json;
 
 constexpr int kMaxDepth = 128;
-/// Each value may take 300 bytes, as JSON and in the structs that it is read into.
-constexpr std::size_t kMaxValues = 4'000'000;
 
 std::string line_place(std::string_view text, std::size_t byte, const std::string& where) {
     const std::string_view before = text.substr(0, std::min(byte, text.size()));
@@ -31,7 +29,7 @@ std::size_t byte_of_quoted(std::string_view text, std::string_view message) {
     return std::min(text.find(message.substr(first + 1, last - first - 1)), text.size() - 1) + 1;
 }
 
-void measure(std::string_view text, const std::string& where) {
+void measure(std::string_view text, const std::string& where, std::size_t most_values) {
     int depth = 0;
     std::size_t values = 0;
     bool in_string = false;
@@ -50,16 +48,17 @@ void measure(std::string_view text, const std::string& where) {
             throw file_error(fmt::format("nested deeper than {} levels", kMaxDepth),
                              line_place(text, i, where));
         }
-        if (values > kMaxValues) {
-            throw file_error(fmt::format("more than {} values", kMaxValues), line_place(text, i, where));
+        if (values > most_values) {
+            throw file_error(fmt::format("more than {} values", most_values), line_place(text, i, where));
         }
     }
 }
 
 }  // namespace
 
-json parse_json_text(std::string_view text, const std::string& where, const std::string& valid) {
-    measure(text, where);
+json parse_json_text(std::string_view text, const std::string& where, const std::string& valid,
+                     std::size_t most_values) {
+    measure(text, where, most_values);
     try {
         return json::parse(text);
     } catch (const json::parse_error& e) {

@@ -16,6 +16,7 @@ constexpr const char* kFileName = "results.json";
 
 /// More than twice what all claims take, with the sums of every block of their pictures.
 constexpr std::size_t kLargest_bytes = std::size_t{128} << 20;
+constexpr std::size_t kMostValues = 4 * kMostJsonValues;
 
 /// The end of the string that begins at `from`, its quotation mark included.
 std::size_t end_of_string(std::string_view json, std::size_t from) {
@@ -42,7 +43,8 @@ std::string numbers_in_rows(std::string_view json) {
 }
 
 nlohmann::json parsed_results(const std::filesystem::path& file) {
-    nlohmann::json parsed = parse_json_text(read_file(file, kLargest_bytes), file.string(), "a JSON object");
+    nlohmann::json parsed =
+        parse_json_text(read_file(file, kLargest_bytes), file.string(), "a JSON object", kMostValues);
     if (!parsed.is_object()) throw file_error("the top level is no object", file.string(), "an object");
     return parsed;
 }

@@ -74,7 +74,7 @@ TEST(Package, RunsFromAScratchFolderWithoutTheSourceTree) {
     EXPECT_TRUE(fs::exists(home / ".cache/aoscore"));
     const Printed import = run_shell(
         "printf 'v 0 0 0\\nv 1 0 0\\nv 0 0 1\\nf 1 2 3\\n' >'" + (home / "t.obj").string() + "'; " + aoscore +
-        "reference t.obj --eye 0.3,2,0.3 --target 0.3,0,0.31 --size 16x16 --samples 4 --out t.png");
+        "reference t.obj --eye 0.3,2,0.3 --target 0.3,0,0.31 --size 16x16 --samples 4 --out t.exr");
     EXPECT_EQ(import.status, 0) << import.text;
 }
 

@@ -101,28 +101,37 @@ TEST(Completion, OfFishGivesCommandsOptionsAndTheirValues) {
     EXPECT_THAT(words("aoscore score atrium --methods gt"), HasSubstr("gtao"));
 }
 
-// zsh completes at a terminal alone; this one is zsh's own.
+// zsh completes at a terminal alone: this one is zsh's own, and a key has it write down what stands in its
+// line.
 TEST(Completion, OfZshGivesCommandsOptionsAndTheirValues) {
     const fs::path folder = output_dir();
     fs::rename(script_for("zsh", folder), folder / "_aoscore");
+    const std::string shown = (folder / "completed").string();
+    std::ofstream(folder / ".zshrc") << "PS1=\nfpath=('" << folder.string() << "' $fpath)\n"
+                                     << "autoload -Uz compinit; compinit -D -u\nsetopt NO_BEEP\n"
+                                     << "bindkey '^I' complete-word\n"
+                                     << "show() { print -r -- \"<$BUFFER>\" >>'" << shown << "'; BUFFER= }\n"
+                                     << "zle -N show\nbindkey '^G' show\n";
     std::ofstream(folder / "complete.zsh") << R"(
 zmodload zsh/zpty
-zpty shell "zsh -f -i"
-zpty -w shell "PS1=; fpath=('$1' \$fpath); autoload -Uz compinit; compinit -D -u; setopt NO_BEEP; LISTMAX=10000; bindkey '^I' complete-word"
-zpty -w shell "_shown() { compadd -O found \"\$@\" ; print -r -- \"<\$found>\" >> '$1/shown' }; functions[compadd_of_old]=1"
-sleep 1
-for line in 'aoscore sco' 'aoscore score --siz' 'aoscore score atrium --border cl' 'aoscore score atrium --methods gta'; do
-    zpty -w -n shell "print -r -- '=' $line"$'\t'
-    sleep 2
-    zpty -w shell ''
-    sleep 0.3
+zpty -b shell "ZDOTDIR='$1' zsh -i"
+count=0
+for line in 'aoscore sco' 'aoscore score --siz' 'aoscore score atrium --border cla' 'aoscore score atrium --methods gta'; do
+    (( ++count ))
+    zpty -w -n shell "$line"$'\t\a'
+    for n in {1..500}; do
+        zpty -r -t shell part
+        [[ -f $1/completed && $(wc -l <$1/completed) -ge $count ]] && break
+        sleep 0.05
+    done
 done
-zpty -w shell exit
-while zpty -r shell part; do print -rn -- "$part"; done
+zpty -d shell
 )";
-    const std::string text = printed(with_program(folder) + "timeout 60 zsh -f '" +
-                                     (folder / "complete.zsh").string() + "' '" + folder.string() + "'");
-    EXPECT_THAT(text, HasSubstr("score"));
+    printed(with_program(folder) + "timeout 120 zsh -f '" + (folder / "complete.zsh").string() + "' '" +
+            folder.string() + "'");
+    EXPECT_EQ(printed("cat '" + shown + "'"),
+              "<aoscore score >\n<aoscore score --size >\n<aoscore score atrium --border clamp >\n"
+              "<aoscore score atrium --methods gtao >\n");
 }
 
 }  // namespace

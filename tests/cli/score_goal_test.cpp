@@ -74,7 +74,7 @@ TEST(ScoreGoal, LeavesAPageAloneThatWouldNotChange) {
 
 TEST(ScoreGoal, ThatNobodyCanReachSaysWhatWouldBeInReach) {
     const auto run =
-        run_aoscore("score pillar --size 64x48 --methods gtao --score-error 1e-6 --out page", output_dir());
+        run_aoscore("score pillar --size 16x12 --methods gtao --score-error 1e-6 --out page", output_dir());
     EXPECT_EQ(run.exit_code, 64);
     EXPECT_THAT(run.err, HasSubstr("rays a pixel"));
     EXPECT_THAT(run.err, HasSubstr("--score-error"));
@@ -116,8 +116,9 @@ TEST(OwnTruths, AreTracedApartWithAsFewRaysAsTheirRmseNeeds) {
     const auto scores = nlohmann::json::parse(read_file(folder / "scores.json"));
     EXPECT_NEAR(*cell.own.at(kRankingMetric).value,
                 scores.at("metrics").at(kRankingMetric).at("value").get<double>(), 2 * ScoreGoal().error);
-    EXPECT_FALSE(cell.own.at(kStructureMetric).value) << "so few rays do not tell it";
-    EXPECT_THAT(cell.own.at(kStructureMetric).note, HasSubstr("unsure"));
+    // As many rays as the RMSE needs may not tell other metrics: what is not told says so.
+    const MeasuredMetric& structure = cell.own.at(kStructureMetric);
+    EXPECT_TRUE(structure.value || structure.note.find("unsure") != std::string::npos) << structure.note;
 }
 
 TEST(HalvedTruth, IsTheSameForAnyNumberOfThreads) {

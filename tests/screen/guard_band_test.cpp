@@ -94,14 +94,15 @@ TEST_P(GuardBands, ShowTheInnerPixelsOfAWiderCamera) {
 INSTANTIATE_TEST_SUITE_P(Methods, GuardBands, ::testing::ValuesIn(method_ids()),
                          [](const auto& test) { return test_name(test.param); });
 
-/// Methods that look no farther than a radius in metres, over one depth a texel, with noise that repeats
-/// every four pixels: the same in any band of a multiple of four.
+/// Methods that look no farther than a radius in metres, over one depth a texel of one camera, with noise
+/// that repeats every four pixels: the same in any band of a multiple of four.
 std::vector<MethodDescriptor> repeating_methods() {
     std::vector<MethodDescriptor> methods;
     for (MethodDescriptor& method : load_methods()) {
         const Parameter* radius = method.find_parameter("radius");
         const Parameter* noise = method.find_parameter("noise");
-        if (radius == nullptr || noise == nullptr || radius->unit != "m" || method.depth_layers) continue;
+        if (radius == nullptr || noise == nullptr || radius->unit != "m") continue;
+        if (method.depth_layers || method.side_layers) continue;
         const bool by_picture =
             std::ranges::any_of(method.parameters, [](const Parameter& p) { return p.unit == "uv"; });
         if (!by_picture && method.passes.size() == 1 && noise->accepts(ParameterValue("tiled_4x4")))

@@ -114,9 +114,9 @@ TEST(MultiResolution, ReadsItsLevelsFormulasAtTheBottomOfABowl) {
 TEST(Estimators, OfAllMethodsAreChecked) {
     // The line sweep has no radius: closed_form_test.cpp checks it. Multi-resolution is checked above.
     // three.js' pass, Filament's and Unity's follow no paper: published_test.cpp checks them, like all
-    // methods drawn as published.
-    std::set<std::string> checked = {"multi-resolution", "line-sweep", "three-gtao", "filament-ssao",
-                                     "unity-ssao"};
+    // methods drawn as published. side_cameras_test.cpp checks the one that sees from several cameras.
+    std::set<std::string> checked = {"multi-resolution", "line-sweep", "three-gtao",
+                                     "filament-ssao",    "unity-ssao", "multi-view-hbao"};
     for (const Case& c : cases()) checked.insert(c.method);
     for (const MethodDescriptor& m : load_methods()) EXPECT_TRUE(checked.contains(m.id)) << m.id;
 }

@@ -34,10 +34,16 @@ inline Repeats over_all_blocks(Repeats repeats) {
         if (!sums.empty()) sums = {std::accumulate(sums.begin(), sums.end(), 0.0)};
     };
     for (auto* const sums : {&repeats.counts, &repeats.variance, &repeats.raw_variance}) add_up(*sums);
-    for (auto* const found : {&repeats.of_truth, &repeats.of_layers}) {
+    for (auto* const found : {&repeats.of_truth, &repeats.of_layers, &repeats.of_grazing}) {
         if (!*found) continue;
         for (auto* const sums : {&(*found)->hidden, &(*found)->found, &(*found)->found_fitted,
-                                 &(*found)->visible, &(*found)->kept, &(*found)->pixels, &(*found)->finders})
+                                 &(*found)->visible, &(*found)->kept, &(*found)->pixels, &(*found)->finders,
+                                 &(*found)->parts, &(*found)->squared_parts})
+            add_up(*sums);
+    }
+    for (auto* const distance : {&repeats.raw_from_converged, &repeats.from_converged}) {
+        if (!*distance) continue;
+        for (auto* const sums : {&(*distance)->counts, &(*distance)->squares, &(*distance)->bands})
             add_up(*sums);
     }
     return repeats;

@@ -20,7 +20,8 @@ export async function openLive(page) {
 // Why the page does not run a method, as it says itself; empty where it does.
 export function refusal({ processor, passes }) {
   if (processor) return `computed on the processor (${processor})`;
-  return passes.some(({ inputs }) => inputs.includes('depth_layers')) ? 'reads the input depth_layers' : '';
+  const layered = passes.flatMap(({ inputs }) => inputs).find((input) => ['depth_layers', 'side_layers'].includes(input));
+  return layered ? `reads the input ${layered}` : '';
 }
 
 // Chooses the method with the settings of a measured cell.
