@@ -37,7 +37,7 @@ void add_cost(ScreenRenderer& renderer, const DepthLayers& layers, RatioTable& t
     std::vector<double> layers_ms, plain_ms;
     for (int round = 0; round < kLayerRounds; ++round) {
         layers_ms.push_back(processor_ms([&] { renderer.draw_depth_layers(layers); }));
-        plain_ms.push_back(layers.samples * renderer.time_gbuffer().processor_ms);
+        plain_ms.push_back(layers.samples * processor_ms([&] { renderer.time_gbuffer(); }));
     }
     const std::string name = fmt::format("{} {} depth layers", layers.samples, layers.sampling);
     const std::string plain = fmt::format("{} x plain depth, beside {}", layers.samples, layers.sampling);

@@ -1,5 +1,6 @@
 #include "cli/run_and_page.h"
 
+#include "core/machine.h"
 #include "core/output.h"
 #include "core/temporary_folder.h"
 #include "experiment/experiment.h"
@@ -68,7 +69,7 @@ ExitCode run_and_page(ExperimentPlan plan, const std::filesystem::path& folder, 
         run_experiment(plan, folder, [&](const fs::path& staged) { pages.write(staged); });
     pages.announce();
     for (const AdviceRecord& advice : results.advice) print_result("\n{}", advice_table(results, advice));
-    if (!results.advice.empty())
+    if (!results.advice.empty() && is_software_renderer(results.gl_renderer))
         print_result("\nMilliseconds are those of a software renderer; fetches carry over to a GPU.\n");
     return outcome.conclude(results);
 }

@@ -135,10 +135,9 @@ CommandEntry add_tune_command(CLI::App& program, const GlobalOptions& global) {
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(CLI::PositiveNumber);
-    app->add_option(
-           "--budget-ms", options->most_ms,
-           "Milliseconds that the AO pass and its filter may take on this machine's software renderer, "
-           "at this size on the first view; beside --max-fetches both are kept [any]")
+    app->add_option("--budget-ms", options->most_ms,
+                    "Milliseconds that the AO pass and its filter may take on this machine, "
+                    "at this size on the first view; beside --max-fetches both are kept [any]")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(CLI::PositiveNumber);

@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <fstream>
+#include <string_view>
 
 namespace aoscore {
 
@@ -16,6 +19,13 @@ std::string cpu_name() {
         if (const auto colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
     }
     return "unknown processor";
+}
+
+bool is_software_renderer(const std::string& gl_renderer) {
+    constexpr std::array<std::string_view, 5> kNames{"llvmpipe", "softpipe", "swrast", "SwiftShader",
+                                                     "Software Rasterizer"};
+    return std::ranges::any_of(
+        kNames, [&](std::string_view name) { return gl_renderer.find(name) != std::string::npos; });
 }
 
 double peak_memory_mib() {

@@ -30,7 +30,7 @@ Timing summarize(std::vector<double> runs_ms) {
 
 void PassRuns::add(const ScreenRenderer::PassTime& run) {
     ms.push_back(run.ms);
-    processor_ms.push_back(run.processor_ms);
+    if (run.processor_ms) processor_ms.push_back(*run.processor_ms);
 }
 
 Timing summarize(const PassRuns& runs) {

@@ -2,6 +2,7 @@
 
 #include "core/files.h"
 #include "core/log.h"
+#include "core/machine.h"
 #include "page/document/html_document.h"
 #include "page/document/page_key.h"
 #include "page/document/page_parts.h"
@@ -35,7 +36,8 @@ std::string page_html(const PageSource& all, const PageSource& source) {
     for (const Section& section : sections()) {
         const PageSource& used = section.of == Section::Of::all ? all : source;
         if (section.applies != nullptr && !section.applies(used.results)) continue;
-        const nlohmann::json content = section.build(used);
+        nlohmann::json content = section.build(used);
+        content["software"] = is_software_renderer(used.results.gl_renderer);
         model["sections"].push_back({{"id", std::string(section.id)},
                                      {"title", std::string(section.title)},
                                      {"folded", section.folded},

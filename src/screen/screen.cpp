@@ -1,6 +1,7 @@
 #include "screen/screen.h"
 
 #include "core/error.h"
+#include "core/machine.h"
 #include "core/processor_watch.h"
 #include "screen/gbuffer/gbuffer.h"
 #include "screen/gbuffer/precision.h"
@@ -17,6 +18,15 @@
 namespace aoscore {
 namespace {
 
+std::string gl_text(GLenum name) {
+    const GLubyte* text = gl::GetString(name);
+    return text == nullptr ? "unknown" : reinterpret_cast<const char*>(text);
+}
+
+bool draws_on_processor() {
+    return is_software_renderer(gl_text(GL_RENDERER));
+}
+
 class Clock {
   public:
     double milliseconds() const {
@@ -25,6 +35,7 @@ class Clock {
     /// Once all that was drawn has ended.
     ScreenRenderer::PassTime finished() const {
         gl::Finish();
+        if (!draws_on_processor()) return {milliseconds(), std::nullopt};
         return {milliseconds(), on_processor_.milliseconds()};
     }
 
@@ -32,11 +43,6 @@ class Clock {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     ProcessorWatch on_processor_;
 };
-
-std::string gl_text(GLenum name) {
-    const GLubyte* text = gl::GetString(name);
-    return text == nullptr ? "unknown" : reinterpret_cast<const char*>(text);
-}
 
 // Clips at 1: a pass may write more where only the mean over its filter's pixels counts. NaN stays NaN.
 void cut_off_above_one(ImageF& image) {
@@ -236,8 +242,7 @@ ScreenRenderer::PassTimes ScreenRenderer::time(const MethodRequest& request) {
     gl::Finish();
     PassTimes times;
     if (stage.band_px != glm::ivec2(0)) times.gbuffer = stage.timed_gbuffer();
-    const PassTimer::Clock clock =
-        is_software_renderer(renderer()) ? PassTimer::Clock::wall : PassTimer::Clock::queries;
+    const PassTimer::Clock clock = draws_on_processor() ? PassTimer::Clock::wall : PassTimer::Clock::queries;
     PassTimer ao(clock), filter(clock), lighting(clock);
     ao.begin();
     if (runner.draw_depth_layers(frame)) times.layers_processor_ms = ao.processor_ms_so_far();

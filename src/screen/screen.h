@@ -142,10 +142,10 @@ class ScreenRenderer {
     /// Makes a G-buffer that was kept the current one again, without drawing it. Throws internal_error for
     /// another number.
     void use_gbuffer(std::size_t kept);
-    /// The time of one run, to glFinish.
+    /// The time of one run.
     struct PassTime {
-        double ms = 0;            ///< by the clock
-        double processor_ms = 0;  ///< of all threads of this process
+        double ms = 0;                       ///< by PassTimer's clock
+        std::optional<double> processor_ms;  ///< of all threads of this process; empty on a GPU
     };
     /// Draws the last G-buffer again for the clock.
     PassTime time_gbuffer();
@@ -179,13 +179,13 @@ class ScreenRenderer {
 
     struct PassTimes {
         PassTime ao;  ///< with the inputs that are made for the method alone, its depth layers among them
-        /// The part of it that draws depth layers; empty for a method that reads none.
+        /// The part of it that draws depth layers; empty for a method that reads none, and on a GPU.
         std::optional<double> layers_processor_ms;
         std::optional<PassTime> filter;
         std::optional<PassTime> lighting;
         std::optional<PassTime> gbuffer;  ///< of the picture with its guard band; empty without one
     };
-    /// Runs once for the clock of PassTimer; nothing is read back. Processor times are the driver's alone on a GPU.
+    /// Runs once for the clock of PassTimer; nothing is read back.
     PassTimes time(const MethodRequest& request);
 
     /// The places to wait for a frame: after each of its passes, as for the times of passes, or only at its

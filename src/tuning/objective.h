@@ -44,7 +44,7 @@ class Objective {
     double loss_over(const std::vector<double>& settings, const std::vector<std::size_t>& views);
     /// Fetches a pixel of the AO passes, the mean over the first view's valid pixels.
     double fetches(const std::vector<double>& settings);
-    /// Milliseconds of the AO passes and the filter on the first view, by this machine's software renderer:
+    /// Milliseconds of the AO passes and the filter on the first view, on this machine:
     /// the median of runs in turns with the fixed pass, which stands for the speed that the machine has just
     /// then. Measured once for each combination of whole numbers, with all else as in the preset. Throws
     /// cells_failed where it cannot be timed.

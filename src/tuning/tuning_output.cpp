@@ -118,8 +118,8 @@ void print_tuning(const TuningResults& results, const TuningPlan& plan) {
         for (const TunedMethod& t : tuning.budgets) print_budget(tuning, t);
     }
     if (std::ranges::any_of(plan.budgets, [](const Budget& budget) { return budget.ms.has_value(); }))
-        print_result("\nMilliseconds are those of this machine's software renderer at {}x{} on {}.\n",
-                     plan.width, plan.height, results.views.front());
+        print_result("\nMilliseconds are those of this machine at {}x{} on {}.\n", plan.width, plan.height,
+                     results.views.front());
 }
 
 }  // namespace aoscore

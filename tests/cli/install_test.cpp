@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cstdlib>
 
 namespace aoscore {
@@ -15,27 +14,14 @@ namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using testing::output_dir;
-
-struct Printed {
-    int status = -1;
-    std::string text;
-};
-
-Printed run_shell(const std::string& command) {
-    Printed printed;
-    FILE* pipe = popen(("{ " + command + "; } 2>&1").c_str(), "r");
-    std::array<char, 4096> part;
-    for (std::size_t n; (n = fread(part.data(), 1, part.size(), pipe)) > 0;)
-        printed.text.append(part.data(), n);
-    printed.status = pclose(pipe);
-    return printed;
-}
+using testing::run_shell;
+using testing::ShellRun;
 
 /// The package, made by cpack in this folder; its path.
 fs::path packed(const fs::path& folder) {
     const fs::path build = fs::path(testing::program()).parent_path().parent_path();
-    const Printed cpack = run_shell("cd '" + folder.string() + "' && cpack -G DEB -B '" + folder.string() +
-                                    "' --config '" + (build / "CPackConfig.cmake").string() + "'");
+    const ShellRun cpack = run_shell("cd '" + folder.string() + "' && cpack -G DEB -B '" + folder.string() +
+                                     "' --config '" + (build / "CPackConfig.cmake").string() + "'");
     EXPECT_EQ(cpack.status, 0) << cpack.text;
     for (const auto& entry : fs::directory_iterator(folder)) {
         if (entry.path().extension() == ".deb") return entry.path();
@@ -47,7 +33,7 @@ fs::path packed(const fs::path& folder) {
 TEST(Package, RunsFromAScratchFolderWithoutTheSourceTree) {
     const fs::path folder = output_dir(), package = packed(folder), root = folder / "root",
                    home = folder / "home";
-    const Printed depends = run_shell("dpkg-deb -f '" + package.string() + "' Depends");
+    const ShellRun depends = run_shell("dpkg-deb -f '" + package.string() + "' Depends");
     EXPECT_THAT(depends.text, AllOf(HasSubstr("libembree3"), HasSubstr("libopenexr"),
                                     HasSubstr("libopenimageio"), HasSubstr("libosmesa6")));
     ASSERT_EQ(run_shell("dpkg-deb -x '" + package.string() + "' '" + root.string() + "'").status, 0);
@@ -67,12 +53,12 @@ TEST(Package, RunsFromAScratchFolderWithoutTheSourceTree) {
         "' && env -u AOSCORE_CACHE -u AOSCORE_DATA -u XDG_CACHE_HOME -u XDG_DATA_HOME HOME='" +
         home.string() + "' '" + (root / "usr/bin/aoscore").string() + "' ";
     EXPECT_THAT(run_shell(aoscore + "list scenes").text, HasSubstr("\nmine "));
-    const Printed score =
+    const ShellRun score =
         run_shell(aoscore + "score plane --view facing --size 64x64 --samples 4 --methods gtao --quiet");
     EXPECT_EQ(score.status, 0) << score.text;
     EXPECT_TRUE(fs::exists(home / "aoscore-out/score-plane/index.html")) << score.text;
     EXPECT_TRUE(fs::exists(home / ".cache/aoscore"));
-    const Printed import = run_shell(
+    const ShellRun import = run_shell(
         "printf 'v 0 0 0\\nv 1 0 0\\nv 0 0 1\\nf 1 2 3\\n' >'" + (home / "t.obj").string() + "'; " + aoscore +
         "reference t.obj --eye 0.3,2,0.3 --target 0.3,0,0.31 --size 16x16 --samples 4 --out t.exr");
     EXPECT_EQ(import.status, 0) << import.text;

@@ -4,8 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
 #include <fstream>
 #include <sstream>
 
@@ -22,12 +20,8 @@ using testing::run_aoscore;
 
 /// What a shell's command line prints, both streams together.
 std::string printed(const std::string& command) {
-    std::string text;
-    FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-    std::array<char, 4096> part;
-    for (std::size_t n; (n = fread(part.data(), 1, part.size(), pipe)) > 0;) text.append(part.data(), n);
-    text += pclose(pipe) == 0 ? "" : "\n(failed)";
-    return text;
+    const testing::ShellRun run = testing::run_shell(command);
+    return run.text + (run.status == 0 ? "" : "\n(failed)");
 }
 
 std::string script_for(const std::string& shell, const fs::path& folder) {

@@ -9,7 +9,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cstdlib>
 #include <map>
 #include <span>
@@ -22,25 +21,12 @@ using ::testing::HasSubstr;
 using testing::output_dir;
 using testing::program;
 using testing::run_aoscore;
+using testing::run_shell;
+using testing::ShellRun;
 using testing::source_dir;
 
 const std::string kScore =
     "score pillar --methods gtao,hbao,alchemy,ssao --size 96x54 --samples 32 --out out";
-
-struct Ended {
-    int status = -1;
-    std::string text;
-};
-
-Ended run_shell(const std::string& command) {
-    Ended ended;
-    FILE* pipe = popen(("{ " + command + "; } 2>&1").c_str(), "r");
-    std::array<char, 4096> part;
-    for (std::size_t n; (n = fread(part.data(), 1, part.size(), pipe)) > 0;)
-        ended.text.append(part.data(), n);
-    ended.status = pclose(pipe);
-    return ended;
-}
 
 /// Everything that was measured, times aside: metrics of cells, and all pixels of truths, G-buffers and
 /// pictures.
@@ -110,7 +96,7 @@ TEST(Snakemake, MakesTheResultOfOneProcess) {
     const fs::path folder = output_dir(), many = folder / "many";
     const auto one = measured_by_one(folder / "one");
     fs::create_directories(many);
-    const Ended ended = run_shell(
+    const ShellRun ended = run_shell(
         "cd '" + many.string() + "' && HOME='" + many.string() + "' AOSCORE_CACHE='" +
         (many / "truth-cache").string() + "' snakemake -s '" + (source_dir() / "cluster/Snakefile").string() +
         "' --cores 2 --config parts=4 aoscore='" + program() + "' command='" + kScore + "'");
@@ -125,9 +111,9 @@ class LocalSlurm {
         started_ = run_shell(script("start"));
     }
     /// How its daemons came up; a container may not let them.
-    const Ended& started() const { return started_; }
+    const ShellRun& started() const { return started_; }
     ~LocalSlurm() { run_shell(script("stop")); }
-    Ended run(const std::string& command) const {
+    ShellRun run(const std::string& command) const {
         return run_shell("export SLURM_CONF='" + (folder_ / "slurm.conf").string() + "'; " + command);
     }
 
@@ -137,7 +123,7 @@ class LocalSlurm {
                folder_.string() + "'";
     }
     fs::path folder_;
-    Ended started_;
+    ShellRun started_;
 };
 
 TEST(Slurm, MakesTheResultOfOneProcessWithAPartKilledAndRequeued) {
@@ -149,8 +135,8 @@ TEST(Slurm, MakesTheResultOfOneProcessWithAPartKilledAndRequeued) {
         GTEST_SKIP() << "Slurm does not start on this machine: " << slurm.started().text;
     const std::string here = "cd '" + many.string() + "' && export AOSCORE_CACHE='" +
                              (many / "truth-cache").string() + "' AOSCORE='" + program() + "'; ";
-    const Ended ended = slurm.run(here + "page=$('" + (source_dir() / "cluster/slurm.sh").string() + "' 8 " +
-                                  kScore + R"() || exit 1
+    const ShellRun ended = slurm.run(here + "page=$('" + (source_dir() / "cluster/slurm.sh").string() +
+                                     "' 8 " + kScore + R"() || exit 1
 array=$(squeue -h -r -o '%F %j' | awk '$2 == "aoscore-part" { print $1; exit }')
 for _ in $(seq 100); do squeue -h -r -t RUNNING -o '%j' | grep -q aoscore-part && break; sleep 0.05; done
 part=$(squeue -h -r -t RUNNING -o '%K %j' | awk '$2 == "aoscore-part" { print $1; exit }')

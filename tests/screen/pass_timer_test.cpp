@@ -1,5 +1,6 @@
 #include "screen/gl/pass_timer.h"
 
+#include "core/machine.h"
 #include "screen/gl/context.h"
 #include "screen/gl/gl.h"
 
@@ -33,6 +34,7 @@ TEST(PassTimer, OfEitherClockMeasuresEachPassByItself) {
         for (const PassTimer* timer : {&first, &second}) {
             EXPECT_TRUE(std::isfinite(timer->milliseconds()));
             EXPECT_GE(timer->milliseconds(), 0);
+            EXPECT_EQ(timer->processor_ms().has_value(), clock == PassTimer::Clock::wall);
         }
         gl::check("timing passes");
     }

@@ -5,6 +5,8 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <cstdlib>
 
 namespace aoscore::testing {
@@ -46,6 +48,15 @@ ProgramRun run_aoscore(const std::string& arguments, const fs::path& folder, con
     run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     run.out = read_file(out);
     run.err = read_file(err);
+    return run;
+}
+
+ShellRun run_shell(const std::string& command) {
+    ShellRun run;
+    FILE* pipe = popen(("{ " + command + "; } 2>&1").c_str(), "r");
+    std::array<char, 4096> part;
+    for (std::size_t n; (n = fread(part.data(), 1, part.size(), pipe)) > 0;) run.text.append(part.data(), n);
+    run.status = pclose(pipe);
     return run;
 }
 

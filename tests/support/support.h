@@ -31,6 +31,13 @@ struct ProgramRun {
 ProgramRun run_aoscore(const std::string& arguments, const std::filesystem::path& folder,
                        const std::string& prefix = {});
 
+/// How a shell's command ended, and what it printed on both streams.
+struct ShellRun {
+    int status = -1;  ///< as waitpid() states it: 0 where it ended well
+    std::string text;
+};
+ShellRun run_shell(const std::string& command);
+
 }  // namespace aoscore::testing
 
 /// Skips the test where the shared inputs are absent; fails it there when CI=true.

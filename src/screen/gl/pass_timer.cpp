@@ -2,18 +2,7 @@
 
 #include "screen/gl/gl.h"
 
-#include <algorithm>
-#include <array>
-#include <string_view>
-
 namespace aoscore {
-
-bool is_software_renderer(const std::string& gl_renderer) {
-    constexpr std::array<std::string_view, 5> kNames{"llvmpipe", "softpipe", "swrast", "SwiftShader",
-                                                     "Software Rasterizer"};
-    return std::ranges::any_of(
-        kNames, [&](std::string_view name) { return gl_renderer.find(name) != std::string::npos; });
-}
 
 PassTimer::PassTimer(Clock clock) {
     if (clock == Clock::queries) gl::GenQueries(1, &query_);
@@ -42,8 +31,13 @@ void PassTimer::end() {
     processor_ms_ = on_processor_.milliseconds();
 }
 
-double PassTimer::processor_ms_so_far() const {
-    if (query_ == 0) gl::Finish();
+std::optional<double> PassTimer::processor_ms() const {
+    return query_ == 0 ? std::optional(processor_ms_) : std::nullopt;
+}
+
+std::optional<double> PassTimer::processor_ms_so_far() const {
+    if (query_ != 0) return std::nullopt;
+    gl::Finish();
     return on_processor_.milliseconds();
 }
 

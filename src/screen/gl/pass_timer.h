@@ -3,12 +3,9 @@
 #include "core/processor_watch.h"
 #include "core/stopwatch.h"
 
-#include <string>
+#include <optional>
 
 namespace aoscore {
-
-/// Whether this GL_RENDERER draws on the processor, so that its milliseconds say nothing of a GPU's.
-bool is_software_renderer(const std::string& gl_renderer);
 
 /// Times what is drawn between begin() and end().
 ///
@@ -29,11 +26,11 @@ class PassTimer {
     void end();
     /// Waits for the result of a query.
     double milliseconds() const;
-    /// Processor time of all threads of this process, between begin() and end(); on a GPU it is the driver's
-    /// alone.
-    double processor_ms() const { return processor_ms_; }
-    /// The same up to now; by the wall clock, it waits for what was drawn.
-    double processor_ms_so_far() const;
+    /// Processor time of all threads of this process between begin() and end(), milliseconds; empty on a GPU,
+    /// where it would be the driver's alone.
+    std::optional<double> processor_ms() const;
+    /// The same up to now, once what was drawn has ended.
+    std::optional<double> processor_ms_so_far() const;
 
   private:
     unsigned query_ = 0;  ///< 0: the wall clock
