@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Sourced by run.sh and test.sh: installs what is missing, configures once, builds what changed.
 # Everything said here goes to standard error: standard output belongs to aoscore.
 

@@ -47,6 +47,7 @@ CommandEntry add_cache_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_job_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_plan_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_work_command(CLI::App& program, const GlobalOptions& global);
+CommandEntry add_schema_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_manual_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_completion_command(CLI::App& program, const GlobalOptions& global);
 

@@ -22,6 +22,8 @@ StrictObject::StrictObject(const json& object, std::string where)
 StrictObject StrictObject::of_file(const json& object, std::string name) {
     StrictObject file(object, std::move(name));
     file.before_key_ = ": ";
+    // Editors find the schema of a file by it.
+    if (file.has("$schema")) file.text("$schema");
     return file;
 }
 

@@ -17,7 +17,8 @@ class StrictObject {
   public:
     /// `where` as it appears in errors: "views.json: views[2]".
     StrictObject(const nlohmann::json& object, std::string where);
-    /// The top level of the file `name`, whose members appear in errors as "views.json: views".
+    /// The top level of the file `name`, whose members appear in errors as "views.json: views". "$schema", a
+    /// text, may stand in it and is not read.
     static StrictObject of_file(const nlohmann::json& object, std::string name);
 
     bool has(std::string_view key) const;

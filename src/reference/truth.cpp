@@ -187,20 +187,48 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
     Progress progress(what, wanted.size());
     std::atomic<std::uint64_t> rays{0};
     const auto start = std::chrono::steady_clock::now();
-    parallel_for(wanted.size(), [&](std::size_t i) {
-        const std::size_t g = wanted[i];
-        std::uint64_t group_rays = 0;
-        const GroupState begun = store != nullptr ? store->begun(g) : GroupState{};
-        const GroupState state = work.trace(groups.group(g), begun, group_rays);
-        if (store != nullptr) store->keep(g, state);
-        resolve_group(groups, g, state.tiles, frame, request, truth);
-        rays += group_rays;
+    const auto bring = [&](std::size_t g) {
+        if (store != nullptr && store->has(g)) {
+            resolve_group(groups, g, store->load(g).tiles, frame, request, truth);
+        } else {
+            std::uint64_t group_rays = 0;
+            const GroupState begun = store != nullptr ? store->begun(g) : GroupState{};
+            const GroupState state = work.trace(groups.group(g), begun, group_rays);
+            if (store != nullptr) store->keep(g, state);
+            resolve_group(groups, g, state.tiles, frame, request, truth);
+            rays += group_rays;
+        }
         progress.step();
+    };
+    std::vector<char> later(wanted.size(), 0);
+    parallel_for(wanted.size(), [&](std::size_t i) {
+        later[i] = store != nullptr && store->begun_elsewhere(wanted[i]) ? 1 : 0;
+        if (later[i] == 0) bring(wanted[i]);
+    });
+    parallel_for(wanted.size(), [&](std::size_t i) {
+        if (later[i] != 0) bring(wanted[i]);
     });
     truth.seconds += seconds_since(start);
     truth.rays_now = rays;
     count_samples(settings, truth);
     return truth;
+}
+
+void ReferenceScene::trace_into(TileStore& store, const CameraFrame& frame,
+                                const std::vector<TruthQuery>& queries, const TruthSettings& settings,
+                                const std::function<std::vector<std::size_t>()>& next) const {
+    check_truth_request(queries, settings);
+    std::vector<std::size_t> numbers = next();
+    if (numbers.empty()) return;
+    const ReachableScene scene = impl_->builds.reachable(frame, longest_radius(queries));
+    const TraceWork work(scene, frame, queries, settings);
+    const TileGroups groups(frame.width(), frame.height());
+    for (; !numbers.empty(); numbers = next()) {
+        parallel_for(numbers.size(), [&](std::size_t i) {
+            std::uint64_t rays = 0;
+            store.keep(numbers[i], work.trace(groups.group(numbers[i]), store.begun(numbers[i]), rays));
+        });
+    }
 }
 
 std::vector<GroupState> ReferenceScene::trace_groups(const CameraFrame& frame,

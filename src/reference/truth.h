@@ -223,7 +223,13 @@ class ReferenceScene {
     Truth trace(const CameraFrame& frame, const std::vector<TruthQuery>& queries,
                 const TruthSettings& settings, const std::string& what, TileStore* store = nullptr) const;
 
-    /// All that is known of the tiles of these groups (see TileGroups), traced without a store.
+    /// Traces groups (see TileGroups), those that `next` gives until it gives none, from what the store has
+    /// begun of them, and keeps them there.
+    void trace_into(TileStore& store, const CameraFrame& frame, const std::vector<TruthQuery>& queries,
+                    const TruthSettings& settings,
+                    const std::function<std::vector<std::size_t>()>& next) const;
+
+    /// All that is known of the tiles of these groups, traced without a store.
     std::vector<GroupState> trace_groups(const CameraFrame& frame, const std::vector<TruthQuery>& queries,
                                          const TruthSettings& settings,
                                          const std::vector<std::size_t>& numbers) const;

@@ -1,11 +1,13 @@
 // Tests stored truths: their keys, when they serve, and that no bit differs from tracing anew.
 #include "store/truth/truth_cache.h"
 
+#include "reference/integrator/tile.h"
 #include "reference/test_scenes.h"
 #include "store/code_digest.h"
 #include "store/truth/cache_file.h"
 #include "store/truth/entry_lock.h"
 #include "store/truth/tile_codec.h"
+#include "store/truth/tracing_help.h"
 #include "support/support.h"
 
 #include <gtest/gtest.h>
@@ -343,6 +345,91 @@ TEST(Cache, TwoWhoWantTheSameTraceItOnce) {
     EXPECT_EQ((got[0].origin == TruthOrigin::cached) + (got[1].origin == TruthOrigin::cached), 1)
         << "the second waits for the first";
     expect_same_bits(got[0].truth, got[1].truth);
+}
+
+/// The help for a truth of the room, and its chunk in the middle with what tracing gives for it.
+struct HelpedChunk {
+    HelpedChunk(const Room& room, const TruthRequest& request)
+        : stem(room.folder / request.picture_key() / request.wanted_key()),
+          help(stem, TileGroups(request.width, request.height).count()),
+          chunk(help.chunks() / 2),
+          states(room.reference.trace_groups(CameraFrame(request.camera, request.width, request.height),
+                                             request.queries, request.settings, help.groups_of(chunk))) {
+        fs::create_directories(stem.parent_path());
+    }
+    std::uint64_t rays() const {
+        std::uint64_t sum = 0;
+        for (const GroupState& group : states) {
+            for (const TileState& tile : group.tiles) {
+                for (const std::uint32_t count : tile.samples) sum += count;
+            }
+        }
+        return sum;
+    }
+
+    fs::path stem;
+    TracingHelp help;
+    std::size_t chunk;
+    std::vector<GroupState> states;
+};
+
+TEST(Help, ThatWasPublishedIsTakenOverWithoutARayMore) {
+    const Room room;
+    for (const std::uint64_t seed : {1, 2}) {
+        TruthRequest request = room.request(64);
+        request.settings.seed = seed;
+        const HelpedChunk helped(room, request);
+        ASSERT_GT(helped.help.chunks(), 3u);
+        ASSERT_GT(helped.rays(), 0u);
+        helped.help.publish(helped.chunk, helped.states);
+        const CachedTruth got = room.get(request);
+        const Truth anew = room.anew(request);
+        expect_same_bits(got.truth, anew);
+        EXPECT_EQ(got.truth.rays_now, anew.rays_now - helped.rays());
+    }
+    EXPECT_TRUE(room.file(".help").empty());
+    EXPECT_TRUE(room.file(".claim").empty());
+}
+
+TEST(Help, ThatIsDamagedOrNeverComesCostsNoBit) {
+    const Room room;
+    for (const bool damaged : {true, false}) {
+        TruthRequest request = room.request(16);
+        request.settings.seed = damaged ? 3 : 4;
+        const HelpedChunk helped(room, request);
+        ASSERT_TRUE(helped.help.claim(helped.chunk));
+        EXPECT_FALSE(helped.help.claim(helped.chunk)) << "another process could begin it too";
+        if (damaged) {
+            helped.help.publish(helped.chunk, helped.states);
+            std::fstream file(room.file(".help"), std::ios::in | std::ios::out | std::ios::binary);
+            file.seekp(200);
+            file << "damage";
+        }
+        const CachedTruth got = room.get(request);
+        const Truth anew = room.anew(request);
+        expect_same_bits(got.truth, anew);
+        EXPECT_EQ(got.truth.rays_now, anew.rays_now);
+    }
+}
+
+TEST(Help, OfOneWhoWaitsIsAllThatIsLeftToTrace) {
+    const Room room;
+    const TruthRequest request = room.request(64);
+    const HelpedChunk helped(room, request);
+    CachedTruth got;
+    std::thread waiting;
+    {
+        // Somebody has the truth and traces nothing, until the one who waits has traced all chunks.
+        const EntryLock lock = EntryLock::acquire(fs::path(helped.stem) += ".lock", [] {});
+        waiting = std::thread([&] { got = room.get(request); });
+        for (std::size_t chunk = 0; chunk < helped.help.chunks(); ++chunk) {
+            while (!helped.help.published(chunk)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+    }
+    waiting.join();
+    expect_same_bits(got.truth, room.anew(request));
+    EXPECT_EQ(got.truth.rays_now, 0u) << "the lock was free when all was there";
+    EXPECT_TRUE(room.file(".help").empty());
 }
 
 TEST(Cache, ClearSaysWhatItFreedAndLeavesWhatIsInUse) {

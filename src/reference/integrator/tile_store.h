@@ -23,6 +23,8 @@ class TileStore {
 
     /// Whether this group is there, as far as it was asked for.
     virtual bool has(std::size_t group) const = 0;
+    /// Whether another process has begun this group, so that it comes last: it may be there by then.
+    virtual bool begun_elsewhere(std::size_t) { return false; }
     /// That group.
     virtual GroupState load(std::size_t group) const = 0;
     /// Tiles of this group with fewer rays, of the same queries and extras; none where there are none.

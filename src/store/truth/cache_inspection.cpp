@@ -4,6 +4,7 @@
 #include "store/truth/cache_file.h"
 #include "store/truth/entry_lock.h"
 #include "store/truth/tile_codec.h"
+#include "store/truth/tracing_help.h"
 #include "store/truth/truth_cache.h"
 
 #include <fmt/format.h>
@@ -158,7 +159,11 @@ ClearedCache TruthCache::clear() const {
         cleared.bytes += bytes;
     }
     for (const auto& picture : fs::directory_iterator(folder_, ec)) {
-        if (picture.is_directory(ec)) fs::remove(picture.path(), ec);  // succeeds only where it is empty
+        if (!picture.is_directory(ec)) continue;
+        for (const auto& entry : fs::directory_iterator(picture.path(), ec)) {
+            if (is_tracing_help(entry.path())) fs::remove(entry.path(), ec);
+        }
+        fs::remove(picture.path(), ec);  // succeeds only where it is empty
     }
     return cleared;
 }

@@ -8,7 +8,9 @@
 #include "reference/sampling/sample_plan.h"
 #include "store/truth/cache_file.h"
 #include "store/truth/entry_lock.h"
+#include "store/truth/help_tracing.h"
 #include "store/truth/tile_codec.h"
+#include "store/truth/tracing_help.h"
 
 #include <fmt/format.h>
 
@@ -16,6 +18,7 @@
 #include <array>
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -35,7 +38,7 @@ fs::path with(const fs::path& stem, const char* extension) {
 }
 
 /// A cache file as a store of tiles. It writes nothing to a file that is open for reading only.
-class FileStore final : public TileStore {
+class FileStore : public TileStore {
   public:
     FileStore(CacheFile& file, const CacheFile* base, std::string where)
         : file_(file), base_(base), where_(std::move(where)) {}
@@ -45,7 +48,11 @@ class FileStore final : public TileStore {
     GroupState begun(std::size_t group) const override {
         return base_ != nullptr && base_->has(group) ? decode(base_->read(group), where_) : GroupState{};
     }
-    void keep(std::size_t group, const GroupState& state) override {
+    void keep(std::size_t group, const GroupState& state) override { take(group, state); }
+    bool failed() const { return failed_; }
+
+  protected:
+    void take(std::size_t group, const GroupState& state) const {
         if (failed_) return;
         try {
             file_.append(group, encode(state));
@@ -54,13 +61,45 @@ class FileStore final : public TileStore {
             if (!failed_.exchange(true)) log_warning(fmt::format("the truth is not kept: {}", e.what()));
         }
     }
-    bool failed() const { return failed_; }
 
   private:
     CacheFile& file_;
     const CacheFile* base_;
     std::string where_;
-    std::atomic<bool> failed_{false};
+    mutable std::atomic<bool> failed_{false};
+};
+
+/// A store that takes over what processes that wait for the truth have traced of it.
+class HelpedStore final : public FileStore {
+  public:
+    HelpedStore(CacheFile& file, const CacheFile* base, const std::string& where, const TracingHelp& help)
+        : FileStore(file, base, where), help_(help), begun_(help.chunks()) {}
+
+    bool has(std::size_t group) const override { return FileStore::has(group) || take_over(group); }
+    bool begun_elsewhere(std::size_t group) override {
+        const std::scoped_lock lock(mutex_);
+        std::optional<bool>& elsewhere = begun_[help_.chunk_of(group)];
+        if (!elsewhere) elsewhere = !help_.claim(help_.chunk_of(group));
+        return *elsewhere && !FileStore::has(group);
+    }
+
+  private:
+    bool take_over(std::size_t group) const {
+        const std::scoped_lock lock(mutex_);
+        if (FileStore::has(group)) return true;
+        const std::size_t chunk = help_.chunk_of(group);
+        const auto states = help_.published(chunk);
+        if (!states) return false;
+        const std::vector<std::size_t> numbers = help_.groups_of(chunk);
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            if (!FileStore::has(numbers[i])) take(numbers[i], (*states)[i]);
+        }
+        return FileStore::has(group);
+    }
+
+    const TracingHelp& help_;
+    mutable std::mutex mutex_;
+    std::vector<std::optional<bool>> begun_;  ///< by chunk: whether elsewhere; empty where nobody asked
 };
 
 /// A complete file of the cache.
@@ -218,7 +257,8 @@ class CachedTracing {
           what_(what),
           frame_(request.camera, request.width, request.height),
           folder_(cache / request.picture_key()),
-          stem_(folder_ / request.wanted_key()) {}
+          stem_(folder_ / request.wanted_key()),
+          help_(stem_, TileGroups(request.width, request.height).count()) {}
 
     CachedTruth run() {
         if (std::optional<CachedTruth> there = served(complete_truths(folder_, request_), frame_, request_)) {
@@ -238,17 +278,55 @@ class CachedTracing {
 
   private:
     /// Takes the lock, and opens the file for tiles; or returns the truth, where another process has traced
-    /// it while this one waited.
+    /// it while this one helped and waited.
     std::optional<CachedTruth> open() {
         fs::create_directories(folder_);
-        lock_.emplace(EntryLock::acquire(with(stem_, kLock), [&] {
-            log_info(what_ + ": another process is tracing this; waiting for it");
-        }));
+        const bool helped = !try_lock() && help();
+        if (!lock_) {
+            lock_.emplace(EntryLock::acquire(with(stem_, kLock), [&] {
+                log_info(what_ + ": another process is tracing this; waiting for it");
+            }));
+        }
         truths_ = complete_truths(folder_, request_);
-        if (std::optional<CachedTruth> there = served(truths_, frame_, request_)) return there;
+        if (std::optional<CachedTruth> there = served(truths_, frame_, request_)) {
+            if (helped) help_.remove();  // what came too late
+            return there;
+        }
         const std::size_t groups = TileGroups(request_.width, request_.height).count();
         file_ = open_partial(with(stem_, kPartial), header_of(request_, label_, groups));
+        begin_chunks();
         return std::nullopt;
+    }
+
+    bool try_lock() {
+        if (std::optional<EntryLock> lock = EntryLock::try_acquire(with(stem_, kLock)))
+            lock_.emplace(std::move(*lock));
+        return lock_.has_value();
+    }
+
+    /// Traces what the process that has the lock has not begun, until there is no more of it or the lock is
+    /// free, which this process then has. False where it was of no use.
+    bool help() {
+        log_info(what_ + ": another process is tracing this; helping it");
+        const std::vector<OpenTruth> truths = complete_truths(folder_, request_);
+        const OpenTruth* base = base_of(truths, request_);
+        try {
+            help_tracing(help_, reference_, request_, base != nullptr ? base->file.get() : nullptr,
+                         [&] { return try_lock(); });
+        } catch (const Error& e) {
+            if (e.exit_code() != ExitCode::file_error) throw;
+            return false;
+        }
+        return true;
+    }
+
+    /// Lets helpers begin all chunks but those that are there.
+    void begin_chunks() const {
+        help_.forget_claims();
+        for (std::size_t chunk = 0; chunk < help_.chunks(); ++chunk) {
+            const auto there = [&](std::size_t group) { return file_->has(group); };
+            if (std::ranges::all_of(help_.groups_of(chunk), there)) help_.claim(chunk);
+        }
     }
 
     CachedTruth uncached(const std::string& why) const {
@@ -268,7 +346,7 @@ class CachedTracing {
             result.origin = TruthOrigin::resumed;
             log_info(what_ + ": going on from where an earlier run ended");
         }
-        FileStore store(*file_, base != nullptr ? base->file.get() : nullptr, stem_.string());
+        HelpedStore store(*file_, base != nullptr ? base->file.get() : nullptr, stem_.string(), help_);
         try {
             result.truth = reference_.trace(frame_, request_.queries, request_.settings, what_, &store);
         } catch (const Error& e) {
@@ -283,6 +361,7 @@ class CachedTracing {
     /// Makes the traced file a complete truth of the cache, and removes those that it replaces.
     void keep(const FileStore& store) {
         std::error_code ec;
+        help_.remove();
         if (store.failed()) {
             fs::remove(with(stem_, kPartial), ec);
             return;
@@ -305,6 +384,7 @@ class CachedTracing {
     const std::string& what_;
     const CameraFrame frame_;
     const fs::path folder_, stem_;
+    const TracingHelp help_;
     std::optional<EntryLock> lock_;
     std::unique_ptr<CacheFile> file_;
     std::vector<OpenTruth> truths_;

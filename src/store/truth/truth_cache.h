@@ -70,8 +70,9 @@ struct ClearedCache {
 /// Keeps truths in a folder, so that none is traced twice. Every file is named by the digest of all that its
 /// bits depend on, so that no stale one is ever served. Tiles are stored as they are done: a run that was
 /// killed goes on where it stopped. Any number of processes may use one folder: one that wants a truth that
-/// another is tracing waits for it. The damaged groups of a file are traced again, with a warning. Where the
-/// folder cannot be written, truths are traced all the same, with a warning.
+/// another is tracing traces some of its tiles, and waits for the others. The damaged groups of a file are
+/// traced again, with a warning. Where the folder cannot be written, truths are traced all the same, with a
+/// warning.
 class TruthCache {
   public:
     explicit TruthCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
