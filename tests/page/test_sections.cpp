@@ -262,6 +262,8 @@ TEST(Failures, DivideMissingOcclusionByCauseAndLinkTheWorstRegions) {
     analysis.missing.causes = {
         {"outside", 0.1, 0.2}, {"hidden", 0.2, 0.2}, {"grazing", 0, {}}, {"visible", 0.1, 0.2}};
     analysis.regions = {{"missing", 3, 4, 10, 20, 5, 6, 0.9, 120, 0.45, "hidden"}};
+    EXPECT_FALSE(section::failures(page.source())["views"][0]["has_regions"]) << "without pictures";
+    page.pictures.cells[page.results.cells[0].id] = {};
     const json view = section::failures(page.source())["views"][0];
     const json& row = view["rows"][0];
     ASSERT_EQ(row["parts"].size(), 4U);
