@@ -7,6 +7,7 @@
 #include "results/stress_results.h"
 #include "store/code_digest.h"
 #include "verdict/baseline.h"
+#include "verdict/rankings.h"
 
 #include <memory>
 
@@ -25,7 +26,7 @@ ExitCode run(const PageOptions& options) {
         return ExitCode::ok;
     }
     Outcome outcome(options.outcome);
-    Results results = read_results(options.results);
+    Results results = ranked_anew(read_results(options.results));
     const std::filesystem::path folder =
         std::filesystem::is_directory(options.results) ? options.results : options.results.parent_path();
     if (outcome.baseline()) {
@@ -34,7 +35,7 @@ ExitCode run(const PageOptions& options) {
     }
     // A page with everything differs from the one that a run would make.
     const std::string key = options.everything ? "" : page_key(results, std::string(code_digest("page")));
-    print_path(write_page(folder, options.everything, key));
+    print_path(write_page(results, folder, options.everything, key));
     return outcome.conclude(results);
 }
 

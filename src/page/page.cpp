@@ -28,16 +28,29 @@ std::string section_html(const Section& section, const nlohmann::json& content) 
     return fill_template(read_file(fragment), content, fragment.string());
 }
 
+/// Whether the rankings are all that there is to show, so that they are shown without pictures. Those of a
+/// sweep or of claims would only mix their settings.
+bool ranks_alone(const Results& all, const Results& pictured) {
+    return pictured.views.empty() && all.sweeps.empty() && all.claims.empty();
+}
+
+const PageSource& source_of(const Section& section, const PageSource& all, const PageSource& pictured) {
+    const bool whole = section.of == Section::Of::all ||
+                       (section.of == Section::Of::ranked && ranks_alone(all.results, pictured.results));
+    return whole ? all : pictured;
+}
+
 std::string page_html(const PageSource& all, const PageSource& source) {
     nlohmann::json model = {{"stage_data", stage_data(source)},
                             {"version", source.results.program_version},
                             {"created", source.results.created_utc},
                             {"sections", nlohmann::json::array()}};
     for (const Section& section : sections()) {
-        const PageSource& used = section.of == Section::Of::all ? all : source;
+        const PageSource& used = source_of(section, all, source);
         if (section.applies != nullptr && !section.applies(used.results)) continue;
         nlohmann::json content = section.build(used);
         content["software"] = is_software_renderer(used.results.gl_renderer);
+        content["pictured"] = !source.results.views.empty();
         model["sections"].push_back({{"id", std::string(section.id)},
                                      {"title", std::string(section.title)},
                                      {"folded", section.folded},
@@ -60,8 +73,9 @@ void require_page_parts() {
     page_script();
 }
 
-fs::path write_page(const fs::path& results_folder, bool everything, const std::string& key) {
-    const Results results = in_ranking_order(read_results(results_folder));
+fs::path write_page(const Results& of_run, const fs::path& results_folder, bool everything,
+                    const std::string& key) {
+    const Results results = in_ranking_order(of_run);
     const Results shown = pictured(results);
     LiveData live = read_live_data(shown, results_folder);
     const Pictures pictures =
@@ -80,9 +94,14 @@ fs::path write_page(const fs::path& results_folder, bool everything, const std::
     return path;
 }
 
+fs::path write_page(const fs::path& results_folder) {
+    return write_page(read_results(results_folder), results_folder);
+}
+
 void write_page_unless_shown(const fs::path& results_folder, const fs::path& shown, const std::string& code) {
-    const std::string key = page_key(read_results(results_folder), code);
-    if (!is_page_of(shown, key)) write_page(results_folder, false, key);
+    const Results results = read_results(results_folder);
+    const std::string key = page_key(results, code);
+    if (!is_page_of(shown, key)) write_page(results, results_folder, false, key);
 }
 
 }  // namespace aoscore

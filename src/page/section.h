@@ -25,8 +25,9 @@ struct Section {
     std::string_view id;
     std::string_view title;
     nlohmann::json (*build)(const PageSource&);
-    /// The results that it shows: only views and cells whose images were stored, or all of them.
-    enum class Of { pictured, all } of = Of::pictured;
+    /// The results that it shows: only views and cells whose images were stored; these, or all where no image
+    /// was stored and no sweep or claim explains the cells; or all.
+    enum class Of { pictured, ranked, all } of = Of::pictured;
     /// Whether it applies to the results; the page leaves it out otherwise.
     bool (*applies)(const Results&) = nullptr;
     bool folded = true;  ///< shows a line until a reader unfolds it; its contents are built then

@@ -11,7 +11,7 @@ namespace aoscore {
 
 namespace {
 
-bool has_pictures(const Results& results) {
+bool has_views(const Results& results) {
     return !results.views.empty();
 }
 
@@ -50,17 +50,17 @@ bool has_sweeps(const Results& results) {
 const std::vector<Section>& sections() {
     using enum Section::Of;
     static const std::vector<Section> table = {
-        {"verdict", "Verdict", section::verdict, pictured, has_pictures, false},
-        {"ranking", "Ranking", section::ranking, pictured, has_pictures},
-        {"pictures", "Pictures", section::pictures, pictured, has_pictures, false},
+        {"verdict", "Verdict", section::verdict, ranked, has_views, false},
+        {"ranking", "Ranking", section::ranking, ranked, has_views},
+        {"pictures", "Pictures", section::pictures, pictured, has_views, false},
         {"sweeps", "Sweeps", section::sweeps, all, has_sweeps},
-        {"cost", "Run time against error", section::cost, pictured, has_costs},
-        {"advice", "The next step", section::advice, pictured, has_advice},
-        {"failures", "Where it fails", section::failures, pictured, has_analyses},
-        {"distributions", "Errors in detail", section::distributions, pictured, has_analyses},
+        {"cost", "Run time against error", section::cost, ranked, has_costs},
+        {"advice", "The next step", section::advice, ranked, has_advice},
+        {"failures", "Where it fails", section::failures, ranked, has_analyses},
+        {"distributions", "Errors in detail", section::distributions, ranked, has_analyses},
         {"signals", "Bent normals and cones", section::signals, pictured, has_signals},
-        {"live", "Live parameters", section::live, pictured, has_pictures},
-        {"published", "Published tables beside ours", section::published, pictured, has_tables},
+        {"live", "Live parameters", section::live, pictured, has_views},
+        {"published", "Published tables beside ours", section::published, all, has_tables},
         {"claims", "Published claims", section::claims, all, has_claims},
         {"measurement", "How it was measured", section::measurement, all},
     };

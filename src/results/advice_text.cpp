@@ -47,7 +47,9 @@ std::string step_line(const StepRecord& step, double before) {
 std::string price_text(const StepRecord& step) {
     if (!step.ms) return "; its cost was not timed";
     if (step.costs()) return fmt::format(", for {:.2f} ms more", *step.ms);
-    return fmt::format(", for {:+.2f} ms, which cannot be told from none", *step.ms);
+    if (step.ms_interval && step.ms_interval->high < 0)
+        return fmt::format(", and saves {:.2f} ms", -*step.ms);
+    return ", and its time does not differ significantly";
 }
 
 }  // namespace

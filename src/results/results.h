@@ -332,6 +332,7 @@ struct WorkRecord {
 
 struct Results {
     static constexpr int kSchemaVersion = 9;
+    int schema_version = kSchemaVersion;  ///< of the file they were read from; written is kSchemaVersion
     std::string program_version;
     std::string created_utc;  ///< 2026-11-22T02:11:47Z
     std::string command;      ///< the command that runs it again
@@ -364,7 +365,8 @@ CellRecord cell_record_from_json(const nlohmann::json& json, const std::string& 
 
 nlohmann::json to_json(const Results& results);
 nlohmann::json to_json(const ErrorAnalysis& analysis);
-/// Throws file_error for another schema version or a missing member. `where` names the file in errors.
+/// Results of an older schema are upgraded (see results/upgrade/). Throws file_error for a newer one, one that
+/// is too old, or a missing member. `where` names the file in errors.
 Results results_from_json(const nlohmann::json& json, const std::string& where);
 
 /// Writes folder/results.json.

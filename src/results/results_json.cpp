@@ -1,5 +1,6 @@
 #include "results/record_json.h"
 #include "results/results_members.h"
+#include "results/upgrade/schema_upgrade.h"
 
 #include <fmt/format.h>
 
@@ -38,9 +39,19 @@ Results results_from_json(const json& object, const std::string& where) {
     Reader reader{StrictObject::of_file(object, where)};
     int schema_version = 0;
     reader("schema_version", schema_version);
-    if (schema_version != Results::kSchemaVersion) {
-        throw file_error(fmt::format("is {}, of another version of this program", schema_version),
-                         reader.object.where("schema_version"), fmt::format("{}", Results::kSchemaVersion));
+    if (schema_version > Results::kSchemaVersion || schema_version < kOldestSchema) {
+        throw file_error(fmt::format("is {}, of {} version of this program", schema_version,
+                                     schema_version < kOldestSchema ? "too old a" : "a newer"),
+                         reader.object.where("schema_version"),
+                         fmt::format("{} to {}", kOldestSchema, Results::kSchemaVersion));
+    }
+    if (schema_version < Results::kSchemaVersion) {
+        json upgraded = object;
+        upgrade_schema(upgraded, schema_version);
+        upgraded["schema_version"] = Results::kSchemaVersion;
+        Results results = results_from_json(upgraded, where);
+        results.schema_version = schema_version;
+        return results;
     }
     Results results;
     visit_members(reader, results);

@@ -227,7 +227,7 @@ class Judge {
         std::vector<Part> parts;
         for (std::size_t i = 0; i + 1 < found.size(); ++i) {
             parts.push_back(
-                {fmt::format("{}: {} less that of {}", q.label, name_of(found[i + 1]), name_of(found[i])),
+                {fmt::format("{}: {} minus {}", q.label, name_of(found[i + 1]), name_of(found[i])),
                  combined({found[i].measured, found[i + 1].measured}, difference), -check.tolerance,
                  std::nullopt, std::string(q.unit), q.decimals});
         }
@@ -257,16 +257,16 @@ class Judge {
                 return successive_differences(check, q, found);
             case Kind::ratio:
                 return whole(
-                    fmt::format("{}: {} over {}", label, name_of(found[0]), name_of(found[1])),
+                    fmt::format("{}: {} divided by {}", label, name_of(found[0]), name_of(found[1])),
                     [](const auto& v) { return v[0] / v[1]; }, "", 3);
             case Kind::difference:
                 return whole(
-                    fmt::format("{}: {} less {}", label, name_of(found[0]), name_of(found[1])),
+                    fmt::format("{}: {} minus {}", label, name_of(found[0]), name_of(found[1])),
                     [](const auto& v) { return v[0] - v[1]; }, unit, q.decimals);
             case Kind::ratio_difference:
                 return whole(
-                    fmt::format("{}: {} over {}, less {} over {}", label, name_of(found[0]),
-                                name_of(found[1]), name_of(found[2]), name_of(found[3])),
+                    fmt::format("{}: {} / {} minus {} / {}", label, name_of(found[0]), name_of(found[1]),
+                                name_of(found[2]), name_of(found[3])),
                     [](const auto& v) { return v[0] / v[1] - v[2] / v[3]; }, "", 3);
             case Kind::slope: {
                 std::vector<double> xs;

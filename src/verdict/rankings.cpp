@@ -153,4 +153,10 @@ std::vector<RankingRecord> rank(const std::vector<ViewRecord>& views, const std:
     return rankings;
 }
 
+Results ranked_anew(Results results) {
+    if (results.schema_version < Results::kSchemaVersion && results.rankings.empty())
+        results.rankings = rank(results.views, results.cells, results.seed);
+    return results;
+}
+
 }  // namespace aoscore

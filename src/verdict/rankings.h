@@ -14,4 +14,8 @@ namespace aoscore {
 std::vector<RankingRecord> rank(const std::vector<ViewRecord>& views, const std::vector<CellRecord>& cells,
                                 std::uint64_t seed);
 
+/// The results, ranked where they were read without rankings because those of their schema followed other
+/// rules (see results/upgrade/).
+Results ranked_anew(Results results);
+
 }  // namespace aoscore

@@ -66,6 +66,13 @@ Results with_one_method(Results results) {
     return results;
 }
 
+/// Results of a score whose images were not stored.
+Results ranking_alone(Results results) {
+    results.sweeps.clear();
+    results.claims.clear();
+    return testing::without_pictures(std::move(results));
+}
+
 class BrowserSpec : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(BrowserSpec, Holds) {
@@ -80,7 +87,9 @@ TEST_P(BrowserSpec, Holds) {
     testing::write_synthetic(results, folder / "synthetic");
     testing::write_synthetic(with_odd_names(results), folder / "odd-names");
     testing::write_synthetic(with_one_method(results), folder / "one-method");
-    for (const char* made : {"synthetic", "odd-names", "one-method"}) write_page(folder / made);
+    testing::write_synthetic(ranking_alone(results), folder / "no-pictures");
+    for (const char* made : {"synthetic", "odd-names", "one-method", "no-pictures"})
+        write_page(folder / made);
     testing::expect_spec_holds(GetParam() + ".spec.mjs", folder);
 }
 

@@ -272,6 +272,12 @@ Results synthetic_results() {
     return results;
 }
 
+Results without_pictures(Results results) {
+    for (ViewRecord& view : results.views) view.truth_file = view.gbuffer_file = "";
+    for (CellRecord& cell : results.cells) cell.image_file = "";
+    return results;
+}
+
 void write_synthetic(const Results& results, const std::filesystem::path& folder) {
     const ImageF truth = truth_image();
     const ImageF error(kWidth, kHeight, 0.02F);
@@ -279,6 +285,7 @@ void write_synthetic(const Results& results, const std::filesystem::path& folder
     for (int x = 0; x < kWidth; ++x) mask.at(x, 0) = 0;
     for (float& z : depth.pixels) z = 2 + 10 * z;
     for (const ViewRecord& view : results.views) {
+        if (view.truth_file.empty()) continue;
         const std::vector<ChannelView> channels = {
             {"Y", &truth}, {"V0.Y", &truth}, {"SE0.Y", &error}, {"mask.Y", &mask}};
         write_exr(folder / view.truth_file, channels, {});

@@ -13,6 +13,9 @@ namespace aoscore::testing {
 /// Debiased RMSE on atrium/wide, performance: alchemy .05, hbao-hussain .08, crytek-ssao .2.
 Results synthetic_results();
 
+/// The same results without the images of views and cells.
+Results without_pictures(Results results);
+
 /// Writes the results and their images.
 void write_synthetic(const Results& results, const std::filesystem::path& folder);
 

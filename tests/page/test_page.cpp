@@ -106,6 +106,24 @@ TEST(Page, ShowsAFailedCellAsARowWithItsReason) {
     EXPECT_THAT(html, HasSubstr("1 cell failed and is not ranked"));
 }
 
+TEST(Page, OfResultsWithoutPicturesStillSaysWhichMethodIsClosest) {
+    Results results = testing::without_pictures(testing::synthetic_results());
+    results.sweeps.clear();
+    results.claims.clear();
+    const std::string html = page_of(results);
+    EXPECT_THAT(html, HasSubstr("These results have no pictures beside them."));
+    EXPECT_THAT(html, HasSubstr("is closest of 6 methods to the ray-traced truth"));
+    EXPECT_THAT(html, Not(HasSubstr("class=\"stage\"")));
+    for (const CellRecord& cell : results.cells)
+        EXPECT_THAT(html, HasSubstr("<tr data-cell=\"" + cell.id + "\"")) << "not in the ranking";
+}
+
+TEST(Page, OfASweepWithoutPicturesDoesNotRankItsSettings) {
+    const std::string html = page_of(testing::without_pictures(testing::synthetic_results()));
+    EXPECT_THAT(html, HasSubstr("<section id=\"sweeps\""));
+    EXPECT_THAT(html, Not(HasSubstr("<section id=\"ranking\"")));
+}
+
 TEST(Page, EscapesWhatUsersName) {
     Results results = testing::synthetic_results();
     const std::string hostile = "\"><script>alert('x')</script>&{{lead}}";

@@ -2,11 +2,34 @@
 // columns stay longest: 0 stays always; without it, those on the right go first.
 const usualKeep = 100;
 
+// The heads over each column of a table, from the top: a cell that spans several columns or rows stands in all of them.
+function headsOfColumns(rows) {
+  const columns = [];
+  [...rows].forEach((row, at) => {
+    let column = 0;
+    for (const head of row.cells) {
+      while (columns[column]?.filled > at) column += 1;
+      for (const end = column + head.colSpan; column < end; column += 1) {
+        columns[column] ??= { heads: [] };
+        columns[column].heads.push(head);
+        columns[column].filled = at + head.rowSpan;
+      }
+    }
+  });
+  return columns.map(({ heads }) => heads);
+}
+
+function headName(head) {
+  const words = head.querySelector('button') ?? head;
+  return [...words.childNodes].map(({ textContent }) => textContent.trim()).filter(Boolean).join(' ');
+}
+
 class TableColumns {
   constructor(box, table) {
     this.box = box;
     this.table = table;
-    this.heads = [...table.tHead.rows[0].cells];
+    this.over = headsOfColumns(table.tHead.rows);
+    this.heads = this.over.map((heads) => heads.at(-1));
     this.shown = this.heads.map(() => true);
     this.chosen = false;  // by the reader, and no longer by what fits
     this.chooser = null;
@@ -17,7 +40,14 @@ class TableColumns {
     const keep = ({ dataset }, i) => Number(dataset.keep ?? usualKeep + i);
     const rowHead = [...this.table.tBodies[0].rows[0]?.cells ?? []].findIndex(({ tagName }) => tagName === 'TH');
     return this.heads.map((head, i) => ({ i, keep: i === 0 || i === rowHead || head.ariaSort ? 0 : keep(head, i) }))
-      .filter((column) => column.keep > 0).sort((a, b) => a.keep - b.keep || a.i - b.i).map(({ i }) => i);
+      .filter((column) => column.keep > 0).sort((a, b) => a.keep - b.keep || a.i - b.i);
+  }
+
+  // Leaves out the last of these, and with it the columns under the same head that are kept as long.
+  leaveOut(order) {
+    const { i: last, keep } = order.at(-1);
+    const together = (column) => column && column.keep === keep && this.over[column.i][0] === this.over[last][0];
+    while (together(order.at(-1))) this.shown[order.pop().i] = false;
   }
 
   fit() {
@@ -26,7 +56,7 @@ class TableColumns {
     this.apply();
     const order = this.droppable;
     while (order.length > 0 && this.box.scrollWidth > this.box.clientWidth) {
-      this.shown[order.pop()] = false;
+      this.leaveOut(order);
       this.apply();
     }
     if (this.shown.includes(false) || this.chooser) this.showChooser();
@@ -34,13 +64,19 @@ class TableColumns {
 
   // Cells that span several columns span those that are left.
   apply() {
-    for (const row of this.table.rows) {
+    const spanLeft = (cell, columns) => {
+      const left = columns.filter((column) => this.shown[column]).length;
+      cell.hidden = left === 0;
+      if (columns.length > 1) cell.colSpan = Math.max(left, 1);
+    };
+    for (const head of new Set(this.over.flat())) {
+      spanLeft(head, this.over.flatMap((heads, column) => (heads.includes(head) ? [column] : [])));
+    }
+    for (const row of [...this.table.tBodies].flatMap(({ rows }) => [...rows])) {
       let column = 0;
       for (const cell of row.cells) {
         const span = Number(cell.dataset.span ??= cell.colSpan);
-        const left = this.shown.slice(column, column + span).filter(Boolean).length;
-        cell.hidden = left === 0;
-        if (span > 1) cell.colSpan = Math.max(left, 1);
+        spanLeft(cell, Array.from({ length: span }, (_, i) => column + i));
         column += span;
       }
     }
@@ -58,7 +94,7 @@ class TableColumns {
   }
 
   fillChooser() {
-    const boxes = this.heads.map((head, i) => {
+    const boxes = this.over.map((heads, i) => {
       const input = Object.assign(make('input'), { type: 'checkbox', checked: this.shown[i] });
       input.addEventListener('change', () => {
         this.chosen = true;
@@ -66,7 +102,7 @@ class TableColumns {
         this.apply();
         this.showChooser();
       });
-      return make('label', '', input, ` ${[...head.querySelectorAll('button')].concat(head)[0].innerText.replace(/\s+/g, ' ').trim() || head.textContent.trim()}`);
+      return make('label', '', input, ` ${heads.map(headName).join(', ')}`);
     });
     this.chooser.append(make('fieldset', '', make('legend', 'visually-hidden', 'Columns of the table'), ...boxes));
   }
@@ -84,13 +120,11 @@ function onWidth(box, act) {
   new ResizeObserver(() => requestAnimationFrame(look)).observe(box);
 }
 
-// Captions are no wider than their place. Columns are left out of tables whose heads lie in one row, each over one column.
+// Captions are no wider than their place.
 function useColumns(section) {
   for (const box of section.querySelectorAll('.scroll')) {
     const table = box.querySelector('table.numbers');
-    const rows = table?.tHead?.rows;
-    const simple = rows?.length === 1 && [...rows[0].cells].every(({ colSpan }) => colSpan === 1);
-    const columns = simple ? new TableColumns(box, table) : null;
+    const columns = table?.tHead ? new TableColumns(box, table) : null;
     onWidth(box, () => {
       box.style.setProperty('--place', `${box.clientWidth}px`);
       columns?.fit();

@@ -138,7 +138,7 @@ function startCostChart(element, { brief = false } = {}) {
         points: { ...dot(pageColour('accent')), fill: pageColour('accent') } },
       { paths: () => null, points: dot(pageColour('strong-line')) },
       { paths: () => null, points: { ...dot(pageColour('strong-line')), size: 6, width: 1 } }],
-      hooks: { draw: [(chart) => drawBarsAndNames(chart, points)], ready: [(chart) => leadToStage(chart, points, element.dataset.view)] },
+      hooks: { draw: [(chart) => drawBarsAndNames(chart, points)], ready: [(chart) => { if (document.querySelector('.stage')) leadToStage(chart, points, element.dataset.view); }] },
     };
   };
   showChart(element, options, data);

@@ -144,6 +144,14 @@ LiveData read_live_data(const Results& results, const fs::path& folder) {
             fmt::format("These results have no {} beside them: a run of this version writes it.", kLiveFile);
         return data;
     }
+    if (results.schema_version < Results::kSchemaVersion) {
+        data.missing = fmt::format(
+            "These results are of schema {}: the methods beside them were written for an earlier page. A run "
+            "of "
+            "this version writes them anew.",
+            results.schema_version);
+        return data;
+    }
     if (std::any_of(results.views.begin(), results.views.end(),
                     [](const ViewRecord& view) { return view.gbuffer_file.empty(); })) {
         data.missing = "The run did not keep the G-buffer, which methods read.";

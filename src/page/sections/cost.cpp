@@ -32,8 +32,11 @@ std::string front_sentence(const CostChart& chart, const std::string& view_key) 
     const auto in_use = std::ranges::count_if(
         chart.points, [](const CostPoint& point) { return point.cell->role != kBoundRole; });
     if (names.empty()) return fmt::format("On {} only bounds have both a time and an error.", view_key);
-    return fmt::format("On {} no other of {} is both faster and closer than {}.", view_key,
-                       counted(static_cast<std::size_t>(in_use), "method", "methods"), listed(names));
+    const std::string all = counted(static_cast<std::size_t>(in_use), "method", "methods");
+    if (names.size() == 1)
+        return fmt::format("On {}, {} is the fastest and closest of {}.", view_key, names[0], all);
+    return fmt::format("On {}, no method beats these {} of {} in both time and error: {}.", view_key,
+                       names.size(), all, fmt::join(names, "; "));
 }
 
 }  // namespace

@@ -157,7 +157,7 @@ std::string detail_in_short(const Results& results) {
     }
     if (worst == nullptr) return "No part of a picture was analysed.";
     const std::string unit = split->unit.empty() ? "" : " " + split->unit;
-    return fmt::format("On {} {} % of the squared error of {} lies in {} % of the pixels: “{}”, {}{}.",
+    return fmt::format("On {}, {} % of the squared error of {} lies in {} % of the pixels ({}: {}{}).",
                        found->view_key, percent_text(worst->error_share, 0), shown_name(*found),
                        percent_text(worst->share, 0), split->label, worst->label, unit);
 }

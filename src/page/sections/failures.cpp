@@ -100,7 +100,8 @@ json regions_model(const ViewRecord& view, const CellRecord& cell) {
     return regions;
 }
 
-json view_model(const ViewRecord& view, const Results& results) {
+json view_model(const ViewRecord& view, const PageSource& source) {
+    const Results& results = source.results;
     std::vector<const CellRecord*> cells;
     double widest = 0;
     bool causes_known = false;
@@ -113,6 +114,7 @@ json view_model(const ViewRecord& view, const Results& results) {
     json rows = json::array(), methods = json::array();
     for (const CellRecord* cell : cells) {
         rows.push_back(row_model(*cell, widest));
+        if (!source.pictures.cells.contains(cell->id)) continue;
         json regions = regions_model(view, *cell);
         if (regions.empty()) continue;
         methods.push_back({{"method", shown_name(*cell)},
@@ -155,8 +157,7 @@ nlohmann::json section::failures(const PageSource& source) {
     for (const CauseText& cause : causes()) {
         model["causes"].push_back({{"id", cause.id}, {"label", cause.label}, {"meaning", cause.meaning}});
     }
-    for (const ViewRecord& view : source.results.views)
-        model["views"].push_back(view_model(view, source.results));
+    for (const ViewRecord& view : source.results.views) model["views"].push_back(view_model(view, source));
     return model;
 }
 

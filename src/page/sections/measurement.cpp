@@ -40,9 +40,9 @@ std::string contract_text(const ViewRecord& view) {
         static_cast<double>(view.valid_pixels) + static_cast<double>(view.disagreeing_pixels);
     const auto share = ratio(static_cast<double>(view.disagreeing_pixels), compared);
     return fmt::format(
-        "ray tracer and rasteriser agree on {} of {} surface pixels, which are the valid ones; away from the "
-        "{} edge "
-        "pixels {} disagree ({} %; more than 0.5 % would fail the cells)",
+        "ray tracer and rasteriser see the same surface in {} of {} surface pixels, which are the valid "
+        "ones. "
+        "Away from the {} edge pixels, {} disagree: {} %, where more than 0.5 % would fail the cells.",
         count_text(view.valid_pixels), count_text(view.surface_pixels), count_text(view.edge_pixels),
         count_text(view.disagreeing_pixels), percent_text(share, 3));
 }
@@ -52,13 +52,15 @@ std::string truth_cost_text(const ViewRecord& view) {
         fmt::format("{} samples a pixel{}", view.samples, view.halves ? " in two independent halves" : "");
     if (view.max_error)
         text +=
-            fmt::format(" in the mean, as many as a standard error of {} takes", short_text(*view.max_error));
+            fmt::format(" in the mean, traced until the standard error is {}", short_text(*view.max_error));
     text += fmt::format(", {} rays in {} s", count_text(view.truth_rays), fixed_text(view.truth_seconds, 1));
     if (view.open_pixels > 0) {
         text += fmt::format("; {} pixels were proven open without a ray", count_text(view.open_pixels));
     }
-    if (view.truth_rays_now < view.truth_rays) {
-        text += fmt::format("; {}: only {} of the rays were traced in this run", view.truth_origin,
+    if (view.truth_rays_now == 0) {
+        text += "; all of them were traced by an earlier run";
+    } else if (view.truth_rays_now < view.truth_rays) {
+        text += fmt::format("; {}: {} of the rays were traced in this run", view.truth_origin,
                             count_text(view.truth_rays_now));
     }
     return text;
@@ -74,14 +76,13 @@ std::string savings_text(const ViewRecord& view) {
         return percent_text(ratio(static_cast<double>(rays), all), 1);
     };
     std::string text = fmt::format(
-        "{} % of the rays that {} for every pixel would be: {} % on pixels without surface, {} % on pixels "
-        "proven open, "
-        "{} % on pixels that were sure enough earlier; {} of {} tiles needed none",
-        share(saved.background_rays + saved.open_rays + saved.converged_rays), count_text(saved.most_samples),
+        "against {} rays for every pixel, {} % were saved: {} % on pixels without surface, {} % on pixels "
+        "proven open, {} % on pixels that were sure enough earlier. {} of {} tiles needed no ray.",
+        count_text(saved.most_samples), share(saved.background_rays + saved.open_rays + saved.converged_rays),
         share(saved.background_rays), share(saved.open_rays), share(saved.converged_rays),
         count_text(saved.untraced_tiles), count_text(saved.tiles));
     if (saved.left_out_triangles > 0) {
-        text += fmt::format("; {} of {} triangles lay out of reach and were not built for tracing",
+        text += fmt::format(" {} of {} triangles lay out of reach and were not built for tracing.",
                             count_text(saved.left_out_triangles), count_text(view.triangles));
     }
     return text;

@@ -147,11 +147,14 @@ json error_numbers(const CellRecord& cell, const std::string& metric) {
     return list;
 }
 
+/// Empty where no picture was stored.
 json thumbnails(const std::vector<TableRow>& rows, const Pictures& pictures) {
-    json model = {
-        {"outputs", json::array()}, {"has_raws", false}, {"columns", std::to_string(rows.size() + 1)}};
     const auto view = pictures.views.find(rows.front().cell.view_key);
-    if (view != pictures.views.end()) model["reference"] = view->second.truth_thumbnail.uri;
+    if (view == pictures.views.end()) return json::array();
+    json model = {{"reference", view->second.truth_thumbnail.uri},
+                  {"outputs", json::array()},
+                  {"has_raws", false},
+                  {"columns", std::to_string(rows.size() + 1)}};
     for (const TableRow& row : rows) {
         const auto found = pictures.cells.find(row.cell.id);
         const bool shown = found != pictures.cells.end();

@@ -56,9 +56,9 @@ std::vector<RankingColumn> ranking_columns(const Results& results) {
     if (std::ranges::any_of(results.cells, reads_layers)) {
         list.push_back(
             {"", "Beyond one layer", "%",
-             "Of the occlusion that no method over one depth layer can find, the part that the image "
-             "shows, at the strength that is right where one layer is enough. A picture that is too "
-             "dark has some of it by chance, so that the same method over one layer is to be compared.",
+             "Share of the occlusion beyond one depth layer that the image shows, once its strength is "
+             "fitted where one layer is enough. An image that is too dark shows some of it by chance: "
+             "compare it with the same method over one layer.",
              [](const CellRecord& cell) {
                  if (!cell.analysis || !cell.analysis->found_beyond_layer)
                      return MeasuredMetric{std::nullopt, "nothing is beyond one layer, or not traced"};

@@ -67,9 +67,9 @@ std::string ranking_sentence(const RankingRecord& ranking) {
     std::vector<std::string> names;
     for (const PlaceRecord* place : leaders) names.push_back(with_value(ranking, *place));
     return fmt::format(
-        "{} is closest of {} methods to the ray-traced truth {}: the differences between their {}s are not "
-        "significant.",
-        listed(std::move(names), "or"), ranked.size(), where, metric);
+        "{} tie as the closest of {} methods to the ray-traced truth {}: their {}s do not differ "
+        "significantly.",
+        listed(std::move(names)), ranked.size(), where, metric);
 }
 
 std::string bounds_sentence(const RankingRecord& ranking) {

@@ -131,7 +131,10 @@ std::string answer(const Rows& rows, std::optional<double> budget_ms) {
         names.push_back(fmt::format("{} at {} ms with {}", setting(*row), fixed_text(row->cost_ms, 2),
                                     fixed_text(row->error, 4)));
     }
-    std::string text = fmt::format("No setting is both faster and closer than {}.", fmt::join(names, "; "));
+    std::string text =
+        names.size() == 1
+            ? fmt::format("No setting is faster or closer than {}.", names.front())
+            : fmt::format("No setting beats these in both time and error: {}.", fmt::join(names, "; "));
     if (budget_ms) {
         const SweepRow* best = nullptr;
         for (const SweepRow* row : front) {
@@ -172,7 +175,7 @@ std::string light_text(const ViewRecord& view) {
     std::vector<std::string> parameters;
     for (const auto& [id, value] : view.lighting_parameters)
         parameters.push_back(fmt::format("{} {}", id, value.text()));
-    return fmt::format("lit by {} ({}); G-buffer {} ms; ± is half the quartiles' distance", view.lighting,
+    return fmt::format("lit by {} ({}); G-buffer {} ms; ± is half the interquartile range", view.lighting,
                        fmt::join(parameters, ", "),
                        with_spread(view.gbuffer, column_decimals({view.gbuffer.median_ms})));
 }
@@ -200,10 +203,10 @@ json over_views_model(const SweepRowsOverViews& all, const SweepRecord& sweep) {
     model["has_printed"] = false;
     model["key"] = fmt::format("Over {} views", all.views.size());
     model["about"] =
-        fmt::format("{}, {}×{}, ranked at R {} m; settings that were measured in every one of them",
+        fmt::format("{}, {}×{}, ranked at R {} m; only settings that were measured in all of them",
                     fmt::join(keys, ", "), first.width, first.height, short_text(first.radius_m));
-    model["light"] = "of the means of the passes over views";
-    model["unit"] = "errors are roots of the mean square over views, costs are means";
+    model["light"] = "times are means over views";
+    model["unit"] = "an error is the root of the mean square over views, a cost the mean";
     return model;
 }
 
@@ -243,9 +246,9 @@ std::string apart_text(const std::vector<std::pair<const ViewRecord*, Rows>>& vi
     const std::size_t groups = comparable_views(all).size();
     if (groups < 2) return {};
     return fmt::format(
-        "The {} views are ranked at different radii or drawn in different sizes, {} in all: numbers over "
-        "views "
-        "cover those alike. --radius ranks all of them at one.",
+        "The {} views have {} different radii or sizes. Numbers over views cover those with the same radius "
+        "and "
+        "size; --radius ranks all of them at one radius.",
         all.size(), groups);
 }
 

@@ -33,8 +33,8 @@ std::string counting_sentence(const std::vector<const RankingRecord*>& views) {
     }
     if (compared == 0) return "Nothing was compared: no view has two methods that were scored.";
     if (untold == compared)
-        return fmt::format(
-            "Which method is closest to the ray-traced truth cannot be told on any of {} views.", compared);
+        return fmt::format("Several methods tie as the closest to the ray-traced truth on each of {} views.",
+                           compared);
     if (wins.size() == 1 && untold == 0) {
         return fmt::format("{} is closest to the ray-traced truth on each of {} views.", wins.begin()->first,
                            compared);
@@ -42,10 +42,10 @@ std::string counting_sentence(const std::vector<const RankingRecord*>& views) {
     std::vector<std::pair<std::string, int>> order(wins.begin(), wins.end());
     std::ranges::stable_sort(order, std::greater<>(), &std::pair<std::string, int>::second);
     std::vector<std::string> parts;
-    for (const auto& [name, won] : order) parts.push_back(fmt::format("{} is on {}", name, won));
-    if (untold > 0) parts.push_back(fmt::format("on {} it cannot be told", untold));
-    return fmt::format("Which method is closest to the ray-traced truth depends on the view: of {} views {}.",
-                       compared, listed(std::move(parts)));
+    for (const auto& [name, won] : order) parts.push_back(fmt::format("{} on {}", name, won));
+    const std::string ties = untold > 0 ? fmt::format("; several methods tie on {}", untold) : "";
+    return fmt::format("Of {} views, the closest method to the ray-traced truth is {}{}.", compared,
+                       listed(std::move(parts)), ties);
 }
 
 bool has_place(const RankingRecord& ranking, const std::string& cell_id) {

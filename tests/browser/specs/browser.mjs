@@ -9,7 +9,7 @@ export const require = createRequire(path.join(process.env.AOSCORE_DATA, 'packag
 const { chromium } = require('playwright-core');
 
 export const folder = process.env.AOSCORE_TEST_FOLDER;
-export const pages = Object.fromEntries(['measured', 'synthetic', 'odd-names', 'one-method']
+export const pages = Object.fromEntries(['measured', 'synthetic', 'odd-names', 'one-method', 'no-pictures']
   .map((name) => [name, path.join(folder, name, 'index.html')]));
 export const results = JSON.parse(fs.readFileSync(path.join(folder, 'measured/results.json'), 'utf8'));
 

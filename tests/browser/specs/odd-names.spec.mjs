@@ -1,4 +1,5 @@
-// Names of any length, direction and content are shown, not run, and push nothing out of the window; one method makes a page.
+// Names of any length, direction and content are shown, not run, and push nothing out of the window; one method makes a page,
+// and so do results without pictures.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { layers, open, screenshot, startStage, unfoldAll } from './browser.mjs';
@@ -40,3 +41,21 @@ test('one method on one view has a verdict, pictures and a stage, and no switch'
   assert.equal((await layers(page)).length, 2);
   assert.deepEqual(complaints, []);
 });
+
+for (const width of [1280, 390]) {
+  test(`results without pictures have a verdict, rankings and charts, and no stage, ${width} px wide`, async () => {
+    const { page, complaints } = await open({ which: 'no-pictures', folded: true, viewport: { width, height: 800 } });
+    assert.match(await page.locator('.verdict').textContent(), /closest/);
+    await unfoldAll(page);
+    for (const section of ['ranking', 'cost', 'failures', 'distributions', 'measurement']) assert.equal(await page.locator(`#${section}`).count(), 1, section);
+    assert.equal(await page.locator('.stage, #pictures, #live').count(), 0);
+    for (const chart of await page.locator('.cost-chart, .cumulative-chart').all()) {
+      await chart.scrollIntoViewIfNeeded();
+      await chart.locator('canvas').first().waitFor();
+      await chart.click();
+    }
+    await screenshot(page, `no-pictures-${width}`);
+    assert.deepEqual(complaints, []);
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
+  });
+}
