@@ -4,7 +4,9 @@
 #include "page/document/page_key.h"
 #include "page/page.h"
 #include "page/stress_page.h"
+#include "page/tuning_page.h"
 #include "results/stress_results.h"
+#include "results/tuning_record.h"
 #include "store/code_digest.h"
 #include "verdict/baseline.h"
 #include "verdict/rankings.h"
@@ -23,6 +25,10 @@ struct PageOptions {
 ExitCode run(const PageOptions& options) {
     if (has_stress_results(options.results)) {
         print_path(write_stress_page(options.results));
+        return ExitCode::ok;
+    }
+    if (has_tuning_record(options.results)) {
+        print_path(write_tuning_page(options.results));
         return ExitCode::ok;
     }
     Outcome outcome(options.outcome);
@@ -46,8 +52,9 @@ CommandEntry add_page_command(CLI::App& program, const GlobalOptions&) {
         "page", "Make the page of earlier results again, without rendering; prints its path");
     app->alias("report");  // the earlier name, which scripts use
     const auto options = std::make_shared<PageOptions>();
-    app->add_option("results", options->results,
-                    "What run, score or stress wrote: results with their images beside them, or the folder")
+    app->add_option(
+           "results", options->results,
+           "What run, score, stress or tune wrote: results with what lies beside them, or the folder")
         ->required();
     add_outcome_options(*app, options->outcome);
     add_baseline_option(*app, options->outcome);

@@ -4,6 +4,7 @@
 #include "core/known_names.h"
 #include "core/output.h"
 #include "metrics/metric.h"
+#include "page/tuning_page.h"
 #include "results/results_folder.h"
 #include "tuning/preset_files.h"
 #include "tuning/tuning_definition.h"
@@ -88,6 +89,7 @@ ExitCode run(const TuneOptions& options, const GlobalOptions& global) {
     if (options.install) install_presets(results, plan);
     print_tuning(results, plan);
     print_path(folder / "tune.json");
+    print_path(write_tuning_page(folder));
     return ExitCode::ok;
 }
 
@@ -116,7 +118,7 @@ CommandEntry add_tune_command(CLI::App& program, const GlobalOptions& global) {
     CLI::App* app = program.add_subcommand(
         "tune",
         "Find the parameters of methods that come closest to the truth, and what they are worth on "
-        "views that they were not tuned on; prints the path of tune.json");
+        "views that they were not tuned on; prints the paths of tune.json and its page");
     const auto options = std::make_shared<TuneOptions>();
     app->add_option("scene", options->scenes, "Built-in scenes (see list scenes), or files of scenes");
     add_view_options(*app, options->view);
@@ -158,8 +160,9 @@ CommandEntry add_tune_command(CLI::App& program, const GlobalOptions& global) {
     app->add_option("--methods-dir", options->plan.methods_dir, "A folder of methods of your own");
     add_definition_options(*app, *options);
     add_cache_option(*app, options->plan.truth_cache);
-    app->add_option("--out", options->out,
-                    "Folder of tune.json and of the presets METHOD.tuned.json [reports/out/tune-SCENE]");
+    app->add_option(
+        "--out", options->out,
+        "Folder of tune.json, its page and the presets METHOD.tuned.json [reports/out/tune-SCENE]");
     return {app, [options, &global] { return run(*options, global); }};
 }
 

@@ -67,7 +67,7 @@ class ExperimentRun {
         describe();
         measure_views();
         count_work();
-        advise();
+        judge_steps();
         judge();
         results_.total_seconds = watch_.seconds();
         results_.peak_memory_mib = peak_memory_mib();
@@ -129,8 +129,20 @@ class ExperimentRun {
         results_.work.compilations = drawn.compilations;
     }
 
+    /// The cells of a table's rows, and what the step to the tuned preset brings each.
+    TableRecord table_record(const TablePlan& table) const {
+        const std::vector<std::string>& ids = cell_ids_[table.view_index].front();
+        TableRecord record;
+        record.definition = table.definition;
+        for (const std::size_t index : table.cell_indices) record.cell_ids.push_back(ids[index]);
+        for (const TunedRowPlan& row : table.tuned)
+            record.tuned.push_back({judge_advice(row.step, ids, results_), row.tuning});
+        return record;
+    }
+
     /// Judges the steps, whose cells then leave the results: they are no contestants.
-    void advise() {
+    void judge_steps() {
+        for (const TablePlan& table : plan_.tables) results_.tables.push_back(table_record(table));
         for (const AdvicePlan& advice : plan_.advice) {
             for (const std::vector<std::string>& ids : cell_ids_[advice.view_index])
                 results_.advice.push_back(judge_advice(advice, ids, results_));
@@ -152,12 +164,6 @@ class ExperimentRun {
                              [](const CellRecord& cell) { return !cell.image_file.empty(); });
         results_.rankings = rank(results_.views, pictured, plan_.seed);
         if (plan_.baseline) results_.baseline = against_baseline(results_, *plan_.baseline);
-        for (const TablePlan& table : plan_.tables) {
-            TableRecord record{table.definition, {}};
-            for (const std::size_t index : table.cell_indices)
-                record.cell_ids.push_back(cell_ids_[table.view_index].front()[index]);
-            results_.tables.push_back(std::move(record));
-        }
         for (const SweepPlan& sweep : plan_.sweeps) results_.sweeps.push_back(sweep_record(sweep, cell_ids_));
         const std::vector<ClaimList> claims = planned_claims(plan_);
         if (!claims.empty()) results_.claims = judge_claims(claims, results_);

@@ -34,13 +34,30 @@ struct Ranked {
     double value, half_width;
 };
 
-std::vector<Ranked> ranked_values(std::span<const CellRecord> cells) {
+using Contestants = std::vector<const CellRecord*>;
+
+/// The indices of cells that a goal is for. Steps are none: what a score says must not depend on them.
+std::vector<std::size_t> contestant_numbers(const ViewRun& run) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < run.cells.size(); ++i) {
+        if (!run.cells[i].plan.step) numbers.push_back(i);
+    }
+    return numbers;
+}
+
+Contestants contestants(const ViewRun& run, const std::vector<CellRecord>& cells) {
+    Contestants list;
+    for (const std::size_t i : contestant_numbers(run)) list.push_back(&cells[i]);
+    return list;
+}
+
+std::vector<Ranked> ranked_values(const Contestants& cells) {
     std::vector<Ranked> values;
-    for (const CellRecord& cell : cells) {
-        const auto metric = cell.ranked.find(kRankingMetric);
-        if (!cell.analysis || metric == cell.ranked.end() || !metric->second.value) continue;
-        const auto noise = cell.analysis->truth_noise.find(kRankingMetric);
-        if (noise != cell.analysis->truth_noise.end())
+    for (const CellRecord* cell : cells) {
+        const auto metric = cell->ranked.find(kRankingMetric);
+        if (!cell->analysis || metric == cell->ranked.end() || !metric->second.value) continue;
+        const auto noise = cell->analysis->truth_noise.find(kRankingMetric);
+        if (noise != cell->analysis->truth_noise.end())
             values.push_back({*metric->second.value, noise->second});
     }
     return values;
@@ -57,11 +74,11 @@ bool order_is_decided(std::vector<Ranked> values) {
     return true;
 }
 
-double largest_excess(std::span<const CellRecord> cells, const ScoreGoal& goal, bool every_metric) {
+double largest_excess(const Contestants& cells, const ScoreGoal& goal, bool every_metric) {
     double excess = 0;
-    for (const CellRecord& cell : cells) {
-        if (!cell.analysis) continue;
-        for (const auto& [metric, half_width] : cell.analysis->truth_noise) {
+    for (const CellRecord* cell : cells) {
+        if (!cell->analysis) continue;
+        for (const auto& [metric, half_width] : cell->analysis->truth_noise) {
             if (metric != kRankingMetric && !every_metric) continue;
             excess = std::max(excess, half_width / allowed_noise(goal, metric));
         }
@@ -87,8 +104,9 @@ ViewRun probe_of(const ViewRun& run) {
     ViewRun probe = run;
     probe.cells.clear();
     probe.work.cells.clear();
+    const std::vector<std::size_t> numbers = contestant_numbers(run);
     for (std::size_t i = 0; i < kProbes; ++i) {
-        const std::size_t chosen = (2 * i + 1) * run.cells.size() / (2 * kProbes);
+        const std::size_t chosen = numbers[(2 * i + 1) * numbers.size() / (2 * kProbes)];
         probe.cells.push_back(run.cells[chosen]);
         CellWork& cell = probe.work.cells.emplace_back(run.work.cells[chosen]);
         cell.keep_image = false;
@@ -132,19 +150,29 @@ double allowed_noise(const ScoreGoal& goal, std::string_view metric) {
     return metric == kRankingMetric ? goal.error : ScoreGoal::kOtherMetrics * goal.error;
 }
 
-ScoreState score_state(std::span<const CellRecord> cells, const ScoreGoal& goal) {
+namespace {
+
+/// How far the truth's noise leaves a view's scores from what a goal asks for.
+struct ScoreState {
+    bool reached = false;
+    /// The largest half width of an interval that is too wide, over the one that is allowed; 1 or less where
+    /// the goal is reached.
+    double excess = 0;
+};
+
+/// Of the cells that have scores; reached where none has.
+ScoreState score_state(const Contestants& cells, const ScoreGoal& goal) {
     const double excess = largest_excess(cells, goal, goal.every_metric);
     const bool decided = !goal.every_metric && order_is_decided(ranked_values(cells));
     return {excess <= 1 || decided, excess};
 }
 
-namespace {
-
 /// Of the rays that the run's goal takes: they follow from what it scores, and how sure that is to be.
 Key rays_key(const ViewRun& run) {
     const ViewRun first = with_rays(run, {ScoreGoal::kFirstSamples, ScoreGoal::kFirstSamples});
     KeyBuilder key("rays", "score");
-    for (const CellKeys& cell : first.jobs.cells) {
+    for (const std::size_t i : contestant_numbers(run)) {
+        const CellKeys& cell = first.jobs.cells[i];
         key.input(cell.score);
         if (cell.own_score) key.input(*cell.own_score);
     }
@@ -160,7 +188,7 @@ class GoalSearch {
     ViewOutcome run() {
         // Methods are alike in how many rays they need: a few find the number, then all are scored.
         const Key key = rays_key(run_);
-        if (!store_.has(key.hex) && goal_.every_metric && run_.cells.size() > kProbes) {
+        if (!store_.has(key.hex) && goal_.every_metric && contestant_numbers(run_).size() > kProbes) {
             const ViewRun probe = probe_of(run_);
             while (!enough(probe)) continue;
         }
@@ -180,11 +208,12 @@ class GoalSearch {
         outcome.rays += outcome_.rays;
         outcome.measured = std::max(outcome.measured, outcome_.measured);
         outcome_ = std::move(outcome);
-        const ScoreState state = score_state(outcome_.cells, goal_);
+        const Contestants cells = contestants(run, outcome_.cells);
+        const ScoreState state = score_state(cells, goal_);
         const double own_excess = outcome_.own_noise / goal_.error;
         // A first answer asks for less than the answer that follows it: what is out of reach for that is
         // said before there is a page.
-        const double in_the_end = largest_excess(outcome_.cells, goal_, true);
+        const double in_the_end = largest_excess(cells, goal_, true);
         if (in_the_end > 1)
             require_in_reach(goal_, in_the_end, rays_.ranked, outcome_.view.truth_seconds, run_.work.key);
         if (!state.reached) {

@@ -5,23 +5,12 @@
 #include "results/results.h"
 
 #include <optional>
-#include <span>
 #include <string_view>
 
 namespace aoscore {
 
 /// Half the width that the truth's noise may leave a metric's interval.
 double allowed_noise(const ScoreGoal& goal, std::string_view metric);
-
-/// How far the truth's noise leaves a view's scores from what a goal asks for.
-struct ScoreState {
-    bool reached = false;
-    /// The largest half width of an interval that is too wide, over the one that is allowed; 1 or less where
-    /// the goal is reached.
-    double excess = 0;
-};
-/// Of the cells that have scores; reached where none has.
-ScoreState score_state(std::span<const CellRecord> cells, const ScoreGoal& goal);
 
 /// The run with the rays that its goal took before, where the store remembers them.
 ViewRun with_known_rays(const ViewRun& run, const ArtifactStore& store);

@@ -12,6 +12,7 @@
 #include "plan/resolved_cell.h"
 #include "plan/run_modes.h"
 #include "plan/sweep.h"
+#include "plan/tuned_rows.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -261,6 +262,7 @@ bool has_score_goal(const ExperimentPlan& plan) {
 ExperimentPlan first_answer_of(ExperimentPlan plan) {
     plan.first_answer = true;
     plan.advice.clear();
+    for (TablePlan& table : plan.tables) table.tuned.clear();
     for (ViewPlan& view : plan.views) {
         std::erase_if(view.cells, [](const CellPlan& cell) { return cell.step; });
         if (view.score_goal) view.score_goal->every_metric = false;
@@ -341,6 +343,7 @@ ExperimentPlan plan_experiments(const std::vector<std::string>& ids, double scal
         const ExperimentDefinition& experiment = row_of(known, id, "no experiment", "run");
         kAdders[static_cast<std::size_t>(experiment.kind)](plan, experiment, scale);
     }
+    add_tuned_rows(plan);
     return plan;
 }
 

@@ -88,13 +88,6 @@ struct ViewPlan {
     bool lit = false;
 };
 
-/// A published table to be rebuilt: its definition, and for each row the index of its cell.
-struct TablePlan {
-    nlohmann::json definition;
-    std::size_t view_index = 0;             ///< index into ExperimentPlan::views
-    std::vector<std::size_t> cell_indices;  ///< indices into that view's cells
-};
-
 /// One setting of a sweep: a cell, and its values on the axes.
 struct SweepPoint {
     std::size_t view_index = 0;  ///< into ExperimentPlan::views
@@ -126,6 +119,20 @@ struct AdvicePlan {
     std::size_t cell_index = 0;  ///< into that view's cells
     std::vector<StepPlan> steps;
     std::vector<SkippedStep> skipped;
+};
+
+/// The step from a table's row to its method's preset `tuned` (see add_tuned_rows()).
+struct TunedRowPlan {
+    AdvicePlan step;
+    nlohmann::json tuning;  ///< see TunedRowRecord
+};
+
+/// A published table to be rebuilt: its definition, and for each row the index of its cell.
+struct TablePlan {
+    nlohmann::json definition;
+    std::size_t view_index = 0;             ///< index into ExperimentPlan::views
+    std::vector<std::size_t> cell_indices;  ///< indices into that view's cells
+    std::vector<TunedRowPlan> tuned;        ///< one for each row; empty in a first answer
 };
 
 /// Everything that one run will measure.

@@ -54,6 +54,11 @@ struct Writer {
     void operator()(const char* key, const T& member) {
         object[key] = written(member);
     }
+    /// A list that is left out where it is empty, as files of earlier runs leave it out.
+    template <class T>
+    void where_any(const char* key, const std::vector<T>& list) {
+        if (!list.empty()) (*this)(key, list);
+    }
 };
 
 template <class T>
@@ -98,6 +103,11 @@ struct Reader {
     template <class T>
     void operator()(const char* key, T& member) {
         read(object.raw(key), object.where(key), member);
+    }
+    template <class T>
+    void where_any(const char* key, std::vector<T>& list) {
+        list.clear();
+        if (object.has(key)) (*this)(key, list);
     }
 };
 

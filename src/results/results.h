@@ -268,10 +268,17 @@ struct BaselineRecord {
     std::vector<ChangeRecord> changes;  ///< one for each cell of this run
 };
 
+/// The step from a table's row to the preset `tuned` of its method, at as many taps.
+struct TunedRowRecord {
+    AdviceRecord step;      ///< from the row's cell: one step, or why there is none
+    nlohmann::json tuning;  ///< how the preset was tuned, as in the method's tuned.json; null without one
+};
+
 /// A published table rebuilt: its definition (reports/<id>.json) with the cell of each row.
 struct TableRecord {
     nlohmann::json definition;          ///< as it was read
     std::vector<std::string> cell_ids;  ///< one for each row of the definition
+    std::vector<TunedRowRecord> tuned;  ///< one for each row; empty in a first answer and in older files
 };
 
 /// One setting of a sweep: its cell, and its values on the axes.

@@ -267,6 +267,13 @@ template <class Visit, RecordOf<TableRecord> Record>
 void visit_members(Visit& visit, Record& table) {
     visit("definition", table.definition);
     visit("cell_ids", table.cell_ids);
+    visit.where_any("tuned", table.tuned);
+}
+
+template <class Visit, RecordOf<TunedRowRecord> Record>
+void visit_members(Visit& visit, Record& row) {
+    visit("step", row.step);
+    visit("tuning", row.tuning);
 }
 
 template <class Visit, RecordOf<SweepPointRecord> Record>

@@ -70,19 +70,28 @@ struct ScreenRenderer::Impl {
         }
     };
     std::unique_ptr<GlContext> context = new_gl_context();
-    std::optional<SceneGeometry> geometry;
+    std::shared_ptr<SceneGeometry> geometry;
     Stage stage;
     /// With a guard band, for the requests that ask for one; of width 0 where the G-buffer has changed since.
     std::optional<Stage> wide;
     RayLayerSource ray_layers;
     bool shows_scene = false;  ///< whether the current G-buffer is of the current scene
     std::uint64_t gbuffers_drawn = 0;
-    std::vector<GBuffer> kept;         ///< the current one's place is empty
-    std::optional<std::size_t> place;  ///< of the current G-buffer among the kept ones
+    /// A G-buffer with the geometry that it shows, which depth layers are drawn of, and the layers
+    /// themselves.
+    struct Kept {
+        GBuffer gbuffer;
+        std::shared_ptr<SceneGeometry> geometry;
+        InputTextures::Layers layers;
+    };
+    std::vector<Kept> kept;                ///< the current one's place is empty
+    std::optional<std::size_t> place;      ///< of the current G-buffer among the kept ones
+    std::shared_ptr<SceneGeometry> shown;  ///< the geometry of the current G-buffer
 
     /// Leaves the current G-buffer, which stays where it is kept.
     void leave_gbuffer() {
-        if (place) kept[*place] = std::exchange(stage.gbuffer, GBuffer());
+        if (place)
+            kept[*place] = {std::exchange(stage.gbuffer, GBuffer()), shown, stage.runner.take_layers()};
         place.reset();
         stage.runner.forget_derived();
         if (wide) wide->band_px = {0, 0};
@@ -131,7 +140,7 @@ std::string ScreenRenderer::version() const {
 
 void ScreenRenderer::set_scene(const Scene& scene) {
     impl_->context->make_current();
-    impl_->geometry.emplace(scene);
+    impl_->geometry = std::make_shared<SceneGeometry>(scene);
     impl_->shows_scene = false;
 }
 
@@ -149,6 +158,7 @@ double ScreenRenderer::draw_gbuffer(const Capture& capture) {
     ++impl_->gbuffers_drawn;
     const Clock clock;
     impl_->stage.gbuffer.draw(*impl_->geometry, capture);
+    impl_->shown = impl_->geometry;
     impl_->shows_scene = true;
     gl::Finish();
     return clock.milliseconds();
@@ -168,7 +178,10 @@ void ScreenRenderer::use_gbuffer(std::size_t kept) {
     if (kept >= impl_->kept.size()) throw internal_error("no G-buffer was kept so", std::to_string(kept));
     if (impl_->place == kept) return;
     impl_->leave_gbuffer();
-    impl_->stage.gbuffer = std::move(impl_->kept[kept]);
+    Impl::Kept& again = impl_->kept[kept];
+    impl_->stage.gbuffer = std::move(again.gbuffer);
+    impl_->shown = std::move(again.geometry);
+    impl_->stage.runner.put_back(std::move(again.layers));
     impl_->place = kept;
     impl_->shows_scene = false;
 }

@@ -135,9 +135,9 @@ class ScreenRenderer {
     double draw_gbuffer(const CameraFrame& frame, const std::set<std::string>& channels) {
         return draw_gbuffer(Capture(frame, channels));
     }
-    /// Keeps the current G-buffer beside those that are drawn after it, and returns a number for
-    /// use_gbuffer(). It serves methods over one layer of depth and without a guard band, also after
-    /// set_scene().
+    /// Keeps the current G-buffer, with the depth layers drawn of it, beside those that are drawn after it;
+    /// returns a number for use_gbuffer(). It serves requests without a guard band, also after set_scene();
+    /// only layers by rays are then of the scene that is set.
     std::size_t keep_gbuffer();
     /// Makes a G-buffer that was kept the current one again, without drawing it. Throws internal_error for
     /// another number.

@@ -10,6 +10,9 @@
 #include "metrics/intervals/median_interval.h"
 #include "screen/method/request_digest.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <cmath>
 
 namespace aoscore {
@@ -27,7 +30,30 @@ double loss_of(const Metric& metric, double value) {
     return value;
 }
 
+/// The metric of a picture that is the truth itself, large enough for every metric.
+MetricValue of_truth_itself(const Metric& metric) {
+    constexpr int kSide_px = 256;
+    const ImageF truth(kSide_px, kSide_px, 0.5F), no_error(kSide_px, kSide_px, 0.0F);
+    const Mask valid(kSide_px, kSide_px, 1);
+    const std::string id(metric.id);
+    return evaluate({truth, truth, valid, &no_error}, std::vector{id}).at(id);
+}
+
 }  // namespace
+
+void require_best_value(const Metric& metric) {
+    const MetricValue best = of_truth_itself(metric);
+    if (best.value) return;
+    std::vector<std::string_view> valid;
+    for (const Metric& other : metrics()) {
+        if (of_truth_itself(other).value) valid.push_back(other.id);
+    }
+    throw usage_error(
+        fmt::format("{} has no best value to tune towards: of the truth itself it is undefined, "
+                    "since {}",
+                    metric.label, best.note),
+        "--metric", fmt::format("{}", fmt::join(valid, ", ")));
+}
 
 Objective::Objective(const TuningSubject& subject, const Registry& registry,
                      const std::vector<std::unique_ptr<TuningView>>& views, ScreenRenderer& renderer,

@@ -27,6 +27,10 @@ struct TuningSubject {
     std::uint64_t seed = 1;
 };
 
+/// Throws usage_error, which lists the others, for a metric that has no value for the truth itself: no loss
+/// can be related to its best value.
+void require_best_value(const Metric& metric);
+
 /// Measures a method's settings on views: a metric of its picture, and the fetches a pixel. Every measurement
 /// is made once; the store keeps it, so that a search that was stopped goes on where it was. Settings are
 /// values of the axes at the reference radius, in the order of the axes.

@@ -14,15 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-/// The id of the preset that was tuned from one, for a budget: "tuned", "nvidia-tuned-24", "tuned-8-5ms".
-std::string preset_id(const std::string& from, const Budget& budget) {
-    std::string id = (from == "default" ? "" : from + "-") + "tuned";
-    if (budget.fetches) id += fmt::format("-{:g}", *budget.fetches);
-    if (budget.ms) id += fmt::format("-{:g}ms", *budget.ms);
-    std::ranges::replace(id, '.', '-');
-    return id;
-}
-
 json filter_json(const PresetFilter& filter) {
     if (filter.preset == "default") return filter.filter;
     return {{"filter", filter.filter}, {"preset", filter.preset}};
@@ -53,9 +44,10 @@ PresetTuning tuning_of(const MethodTuning& tuning, const TunedMethod& t, const T
 void add_presets_to(json& file, const MethodTuning& tuning, const MethodDescriptor& method,
                     const TuningResults& results, const TuningPlan& plan) {
     for (const TunedMethod& t : tuning.budgets) {
-        const std::string id = preset_id(tuning.cell.preset, t.budget);
+        const std::string id = tuned_preset_id(tuning.cell.preset, t.budget);
         json values = method.presets.at(tuning.cell.preset);
-        values.update(values_json(tuning.axes, t.settings));
+        for (const auto& [parameter, value] : values_of(tuning.axes, t.settings))
+            values[parameter] = json(value);
         file["presets"][id] = std::move(values);
         file["preset_filters"][id] = filter_json(filter_of(tuning.cell, method));
         file["tunings"][id] = tuning_json(tuning_of(tuning, t, results, plan));
@@ -66,8 +58,16 @@ void add_presets_to(json& file, const MethodTuning& tuning, const MethodDescript
 
 }  // namespace
 
-json values_json(const std::vector<SearchAxis>& axes, const Settings& settings) {
-    json values = json::object();
+std::string tuned_preset_id(const std::string& from, const Budget& budget) {
+    std::string id = (from == "default" ? "" : from + "-") + "tuned";
+    if (budget.fetches) id += fmt::format("-{:g}", *budget.fetches);
+    if (budget.ms) id += fmt::format("-{:g}ms", *budget.ms);
+    std::ranges::replace(id, '.', '-');
+    return id;
+}
+
+ParameterValues values_of(const std::vector<SearchAxis>& axes, const Settings& settings) {
+    ParameterValues values;
     for (std::size_t i = 0; i < axes.size(); ++i) {
         if (axes[i].whole)
             values[axes[i].parameter] = static_cast<std::int64_t>(settings[i]);

@@ -11,7 +11,10 @@
 namespace aoscore {
 
 /// The settings by parameter, as a preset has them.
-nlohmann::json values_json(const std::vector<SearchAxis>& axes, const Settings& settings);
+ParameterValues values_of(const std::vector<SearchAxis>& axes, const Settings& settings);
+
+/// The id of the preset that was tuned from one, for a budget: "tuned", "nvidia-tuned-24", "tuned-8-5ms".
+std::string tuned_preset_id(const std::string& from, const Budget& budget);
 
 /// The files of presets by method, which --preset takes (see add_presets()), with how each was tuned.
 std::map<std::string, nlohmann::json> preset_files(const TuningResults& results, const TuningPlan& plan);

@@ -43,12 +43,17 @@ TuningPlan::OnScene read_scene(StrictObject object, const fs::path& scenes_dir) 
     return on;
 }
 
+SearchEffort read_effort(StrictObject& object) {
+    return {object.integer("evaluations", 1, kMostTried), object.integer("refinements", 0, kMostTried)};
+}
+
 TuningPlan::Method read_method(StrictObject object, const std::vector<MethodDescriptor>& methods) {
     const std::string id = object.text("method");
     TuningPlan::Method method;
     method.cell = scored_cells(row_in_file(methods, id, object.where("method"))).front();
     method.cell.preset = object.text_or("preset", "default");
     method.parameters = object.texts_or_empty("parameters");
+    if (object.has("evaluations")) method.effort = read_effort(object);
     object.finish();
     return method;
 }
@@ -82,8 +87,7 @@ void read_tuning_definition(const fs::path& file, const fs::path& scenes_dir, Tu
     plan.samples = object.integer("samples", 2, 1 << 20);
     if (plan.samples % 2 != 0)
         throw file_error("is odd", object.where("samples"), "an even number: the truth has two halves");
-    plan.effort.global = object.integer("evaluations", 1, kMostTried);
-    plan.effort.local = object.integer("refinements", 0, kMostTried);
+    plan.effort = read_effort(object);
     for (StrictObject& scene : object.objects("scenes"))
         plan.scenes.push_back(read_scene(std::move(scene), scenes_dir));
     const std::vector<MethodDescriptor> methods = load_methods();

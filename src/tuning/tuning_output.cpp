@@ -1,18 +1,17 @@
 #include "core/files.h"
+#include "core/machine.h"
 #include "core/output.h"
 #include "metrics/evaluate.h"
+#include "results/tuning_record.h"
 #include "tuning/preset_files.h"
 #include "tuning/tuning_run.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
 namespace aoscore {
 namespace {
-
-using nlohmann::json;
 
 std::string_view verdict_id(HeldOut::Verdict verdict) {
     switch (verdict) {
@@ -26,46 +25,26 @@ std::string_view verdict_id(HeldOut::Verdict verdict) {
     return "tie";
 }
 
-json or_null(const std::optional<double>& value) {
-    return value ? json(*value) : json();
-}
-
 /// What settings cost, in words: "36.0 fetches", "36.0 fetches, 7.91 ms".
 std::string cost_text(double fetches, const std::optional<double>& ms) {
     return fmt::format("{:.1f} fetches{}", fetches, ms ? fmt::format(", {:.2f} ms", *ms) : "");
 }
 
-json budget_json(const MethodTuning& tuning, const TunedMethod& t) {
-    json held_out = json::array(), worth = json::array();
+BudgetRecord budget_record(const MethodTuning& tuning, const TunedMethod& t) {
+    BudgetRecord record;
+    record.most_fetches = t.budget.fetches;
+    record.most_ms = t.budget.ms;
+    record.preset_id = tuned_preset_id(tuning.cell.preset, t.budget);
+    record.settings = values_of(tuning.axes, t.settings);
+    record.published = {t.published_loss, t.published_fetches, t.published_ms, t.published_by_view};
+    record.tuned = {t.fitted_loss, t.fetches, t.ms, t.fitted_by_view};
     for (const HeldOut& h : t.held_out) {
-        held_out.push_back({{"left_out", h.groups},
-                            {"loss", h.loss},
-                            {"less_published", h.gain},
-                            {"less_published_95", {h.low, h.high}},
-                            {"verdict", verdict_id(h.verdict())}});
+        record.held_out.push_back(
+            {h.groups, h.loss, h.gain, {h.low, h.high}, std::string(verdict_id(h.verdict()))});
     }
-    for (const ParameterWorth& w : t.worth) {
-        worth.push_back({{"parameter", w.parameter},
-                         {"published", w.published},
-                         {"tuned", w.tuned},
-                         {"loss_alone", w.alone},
-                         {"loss_without", w.without}});
-    }
-    return {{"most_fetches", or_null(t.budget.fetches)},
-            {"most_ms", or_null(t.budget.ms)},
-            {"settings", values_json(tuning.axes, t.settings)},
-            {"published",
-             {{"loss", t.published_loss},
-              {"fetches", t.published_fetches},
-              {"ms", or_null(t.published_ms)},
-              {"loss_by_view", t.published_by_view}}},
-            {"tuned",
-             {{"loss", t.fitted_loss},
-              {"fetches", t.fetches},
-              {"ms", or_null(t.ms)},
-              {"loss_by_view", t.fitted_by_view}}},
-            {"held_out", std::move(held_out)},
-            {"worth", std::move(worth)}};
+    for (const ParameterWorth& w : t.worth)
+        record.worth.push_back({w.parameter, w.published, w.tuned, w.alone, w.without});
+    return record;
 }
 
 void print_budget(const MethodTuning& tuning, const TunedMethod& t) {
@@ -89,26 +68,33 @@ void print_budget(const MethodTuning& tuning, const TunedMethod& t) {
 
 }  // namespace
 
-void write_tuning(const TuningResults& results, const TuningPlan& plan, const std::filesystem::path& folder) {
-    json views = json::array(), methods = json::array();
+TuningRecord tuning_record(const TuningResults& results, const TuningPlan& plan) {
+    TuningRecord record;
+    record.program_version = version();
+    record.created_utc = utc_now();
+    record.command = plan.command;
+    record.definition = plan.definition;
+    record.metric = plan.metric;
+    record.size = {plan.width, plan.height};
+    record.rays_a_pixel = plan.samples;
     for (std::size_t v = 0; v < results.views.size(); ++v)
-        views.push_back({{"view", results.views[v]}, {"radius_m", results.radii_m[v]}});
+        record.views.push_back({results.views[v], results.radii_m[v]});
     for (const MethodTuning& tuning : results.methods) {
-        json budgets = json::array();
-        for (const TunedMethod& t : tuning.budgets) budgets.push_back(budget_json(tuning, t));
-        methods.push_back({{"method", tuning.cell.method},
-                           {"preset", tuning.cell.preset},
-                           {"drawn", tuning.drawn},
-                           {"reused", tuning.reused},
-                           {"budgets", std::move(budgets)}});
+        MethodTuningRecord& method = record.methods.emplace_back();
+        method.method = tuning.cell.method;
+        method.label = tuning.label;
+        method.preset = tuning.cell.preset;
+        method.drawn = tuning.drawn;
+        method.reused = tuning.reused;
+        for (const TunedMethod& t : tuning.budgets) method.budgets.push_back(budget_record(tuning, t));
     }
-    const json file = {
-        {"schema_version", 1},       {"program_version", version()},      {"command", plan.command},
-        {"metric", plan.metric},     {"size", {plan.width, plan.height}}, {"rays_a_pixel", plan.samples},
-        {"views", std::move(views)}, {"methods", std::move(methods)}};
+    return record;
+}
+
+void write_tuning(const TuningResults& results, const TuningPlan& plan, const std::filesystem::path& folder) {
     for (const auto& [method, presets] : preset_files(results, plan))
-        write_atomically(folder / (method + ".tuned.json"), presets.dump(2) + "\n");
-    write_atomically(folder / "tune.json", file.dump(2) + "\n");
+        write_atomically(folder / preset_file_name(method), presets.dump(2) + "\n");
+    write_tuning_record(tuning_record(results, plan), folder);
 }
 
 void print_tuning(const TuningResults& results, const TuningPlan& plan) {

@@ -2,7 +2,9 @@
 
 #include "core/error.h"
 #include "core/log.h"
+#include "metrics/evaluate.h"
 #include "plan/scene_views.h"
+#include "screen/method/depth_layers.h"
 #include "store/artifact_store.h"
 
 #include <fmt/format.h>
@@ -18,11 +20,11 @@ namespace {
 std::set<std::string> inputs_of(const std::vector<TuningPlan::Method>& methods, const Registry& registry,
                                 std::uint64_t seed) {
     std::set<std::string> inputs;
-    for (const auto& [cell, parameters] : methods) {
+    for (const auto& [cell, parameters, effort] : methods) {
         const ResolvedCell resolved = resolve(cell, registry, seed, std::nullopt);
-        if (resolved.request.method->depth_layers || resolved.request.method->side_layers) {
-            throw usage_error(cell.method + " reads several layers of depth, which no search keeps",
-                              "tune --methods", "methods over one layer");
+        if (reads_ray_layers(*resolved.request.method, resolved.request.parameters)) {
+            throw usage_error(cell.method + " reads layers that rays meet, and a search keeps no ray tracer",
+                              "tune --methods", "another sampling of layers");
         }
         if (resolved.request.guard_band != GuardBand())
             throw usage_error("a search keeps its G-buffers, which have no guard band", "tune --guard-band",
@@ -67,21 +69,27 @@ void require_several(const TuningPlan& plan, std::size_t views) {
                       "tune", "several views or scenes, or --in-sample");
 }
 
+std::vector<TuningSubject> subjects_of(const TuningPlan& plan, const Registry& registry) {
+    const bool limited = std::ranges::any_of(plan.budgets, &Budget::is_limited);
+    std::vector<TuningSubject> subjects;
+    for (const auto& [cell, parameters, effort] : plan.methods) {
+        const MethodDescriptor& method = find_method(registry.methods, cell.method);
+        subjects.push_back(
+            {cell, search_axes(method, cell.preset, parameters, limited), plan.metric, plan.seed});
+    }
+    return subjects;
+}
+
 }  // namespace
 
 TuningResults tune(const TuningPlan& plan) {
+    require_best_value(metric(plan.metric));
     std::vector<std::string> warnings;
     std::vector<std::string> asked;
     for (const TuningPlan::Method& method : plan.methods) asked.push_back(method.cell.method);
     const Registry registry = load_registry(plan.methods_dir, asked, warnings);
     for (const std::string& warning : warnings) log_warning(warning);
-    std::vector<TuningSubject> subjects;
-    for (const auto& [cell, parameters] : plan.methods) {
-        const MethodDescriptor& method = find_method(registry.methods, cell.method);
-        const bool limited = std::ranges::any_of(plan.budgets, &Budget::is_limited);
-        subjects.push_back(
-            {cell, search_axes(method, cell.preset, parameters, limited), plan.metric, plan.seed});
-    }
+    const std::vector<TuningSubject> subjects = subjects_of(plan, registry);
     const ArtifactStore store(ArtifactStore::folder_in(plan.truth_cache));
     ReadyViews ready(plan, inputs_of(plan.methods, registry, plan.seed), store);
     require_several(plan, ready.views().size());
@@ -91,7 +99,8 @@ TuningResults tune(const TuningPlan& plan) {
         results.views.push_back(view->key);
         results.radii_m.push_back(view->radius.metres);
     }
-    for (const TuningSubject& subject : subjects) {
+    for (std::size_t m = 0; m < subjects.size(); ++m) {
+        const TuningSubject& subject = subjects[m];
         log_info(fmt::format("tuning {} ({} parameters) on {} views", subject.cell.method,
                              subject.axes.size(), ready.views().size()));
         Objective objective(subject, registry, ready.views(), ready.renderer(), store);
@@ -99,8 +108,9 @@ TuningResults tune(const TuningPlan& plan) {
         tuning.cell = subject.cell;
         tuning.label = find_method(registry.methods, subject.cell.method).shown_label();
         tuning.axes = subject.axes;
+        const SearchEffort effort = plan.methods[m].effort.value_or(plan.effort);
         for (const Budget& budget : plan.budgets)
-            tuning.budgets.push_back(tuned(subject, objective, ready.views(), budget, plan.effort));
+            tuning.budgets.push_back(tuned(subject, objective, ready.views(), budget, effort));
         tuning.drawn = objective.drawn();
         tuning.reused = objective.reused();
     }

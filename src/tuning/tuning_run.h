@@ -20,8 +20,9 @@ struct TuningPlan {
         std::vector<std::string> views;  ///< choices for choose_views()
     };
     struct Method {
-        CellPlan cell;                        ///< with the preset to begin from
-        std::vector<std::string> parameters;  ///< to tune; empty: see search_axes()
+        CellPlan cell;                            ///< with the preset to begin from
+        std::vector<std::string> parameters;      ///< to tune; empty: see search_axes()
+        std::optional<SearchEffort> effort = {};  ///< in place of the plan's
     };
     std::vector<OnScene> scenes;
     std::vector<Method> methods;
@@ -57,7 +58,7 @@ struct TuningResults {
 /// `in_sample`.
 TuningResults tune(const TuningPlan& plan);
 
-/// Writes tune.json, and for every method METHOD.tuned.json, which --preset takes.
+/// Writes tune.json (results/tuning_record.h), and for every method METHOD.tuned.json, which --preset takes.
 void write_tuning(const TuningResults& results, const TuningPlan& plan, const std::filesystem::path& folder);
 
 /// Prints the tables.

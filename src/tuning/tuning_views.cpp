@@ -1,5 +1,7 @@
 #include "tuning/tuning_views.h"
 
+#include "core/error.h"
+#include "store/code_digest.h"
 #include "store/truth/truth_cache.h"
 
 namespace aoscore {
@@ -29,11 +31,18 @@ std::unique_ptr<TuningView> ready_view(const TuningViewPlan& plan, const Referen
     renderer.draw_gbuffer(frame, inputs);
     view->gbuffer = renderer.keep_gbuffer();
     view->ground = find_ground(frame, view->truth, renderer.read_gbuffer(), scene.bounds);
-    require_comparable(view->ground);
+    try {
+        require_comparable(view->ground);
+    } catch (const Error& e) {
+        throw Error(e.exit_code(), e.what(), view->key);
+    }
     view->made_of = KeyBuilder("tuning", "score")
                         .text(request.picture_key())
                         .text(request.wanted_key())
                         .text(renderer.renderer())
+                        .text(code_digest("truth"))
+                        .text(code_digest("image"))
+                        .text(code_digest("contract"))
                         .key();
     return view;
 }

@@ -67,6 +67,78 @@ TEST(Tune, GoesOnFromWhatWasMeasuredBeforeToTheSameAnswer) {
     EXPECT_EQ(again.at("budgets"), first.at("budgets"));
 }
 
+/// The numbers of images that were drawn, and that were measured before.
+std::pair<int, int> work_in(const nlohmann::json& method) {
+    return {method.at("drawn").get<int>(), method.at("reused").get<int>()};
+}
+
+// The signal comes once some settings are measured, and long before all are.
+TEST(Tune, GoesOnAfterASignalWithoutMeasuringAnythingAgain) {
+    const auto folder = output_dir();
+    const std::string stopped_midway =
+        "cd '" + folder.string() + "' && export AOSCORE_CACHE=truth-cache && '" + testing::program() + "' " +
+        kTune + " & pid=$!; while kill -0 $pid && [ $(find '" + (folder / "truth-cache").string() +
+        "' -type f | wc -l) -lt 30 ]; do sleep 0.02; done; kill -TERM $pid; wait $pid; echo ended with $?";
+    const testing::ShellRun stopped = testing::run_shell(stopped_midway);
+    ASSERT_THAT(stopped.text, HasSubstr("ended with 130")) << "it was to be stopped midway";
+    EXPECT_FALSE(std::filesystem::exists(folder / "tuned"));
+    ASSERT_EQ(run_aoscore(kTune, folder).exit_code, 0);
+    const nlohmann::json again = tuned_in(folder).at("methods").at(0);
+    const auto elsewhere = folder / "elsewhere";
+    std::filesystem::create_directories(elsewhere);
+    ASSERT_EQ(run_aoscore(kTune, elsewhere).exit_code, 0);
+    const nlohmann::json at_once = tuned_in(elsewhere).at("methods").at(0);
+    const auto [drawn, reused] = work_in(again);
+    EXPECT_GT(reused, 0);
+    EXPECT_GT(drawn, 0);
+    EXPECT_EQ(std::pair(drawn + reused, 0), work_in(at_once));
+    EXPECT_EQ(again.at("budgets"), at_once.at("budgets"));
+}
+
+/// A copy of what the program reads, to install presets into.
+std::filesystem::path copied_data(const std::filesystem::path& folder) {
+    namespace fs = std::filesystem;
+    const fs::path data = folder / "data";
+    for (const char* part : {"shaders", "scenes", "reports"}) {
+        fs::create_directories(data / part);
+        for (const auto& entry : fs::directory_iterator(testing::source_dir() / part)) {
+            if (entry.path().filename() != "out")
+                fs::copy(entry.path(), data / part / entry.path().filename(), fs::copy_options::recursive);
+        }
+    }
+    fs::create_symlink(testing::source_dir() / "node_modules", data / "node_modules");
+    return data;
+}
+
+TEST(Tune, InstallsAPresetThatIsListedAndScoredFromThenOn) {
+    const auto folder = output_dir();
+    const std::string with_data = "env AOSCORE_DATA='" + copied_data(folder).string() + "'";
+    std::ofstream(folder / "own.json")
+        << R"({"id": "own", "title": "A test's", "size": [96, 54], "samples": 16,
+        "evaluations": 10, "refinements": 5, "scenes": [{"scene": "pillar", "views": ["main", "moved"]}],
+        "methods": [{"method": "ssao", "parameters": ["bias"]}, {"method": "sao", "parameters": ["intensity"]}]})";
+    const ProgramRun tune =
+        run_aoscore("tune --definition own.json --install --out tuned", folder, with_data);
+    ASSERT_EQ(tune.exit_code, 0) << tune.err;
+    const auto installed = folder / "data/shaders/methods/sao/tuned.json";
+    ASSERT_TRUE(std::filesystem::exists(installed));
+    const nlohmann::json file = nlohmann::json::parse(std::ifstream(installed));
+    EXPECT_EQ(file.at("tunings").at("tuned").at("definition"), "own");
+    EXPECT_EQ(file, nlohmann::json::parse(std::ifstream(folder / "tuned/sao.tuned.json")));
+    const ProgramRun list = run_aoscore("list methods", folder, with_data);
+    EXPECT_THAT(list.out, ::testing::ContainsRegex("\nsao .*presets [^\n]*tuned"));
+    const ProgramRun score = run_aoscore(
+        "score pillar --view main --size 96x54 --samples 16 --methods sao,ssao --preset tuned --out scored",
+        folder, with_data);
+    ASSERT_EQ(score.exit_code, 0) << score.err;
+    for (const CellRecord& cell : read_results(folder / "scored").cells) {
+        EXPECT_EQ(cell.preset, "tuned");
+        EXPECT_EQ(cell.error, "");
+    }
+    const double published = file.at("tunings").at("tuned").at("published").get<double>();
+    EXPECT_LE(file.at("tunings").at("tuned").at("fitted").get<double>(), published);
+}
+
 TEST(Tune, RefusesWhatItCannotDoInWords) {
     const auto folder = output_dir();
     const std::pair<const char*, const char*> refused[] = {
@@ -75,7 +147,9 @@ TEST(Tune, RefusesWhatItCannotDoInWords) {
         {"tune pillar --methods gtao --parameters steps --max-fetches 0.5 --size 64x36", "a larger budget"},
         {"tune pillar --methods gtao --parameters steps --budget-ms 0.00001 --size 64x36", "beyond it"},
         {"tune pillar --methods gtao --metric nonsense --size 64x36", "--metric"},
-        {"tune pillar --methods sd-gtao --size 64x36", "several layers of depth"}};
+        {"tune pillar --methods gtao --metric psnr --size 64x36", "no best value to tune towards"},
+        {"tune pillar --methods volumetric-sphere --size 64x36", "nothing is left to tune"},
+        {"tune pillar --methods sd-gtao --set sampling=rays --size 64x36", "layers that rays meet"}};
     for (const auto& [arguments, words] : refused) {
         const ProgramRun run = run_aoscore(std::string(arguments) + " --samples 4 --out o", folder);
         EXPECT_EQ(run.exit_code, 64) << arguments << "\n" << run.err;

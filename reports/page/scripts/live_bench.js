@@ -30,6 +30,7 @@ class LiveBench {
     this.fill('method', index.methods.map(({ id, label }) => [id, label]));
     this.fill('filter', index.filters.map(({ id, label }) => [id, label]));
     this.listen();
+    acceptPresetFiles(element, this);
   }
 
   fill(name, entries) {

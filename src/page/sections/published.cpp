@@ -5,6 +5,7 @@
 #include "metrics/roles.h"
 #include "page/document/number_text.h"
 #include "page/section.h"
+#include "page/sections/tuned_rows.h"
 #include "results/ranked_value.h"
 
 #include <fmt/format.h>
@@ -205,6 +206,7 @@ json table_model(const TableRecord& table, const PageSource& source) {
         {"metric", std::string(aoscore::metric(metric).label)},
         {"thumbnails", thumbnails(rows, source.pictures)},
         {"notes", notes_of(table, rows)},
+        {"tuned", tuned_rows_model(table, cells)},
         {"rows", json::array()}};
     for (const TableRow& row : rows) {
         const TruthRecord* own = find_truth(view, row.cell.own_truth);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace aoscore {
 namespace {
@@ -79,6 +80,17 @@ void DepthLayerBuffer::allocate(const LayeredPictures& wanted) {
         array_ = make_texture_array(format_of(wanted.layers.samples), camera.width(), camera.height(), count);
     }
     drawn_ = wanted;
+    is_stale_ = false;
+}
+
+DepthLayerBuffer::Drawing DepthLayerBuffer::take() {
+    if (is_stale_) return {};
+    return {std::exchange(drawn_, std::nullopt), std::exchange(array_, gl::Texture())};
+}
+
+void DepthLayerBuffer::put_back(Drawing drawing) {
+    drawn_ = std::move(drawing.pictures);
+    array_ = std::move(drawing.array);
     is_stale_ = false;
 }
 

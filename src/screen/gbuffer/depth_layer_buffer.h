@@ -49,6 +49,16 @@ class DepthLayerBuffer {
     /// The number of cameras that were drawn since the buffer was made.
     std::uint64_t drawings() const { return drawings_; }
 
+    /// A drawing, to be kept for its G-buffer while others are in use.
+    struct Drawing {
+        std::optional<LayeredPictures> pictures;  ///< empty: none
+        gl::Texture array;
+    };
+    /// Takes the last drawing out; empty where it is none or was forgotten.
+    Drawing take();
+    /// Makes a drawing that was taken out the last one again.
+    void put_back(Drawing drawing);
+
     /// Forgets the last drawing, when the G-buffer has changed or the work is to be timed.
     /// Its memory is kept for the next one of the same shape.
     void forget() { is_stale_ = true; }

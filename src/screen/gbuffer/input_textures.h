@@ -10,6 +10,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace aoscore {
@@ -45,6 +46,16 @@ class InputTextures {
         derived_.forget();
         layers_.forget();
         side_layers_.forget();
+    }
+
+    /// Depth layers that were drawn beside the G-buffer.
+    struct Layers {
+        DepthLayerBuffer::Drawing main, side;
+    };
+    Layers take_layers() { return {layers_.take(), side_layers_.take()}; }
+    void put_back(Layers layers) {
+        layers_.put_back(std::move(layers.main));
+        side_layers_.put_back(std::move(layers.side));
     }
 
     void set_ray_layers(const RayLayerSource* source) {

@@ -63,6 +63,10 @@ class MethodRunner {
     void set_ray_layers(const RayLayerSource* source) { inputs_.set_ray_layers(source); }
     DepthLayerBuffer& depth_layers() { return inputs_.depth_layers(); }
 
+    /// Depth layers of this G-buffer, to be kept with it while another is in use.
+    InputTextures::Layers take_layers() { return inputs_.take_layers(); }
+    void put_back(InputTextures::Layers layers) { inputs_.put_back(std::move(layers)); }
+
     std::uint64_t layered_pictures_drawn() const { return inputs_.layered_pictures_drawn(); }
     std::uint64_t passes_drawn() const { return passes_; }
     std::uint64_t programs_compiled() const { return compilations_; }
