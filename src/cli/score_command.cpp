@@ -1,4 +1,5 @@
 #include "cli/command.h"
+#include "cli/frame_options.h"
 #include "cli/method_options.h"
 #include "cli/run_and_page.h"
 #include "cli/shared_options.h"
@@ -7,6 +8,7 @@
 #include "jobs/truth_signals.h"
 #include "plan/advice_steps.h"
 #include "plan/plan.h"
+#include "plan/recorded_cells.h"
 #include "results/results_folder.h"
 
 #include <fmt/format.h>
@@ -21,6 +23,7 @@ namespace {
 
 struct ScoreOptions {
     SceneChoice choice;
+    FrameOptions frame;
     std::vector<std::string> methods;
     MethodOptions method_options;
     ImageSize size;
@@ -43,6 +46,14 @@ std::vector<MethodDescriptor> chosen_methods(const ScoreOptions& options,
     return chosen;
 }
 
+void add_folder(ImageFolder folder, ExperimentPlan& plan, ViewPlan& view) {
+    CellPlan cell;
+    cell.method = folder.method.id;
+    cell.own_truth = false;
+    view.cells.push_back(std::move(cell));
+    plan.folders.push_back(std::move(folder));
+}
+
 /// Adds a cell for the images of each folder. No two contestants have one id.
 void add_folders(const ScoreOptions& options, ExperimentPlan& plan, ViewPlan& view) {
     std::vector<std::string> said;  // warnings given for the chosen methods
@@ -53,12 +64,22 @@ void add_folders(const ScoreOptions& options, ExperimentPlan& plan, ViewPlan& vi
             throw file_error("is " + folder.method.id + ", as another contestant's",
                              (path / "contestant.json").string() + ": id", "an id of its own");
         ids.push_back(folder.method.id);
-        CellPlan cell;
-        cell.method = folder.method.id;
-        cell.own_truth = false;
-        view.cells.push_back(std::move(cell));
-        plan.folders.push_back(std::move(folder));
+        add_folder(std::move(folder), plan, view);
     }
+}
+
+/// Makes the view one of the frame, whose cells need no more than it holds.
+void take_frame(const ScoreOptions& options, const std::vector<MethodDescriptor>& methods,
+                ExperimentPlan& plan, ViewPlan& view) {
+    view.recorded = read_frame_view(options.frame);
+    view.scene = view.recorded->scene->id;
+    view.width = view.recorded->width;
+    view.height = view.recorded->height;
+    view.radius_m = view.recorded->radius_m;
+    view.score_goal.reset();
+    view.extras = {};
+    leave_out_cells(*view.recorded, methods, view.cells, plan.warnings);
+    if (!options.frame.own.empty()) add_folder(own_contestant(options.frame), plan, view);
 }
 
 /// The methods and filters that the plan may name, with its presets.
@@ -69,12 +90,8 @@ Registry registry_for(const ExperimentPlan& plan) {
     return registry;
 }
 
-ExitCode run(const ScoreOptions& options, const GlobalOptions& global) {
-    ExperimentPlan plan;
-    plan.seed = global.seed;
-    plan.methods_dir = options.methods_dir;
-    plan.command = global.command_line;
-    plan.truth_cache = options.truth_cache;
+/// The view of the scene, without cells.
+ViewPlan scene_view(const ScoreOptions& options) {
     ViewPlan view;
     view.scene = options.choice.scene;
     view.load = options.choice.view.load;
@@ -85,17 +102,32 @@ ExitCode run(const ScoreOptions& options, const GlobalOptions& global) {
     view.own_parameters = options.method_options.own_parameters;
     view.score_goal = score_goal(options.effort);
     view.radius_m = one_finite_radius(options.radii, "a score is ranked");
+    return view;
+}
+
+ExitCode run(ScoreOptions options, const GlobalOptions& global) {
+    if (options.choice.scene.empty() && !options.frame.given())
+        throw usage_error("nothing to score", "score", "SCENE, or --gbuffer with --truth");
+    ExperimentPlan plan;
+    plan.seed = global.seed;
+    plan.methods_dir = options.methods_dir;
+    plan.command = global.command_line;
+    plan.truth_cache = options.truth_cache;
+    ViewPlan view = scene_view(options);
+    options.frame.truth.radius_m = view.radius_m;
     std::vector<MethodDescriptor> methods = chosen_methods(options, plan.warnings);
     plan.preset_files = options.method_options.preset_files();
     view.cells = plan_cells(methods, load_filters(), options.method_options, plan.warnings);
     view.extras |= extras_for(options.method_options.signals);
+    if (options.frame.given()) take_frame(options, methods, plan, view);
     if (!options.contestants.empty()) add_folders(options, plan, view);
-    for (const std::string& id : planned_views(options.choice.view)) {
+    for (const std::string& id :
+         options.frame.given() ? std::vector<std::string>{"frame"} : planned_views(options.choice.view)) {
         view.view = id;
         shared_view(plan, view);
     }
     if (options.advise) add_advice(plan, registry_for(plan));
-    const std::string stem = std::filesystem::path(options.choice.scene).stem().string();
+    const std::string stem = std::filesystem::path(view.scene).stem().string();
     const std::filesystem::path folder = results_folder(options.out, "score-" + stem);
     return run_and_page(std::move(plan), folder, options.outcome, global);
 }
@@ -129,6 +161,7 @@ CommandEntry add_score_command(CLI::App& program, const GlobalOptions& global) {
     add_outcome_options(*app, options->outcome);
     add_job_options(*app, options->outcome.jobs);
     add_baseline_option(*app, options->outcome);
+    add_recorded_options(*app, options->frame);
     return {app, [options, &global] { return run(*options, global); }};
 }
 

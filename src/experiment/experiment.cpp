@@ -104,8 +104,10 @@ class ExperimentRun {
         const ViewRun& run = planned_.runs()[i];
         planned_.tools().choose(run.work.scene);
         if (!is_known(run, store_)) {
-            log_info(fmt::format("{}: {} triangles, {}x{}", run.work.key, run.work.scene.triangle_count,
-                                 run.work.width, run.work.height));
+            const std::string what = run.work.recorded != nullptr
+                                         ? "a frame without its scene"
+                                         : fmt::format("{} triangles", run.work.scene.triangle_count);
+            log_info(fmt::format("{}: {}, {}x{}", run.work.key, what, run.work.width, run.work.height));
         }
         const Stopwatch watch;
         ViewOutcome outcome = run_to_goal(run, store_);

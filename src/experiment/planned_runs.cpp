@@ -2,6 +2,7 @@
 
 #include "core/log.h"
 #include "experiment/score_goal.h"
+#include "jobs/recorded/recorded_view.h"
 #include "plan/live_output.h"
 #include "plan/scene_views.h"
 #include "scene/view_choice.h"
@@ -24,11 +25,11 @@ std::optional<double> drawn_for(const ViewPlan& plan, const RankingRadius& radiu
 class PlannedScenes {
   public:
     std::shared_ptr<const Scene> of(const ViewPlan& plan) {
+        if (plan.recorded != nullptr) return warned(plan.recorded->scene);
         for (const auto& [reader, scene] : scenes_) {
             if (reader->scene == plan.scene && reader->load == plan.load) return scene;
         }
-        auto scene = std::make_shared<const Scene>(load_scene(plan.scene, plan.load));
-        for (const std::string& warning : scene->warnings) log_warning(scene->id + ": " + warning);
+        auto scene = warned(std::make_shared<const Scene>(load_scene(plan.scene, plan.load)));
         if (plan.view.empty()) {
             if (const std::string left_out = left_out_text(*scene); !left_out.empty()) log_info(left_out);
         }
@@ -37,6 +38,11 @@ class PlannedScenes {
     }
 
   private:
+    static std::shared_ptr<const Scene> warned(std::shared_ptr<const Scene> scene) {
+        for (const std::string& warning : scene->warnings) log_warning(scene->id + ": " + warning);
+        return scene;
+    }
+
     std::vector<std::pair<const ViewPlan*, std::shared_ptr<const Scene>>> scenes_;
 };
 
@@ -170,6 +176,7 @@ ViewWork view_work(const ExperimentPlan& plan, const PreparedView& p, const Regi
             .keep_gbuffer = plan.keep_gbuffer,
             .kept_inputs = gbuffer_inputs_of(registry),
             .truth_cache = plan.truth_cache,
+            .recorded = p.plan->recorded,
             .command = plan.command,
             .folder = folder};
 }

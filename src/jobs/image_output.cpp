@@ -66,7 +66,8 @@ void write_truth(const std::filesystem::path& path, const Truth& truth, const Ma
     for (std::size_t q = 0; q < truth.queries.size(); ++q) {
         const TruthQuery& query = truth.queries[q];
         channels.push_back({query_channel(q), &truth.visibility[q]});
-        channels.push_back({query_error_channel(q), &truth.standard_error[q]});
+        if (!truth.standard_error[q].empty())
+            channels.push_back({query_error_channel(q), &truth.standard_error[q]});
         const std::string id = fmt::format("V{}", q);
         attributes["aoscore:" + id + ".falloff"] = falloff_name(query.falloff);
         attributes["aoscore:" + id + ".radius_m"] =

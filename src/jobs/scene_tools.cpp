@@ -24,7 +24,8 @@ const ReferenceScene& SceneTools::reference() {
 }
 
 ScreenRenderer& SceneTools::ready_renderer() {
-    if (uploaded_ != scene_) renderer_.set_scene(*scene_);
+    // A recorded frame's scene has nothing to draw.
+    if (uploaded_ != scene_ && !scene_->meshes.empty()) renderer_.set_scene(*scene_);
     uploaded_ = scene_;
     return renderer_;
 }

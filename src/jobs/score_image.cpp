@@ -27,7 +27,9 @@ namespace {
 class Comparison {
   public:
     Comparison(const Truth& truth, std::size_t query, const ImageF& image, const Mask& valid)
-        : input_{truth.visibility[query], image, valid, &truth.standard_error[query]} {
+        : input_{truth.visibility[query], image, valid} {
+        // A truth of another program may not say how sure it is.
+        if (!truth.standard_error[query].empty()) input_.standard_error = &truth.standard_error[query];
         input_.maps = &maps_[0];
         if (truth.halves.empty()) return;
         halves_.emplace(truth.halves[query][0], truth.halves[query][1], &maps_[1], &maps_[2], &maps_[3]);

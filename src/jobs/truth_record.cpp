@@ -34,6 +34,7 @@ TruthRecord query_record(const Truth& truth, std::size_t q, const Mask& valid) {
     if (std::isfinite(query.radius_m)) record.radius_m = query.radius_m;
     if (query.falloff == Falloff::alchemy) record.u_m = query.u_m;
     record.samples = truth.samples;
+    if (truth.standard_error[q].empty()) return record;
     const NoiseFloor floor = noise_floor(truth.standard_error[q], valid).value_or(NoiseFloor{});
     record.mean_standard_error = floor.mean_standard_error;
     record.noise_floor_rmse = floor.rmse();
@@ -75,7 +76,7 @@ void record_truth(const Truth& truth, const Mask& valid, ViewRecord& view) {
         TruthRecord& record = view.truths.emplace_back(query_record(truth, q, valid));
         if (q == 0) record.id = kRankedTruth;
         record.channel = query_channel(q);
-        record.se_channel = query_error_channel(q);
+        if (!truth.standard_error[q].empty()) record.se_channel = query_error_channel(q);
     }
     for (std::size_t c = 0; c < kCauses; ++c) {
         const ImageF& occlusion = truth.occlusion_by_cause[c];

@@ -4,6 +4,7 @@
 #include "core/log.h"
 #include "image/image_file.h"
 #include "jobs/draw_image.h"
+#include "jobs/recorded/recorded_view.h"
 #include "jobs/sky_light.h"
 #include "jobs/time_requests.h"
 #include "jobs/view_files.h"
@@ -92,7 +93,8 @@ void ViewMaker::read_payload(const Job& job, const nlohmann::json& payload) {
             break;
         case ArtifactKind::view:
             view_ = view_record_from_json(payload, where);
-            view_->truth_origin = origin_id(TruthOrigin::cached);
+            view_->truth_origin =
+                origin_id(work_.recorded != nullptr ? TruthOrigin::given : TruthOrigin::cached);
             view_->truth_rays_now = 0;
             view_->savings.left_out_triangles = 0;
             break;
@@ -157,7 +159,8 @@ void ViewMaker::make(const Job& job) {
             return keep(job, to_json(*gbuffer_runs_));
         case ArtifactKind::gbuffer:
             draw(work_.drawn_inputs());
-            gbuffer_ = work_.tools.ready_renderer().read_gbuffer();
+            gbuffer_ = work_.recorded != nullptr ? work_.recorded->gbuffer
+                                                 : work_.tools.ready_renderer().read_gbuffer();
             return;
         case ArtifactKind::truth:
             truth_ = trace(work_.truth_request(), "truth " + work_.key);
@@ -166,7 +169,9 @@ void ViewMaker::make(const Job& job) {
             own_truth_ = trace(work_.own_truth_request(), "methods' own truths " + work_.key);
             return;
         case ArtifactKind::contract:
-            ground_ = find_ground(frame_, truth_->truth, *gbuffer_, work_.scene.bounds);
+            ground_ = work_.recorded != nullptr
+                          ? recorded_ground(frame_, *work_.recorded)
+                          : find_ground(frame_, truth_->truth, *gbuffer_, work_.scene.bounds);
             truth_side_.reset();
             return;
         case ArtifactKind::view:
@@ -197,6 +202,8 @@ void ViewMaker::make(const Job& job) {
 }
 
 void ViewMaker::draw(const std::set<std::string>& inputs) {
+    if (work_.recorded != nullptr)
+        return work_.tools.renderer().take_gbuffer(frame_, work_.recorded->gbuffer, inputs);
     if (drawn_ms_ > 0 && drawn_inputs_ == inputs) return;
     drawn_ms_ = work_.tools.ready_renderer().draw_gbuffer(frame_, inputs);
     drawn_inputs_ = inputs;
@@ -204,6 +211,7 @@ void ViewMaker::draw(const std::set<std::string>& inputs) {
 
 // Traces the request, whose queries share their rays.
 CachedTruth ViewMaker::trace(TruthRequest request, const std::string& what) {
+    if (work_.recorded != nullptr) return {work_.recorded->truth, TruthOrigin::given, std::move(request)};
     const ReferenceScene& reference = work_.tools.reference();
     request.build = reference.build();
     const TruthLabel label{scene_name(work_.scene), work_.view.id, work_.command};

@@ -13,6 +13,12 @@ ViewRecord recorded_view(const ViewWork& work, const ViewRecord& described, cons
     view.truth_origin = origin_id(traced.origin);
     view.least_samples = traced.made_for.settings.samples;
     view.halves = traced.made_for.settings.halves;
+    if (traced.origin == TruthOrigin::given) {
+        view.halves = !traced.truth.halves.empty();
+        record_ground(ground, work.frame(), traced.truth, work.radius_m, view);
+        record_truth(traced.truth, ground.contract.valid, view);
+        return view;
+    }
     view.integrator = integrator_id();
     TruthRequest again = traced.made_for;
     again.queries = work.queries;

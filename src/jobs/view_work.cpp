@@ -16,7 +16,7 @@ bool ViewWork::pictured() const {
 }
 
 bool ViewWork::times_gbuffer() const {
-    return timed && (pictured() || timing_goal.has_value());
+    return timed && recorded == nullptr && (pictured() || timing_goal.has_value());
 }
 
 std::set<std::string> ViewWork::read_inputs() const {

@@ -18,6 +18,8 @@
 
 namespace aoscore {
 
+struct RecordedView;
+
 /// A contestant on a view, to be scored and timed.
 struct CellWork {
     std::string id;  ///< the cell's in the results: "atrium/wide/hbao/default"
@@ -57,8 +59,10 @@ struct ViewWork {
     bool keep_gbuffer = true;
     std::set<std::string> kept_inputs;  ///< G-buffer inputs in its file beside those that cells read
     std::filesystem::path truth_cache;  ///< empty: none
-    std::string command;                ///< the command that makes the results again
-    std::filesystem::path folder;       ///< the results' folder; images go below it
+    /// Where it is not null, G-buffer and truth are its files' and nothing is drawn or traced of `scene`.
+    std::shared_ptr<const RecordedView> recorded = nullptr;
+    std::string command;           ///< the command that makes the results again
+    std::filesystem::path folder;  ///< the results' folder; images go below it
 
     /// Whether a cell keeps its image; then the view keeps its own.
     bool pictured() const;

@@ -20,6 +20,8 @@
 
 namespace aoscore {
 
+struct RecordedView;
+
 /// The prefix of a filter's parameter among a cell's: "filter.taps".
 inline constexpr std::string_view kFilterPrefix = "filter.";
 
@@ -72,6 +74,7 @@ struct ViewPlan {
     std::string scene;  ///< built-in id or path of a glTF file
     LoadOptions load;   ///< options for reading the scene and its views
     std::string view;   ///< a choice for choose_views(); several views run one by one
+    std::shared_ptr<const RecordedView> recorded;  ///< in place of a scene: a frame and its truth; else null
     int width = 1920, height = 1080;
     double max_error = 0;                 ///< standard error to trace every truth pixel to; 0: by samples
     int samples = 64;                     ///< truth rays a pixel

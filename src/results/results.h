@@ -43,8 +43,8 @@ struct TruthRecord {
     std::optional<double> radius_m;  ///< empty for infinity
     std::optional<double> u_m;       ///< u of the falloff "alchemy"
     std::string channel;             ///< its channel in the truth file: "V0.Y"; empty where it is in no file
-    std::string se_channel;          ///< the standard error's: "SE0.Y"; empty likewise
-    double mean_standard_error = 0;  ///< over valid pixels
+    std::string se_channel;  ///< the standard error's: "SE0.Y"; empty likewise, and where it is unknown
+    double mean_standard_error = 0;  ///< over valid pixels; 0 where it is unknown
     double noise_floor_rmse = 0;     ///< sqrt of the mean variance: the RMSE a perfect method would show
     int samples = 0;                 ///< rays a pixel, as in ViewRecord::samples
 };
@@ -112,8 +112,8 @@ struct ViewRecord {
     bool final_answer = true;     ///< false for the first answer of a run that goes on
     std::size_t open_pixels = 0;  ///< proven open without tracing a ray
     double truth_seconds = 0;
-    /// "traced", "resumed" after an interruption, "refined" from fewer rays, or "cached" when not traced
-    /// again.
+    /// "traced", "resumed" after an interruption, "refined" from fewer rays, "cached" when not traced again,
+    /// or "given" where the truth is a file and the view a frame without its scene.
     std::string truth_origin = "traced";
     /// The request that the truth was made for, by an earlier run where it is cached: it may exceed this
     /// run's.

@@ -3,11 +3,13 @@
 #include "core/error.h"
 #include "core/machine.h"
 #include "core/processor_watch.h"
+#include "screen/gbuffer/derived_inputs.h"
 #include "screen/gbuffer/gbuffer.h"
 #include "screen/gbuffer/precision.h"
 #include "screen/gbuffer/scene_geometry.h"
 #include "screen/gl/context.h"
 #include "screen/gl/pass_timer.h"
+#include "screen/gl/texture.h"
 #include "screen/passes/method_runner.h"
 
 #include <chrono>
@@ -162,6 +164,23 @@ double ScreenRenderer::draw_gbuffer(const Capture& capture) {
     impl_->shows_scene = true;
     gl::Finish();
     return clock.milliseconds();
+}
+
+void ScreenRenderer::take_gbuffer(const CameraFrame& frame, const GBufferImages& images,
+                                  const std::set<std::string>& channels) {
+    impl_->context->make_current();
+    impl_->leave_gbuffer();
+    impl_->stage.gbuffer.take(images, Capture(frame, channels));
+    impl_->shows_scene = false;
+}
+
+Image<glm::vec3> ScreenRenderer::read_normals_from_depth() {
+    const GBuffer& gbuffer = impl_->ready_stage().gbuffer;
+    DerivedInputs derived;
+    Image<glm::vec3> normals(gbuffer.width(), gbuffer.height());
+    read_texture(derived.normal_from_depth(gbuffer, gbuffer.texture("linear_depth"), true), GL_RGB,
+                 normals.pixels.data());
+    return normals;
 }
 
 std::size_t ScreenRenderer::keep_gbuffer() {

@@ -135,6 +135,14 @@ class ScreenRenderer {
     double draw_gbuffer(const CameraFrame& frame, const std::set<std::string>& channels) {
         return draw_gbuffer(Capture(frame, channels));
     }
+    /// Takes pictures of this frame that were drawn elsewhere as the G-buffer: linear depth, with the far
+    /// plane's on background, window depth, and of `channels` those that they have. Methods run on it that
+    /// read one layer of depth, without a guard band.
+    void take_gbuffer(const CameraFrame& frame, const GBufferImages& images,
+                      const std::set<std::string>& channels);
+    /// Computes view-space normals from the G-buffer's depth, as the input "normal_from_depth_accurate" has
+    /// them; row 0 at the top.
+    Image<glm::vec3> read_normals_from_depth();
     /// Keeps the current G-buffer, with the depth layers drawn of it, beside those that are drawn after it;
     /// returns a number for use_gbuffer(). It serves requests without a guard band, also after set_scene();
     /// only layers by rays are then of the scene that is set.

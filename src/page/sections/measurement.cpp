@@ -115,8 +115,9 @@ json length_rows(const Results& results, const ViewRecord& view) {
     return rows;
 }
 
-json view_model(const Results& results, const ViewRecord& view) {
-    json facts = json::array({
+/// How the view came about: drawn and traced from its scene.
+json facts_of_scene(const Results& results, const ViewRecord& view) {
+    return json::array({
         fact("Size",
              fmt::format("{}×{} pixels, {} triangles", view.width, view.height, count_text(view.triangles))),
         fact("Camera", camera_text(view)),
@@ -128,15 +129,36 @@ json view_model(const Results& results, const ViewRecord& view) {
         fact("G-buffer", fmt::format("{} ms, median of {} runs", fixed_text(view.gbuffer.median_ms, 1),
                                      view.gbuffer.runs_ms.size())),
     });
+}
+
+/// The same of a frame whose G-buffer and truth are files.
+json facts_of_frame(const ViewRecord& view) {
+    return json::array({
+        fact("Size", fmt::format("{}×{} pixels, a frame without its scene", view.width, view.height)),
+        fact("Camera", camera_text(view)),
+        fact("Pixels that count",
+             fmt::format("{} of {} with a surface, where the truth has a value",
+                         count_text(view.valid_pixels), count_text(view.surface_pixels))),
+        fact("AO radius", radius_text(view)),
+        fact("Truth", "read from a file; " + std::string(view.halves ? "the mean of two renderings, whose "
+                                                                       "difference tells its noise"
+                                                                     : "one picture")),
+    });
+}
+
+json view_model(const Results& results, const ViewRecord& view) {
+    const bool given = view.truth_origin == "given";
+    json facts = given ? facts_of_frame(view) : facts_of_scene(results, view);
     if (!view.scene_digest.empty()) facts.push_back(fact("Scene's digest", view.scene_digest));
     if (!view.view_source.empty()) facts.push_back(fact("View from", view.view_source));
     if (!view.view_note.empty()) facts.push_back(fact("Note", view.view_note));
     json truths = json::array();
     for (const TruthRecord& truth : view.truths) {
+        const bool unknown = given && truth.se_channel.empty();
         truths.push_back({{"id", truth.id},
                           {"text", truth_text(truth)},
-                          {"mean_error", fixed_text(truth.mean_standard_error, 4)},
-                          {"floor", fixed_text(truth.noise_floor_rmse, 4)}});
+                          {"mean_error", unknown ? "unknown" : fixed_text(truth.mean_standard_error, 4)},
+                          {"floor", unknown ? "unknown" : fixed_text(truth.noise_floor_rmse, 4)}});
     }
     json lengths = length_rows(results, view);
     return {{"key", view.key},

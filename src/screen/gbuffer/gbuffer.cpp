@@ -38,6 +38,12 @@ Image<Pixel> read_pixels(const gl::Texture& texture, GLenum transfer, const View
     return image;
 }
 
+Image<glm::vec4> with_fourth(const Image<glm::vec3>& vectors) {
+    Image<glm::vec4> result(vectors.width, vectors.height);
+    for (std::size_t i = 0; i < result.size(); ++i) result.pixels[i] = glm::vec4(vectors.pixels[i], 0.0F);
+    return result;
+}
+
 }  // namespace
 
 const ImageF& GBufferImages::number(std::string_view channel) const {
@@ -128,6 +134,26 @@ void GBuffer::draw(const SceneGeometry& geometry, const Capture& capture) {
         }
     }
     gl::check("drawing the G-buffer");
+}
+
+void GBuffer::take(const GBufferImages& images, const Capture& capture) {
+    geometry_ = nullptr;
+    capture_ = capture;
+    outputs_.clear();
+    pictures_.clear();
+    Picture& picture = pictures_.emplace_back(Picture{ViewUniforms(capture.camera({})), {}});
+    const auto keep = [&](const Channel& channel, const void* pixels) {
+        picture.textures.emplace(
+            channel.id, make_texture(format_of(channel), picture.view.width, picture.view.height, pixels));
+    };
+    for (const Channel& channel : gbuffer_channels()) {
+        if (!is_drawn(channel, capture)) continue;
+        if (const ImageF& number = images.number(channel.id); !number.empty())
+            keep(channel, number.pixels.data());
+        if (const Image<glm::vec3>& vector = images.vector(channel.id); !vector.empty())
+            keep(channel, with_fourth(vector).pixels.data());
+    }
+    gl::check("taking a G-buffer");
 }
 
 void GBuffer::draw_picture(const CameraFrame& frame, const Picture& drawn, GLuint before) {

@@ -28,6 +28,10 @@ class GBuffer {
     /// front of it. Throws internal_error for an unknown channel, and for cameras of several sizes.
     void draw(const SceneGeometry& geometry, const Capture& capture);
 
+    /// Takes pictures that were drawn elsewhere in place of the one before: linear depth, and those channels
+    /// of `capture` that they have. The capture must be of one picture.
+    void take(const GBufferImages& images, const Capture& capture);
+
     bool drawn() const { return !pictures_.empty(); }
     int width() const { return pictures_.front().view.width; }
     int height() const { return pictures_.front().view.height; }
@@ -47,7 +51,7 @@ class GBuffer {
     /// Sets the camera's uniforms of shaders/contract/view.glsl, for this G-buffer or any pass over it.
     void set_view_uniforms(const ShaderProgram& program, const CaptureIndex& index = {}) const;
     const Capture& capture() const { return *capture_; }
-    /// The geometry that was drawn, which must still exist.
+    /// The geometry that was drawn, which must still exist; there is none where pictures were taken.
     const SceneGeometry& geometry() const { return *geometry_; }
     const CameraFrame& frame(const CaptureIndex& index = {}) const { return capture_->camera(index); }
     /// The value of ORTHOGRAPHIC in shaders/contract/view.glsl.

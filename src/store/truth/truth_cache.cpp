@@ -236,6 +236,8 @@ std::string_view origin_id(TruthOrigin origin) {
             return "refined";
         case TruthOrigin::cached:
             return "cached";
+        case TruthOrigin::given:
+            return "given";
     }
     return "";
 }

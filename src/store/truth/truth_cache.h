@@ -20,6 +20,7 @@ enum class TruthOrigin : std::uint8_t {
     resumed,  ///< tracing went on where an interrupted run stopped
     refined,  ///< tracing went on from a truth with fewer rays
     cached,   ///< no ray was traced
+    given,    ///< another program's, read from a file
 };
 std::string_view origin_id(TruthOrigin origin);
 

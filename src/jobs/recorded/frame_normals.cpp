@@ -1,0 +1,115 @@
+#include "jobs/recorded/frame_normals.h"
+
+#include "core/error.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+namespace aoscore {
+namespace {
+
+// Normals that lie within this of the depth's are taken to fit it.
+constexpr float kFitCosine = 0.8F;
+// Bumps and creases leave well over half of all pixels within that; a wrong space or angle does not.
+constexpr double kLeastFit = 0.5;
+
+class NormalReader {
+  public:
+    NormalReader(const ImageFile& file, const FrameLayout& layout, const FrameCamera& camera,
+                 const Mask& surface, const Image<glm::vec3>& from_depth, const std::string& where)
+        : file_(file), layout_(layout), surface_(surface), from_depth_(from_depth), where_(where) {
+        if (camera.world_normals.value_or(layout.world_normals)) rotation_ = camera.view_from_world;
+        needs_rotation_ = camera.world_normals.value_or(layout.world_normals);
+    }
+
+    struct Read {
+        Image<glm::vec3> normals;
+        std::string channel;
+        double fitting = 0;        ///< share of surface pixels whose normals fit the depth
+        std::size_t replaced = 0;  ///< surface pixels without a normal, which have the depth's
+    };
+    /// Empty where the file has none of these channels.
+    std::optional<Read> read(const std::vector<std::string_view>& names) const {
+        const std::optional<std::size_t> first = find_channel(layout_, names, file_);
+        if (!first) return std::nullopt;
+        const auto channels = three_channels(*first, file_);
+        const std::string& channel = file_.channel_names[*first];
+        if (!channels) throw file_error("has no neighbours for y and z", where_ + ": " + channel);
+        if (needs_rotation_ && !rotation_)
+            throw file_error("holds normals in world space", where_ + ": " + channel,
+                             R"(world_to_camera in the camera file, or "normals": "view")");
+        Read result{from_depth_, channel, 0, 0};
+        std::size_t surfaces = 0, fitting = 0;
+        for (std::size_t i = 0; i < surface_.size(); ++i) {
+            if (surface_.pixels[i] == 0) continue;
+            ++surfaces;
+            const std::optional<glm::vec3> normal = normal_at(*channels, i);
+            result.replaced += !normal;
+            if (normal) result.normals.pixels[i] = *normal;
+            fitting += std::abs(glm::dot(result.normals.pixels[i], from_depth_.pixels[i])) > kFitCosine;
+        }
+        result.fitting =
+            static_cast<double>(fitting) / static_cast<double>(std::max<std::size_t>(surfaces, 1));
+        return result;
+    }
+
+  private:
+    std::optional<glm::vec3> normal_at(const std::vector<std::size_t>& channels, std::size_t i) const {
+        glm::vec3 n;
+        for (int axis = 0; axis < 3; ++axis)
+            n[axis] = file_.channels[channels[static_cast<std::size_t>(axis)]].pixels[i];
+        if (glm::any(glm::isnan(n)))
+            throw file_error("a surface's normal is NaN", where_ + ": " + file_.channel_names[channels[0]]);
+        if (layout_.turned) return n;
+        if (layout_.packed_normals) n = 2.0F * n - 1.0F;
+        if (rotation_) n = glm::vec3(*rotation_ * glm::dvec3(n));
+        const float length = glm::length(n);
+        if (!(length > 1e-3F)) return std::nullopt;
+        n /= length;
+        return glm::dot(n, from_depth_.pixels[i]) < 0 ? -n : n;
+    }
+
+    const ImageFile& file_;
+    const FrameLayout& layout_;
+    const Mask& surface_;
+    const Image<glm::vec3>& from_depth_;
+    const std::string& where_;
+    std::optional<glm::dmat3> rotation_;
+    bool needs_rotation_ = false;
+};
+
+}  // namespace
+
+void add_normals(const ImageFile& file, const FrameLayout& layout, const FrameCamera& camera,
+                 const Image<glm::vec3>& from_depth, const std::string& where, GBufferImages& images,
+                 std::string& read_as, std::vector<std::string>& warnings) {
+    const NormalReader reader(file, layout, camera, images.surface, from_depth, where);
+    auto geometric = reader.read(layout.normal_geometric), smooth = reader.read(layout.normal_smooth);
+    for (const auto* read : {&geometric, &smooth}) {
+        if (!*read) continue;
+        if ((*read)->fitting < kLeastFit)
+            warnings.push_back(
+                fmt::format("the normals {} fit the depth in {:.0f} % of the pixels: another space, angle of "
+                            "view, or row "
+                            "order",
+                            (*read)->channel, 100 * (*read)->fitting));
+        if ((*read)->replaced > 0)
+            warnings.push_back(fmt::format("{} surface pixels of {} have no normal, and get one from depth",
+                                           (*read)->replaced, (*read)->channel));
+    }
+    if (geometric && smooth) {
+        read_as += fmt::format("; normals {} and {}", geometric->channel, smooth->channel);
+    } else if (geometric || smooth) {
+        const NormalReader::Read& only = geometric ? *geometric : *smooth;
+        read_as += fmt::format("; normals {}, for triangles' and interpolated ones alike", only.channel);
+    } else {
+        read_as += "; normals from depth, since the frame has none";
+        geometric.emplace(NormalReader::Read{from_depth, {}, 1, 0});
+    }
+    images.vectors["normal_geometric"] = geometric ? geometric->normals : smooth->normals;
+    images.vectors["normal_smooth"] = smooth ? smooth->normals : geometric->normals;
+}
+
+}  // namespace aoscore
