@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/strict_json.h"
+#include "jobs/job.h"
 
 #include <fmt/format.h>
 
@@ -34,6 +35,24 @@ std::vector<Unit> units_of(const nlohmann::json& listing) {
     return units;
 }
 
+/// The keys of truths that somebody has to trace, or find in the cache.
+std::vector<std::string> truth_keys(const nlohmann::json& listing) {
+    std::vector<std::string> keys;
+    for (const nlohmann::json& job : listing.at("jobs")) {
+        const std::string kind = job.at("kind");
+        if (kind == id_of(ArtifactKind::truth) || kind == id_of(ArtifactKind::own_truth))
+            keys.push_back(job.at("key"));
+    }
+    return keys;
+}
+
+/// Adds parts that only help to trace the truths, in turn, up to `count` parts.
+void add_helpers(const nlohmann::json& listing, std::size_t count, std::vector<WorkPart>& parts) {
+    const std::vector<std::string> truths = truth_keys(listing);
+    if (parts.empty() || truths.empty()) return;
+    for (std::size_t i = 0; parts.size() < count; ++i) parts.push_back({0, {truths[i % truths.size()]}});
+}
+
 }  // namespace
 
 std::vector<WorkPart> even_parts(const nlohmann::json& listing, std::size_t count) {
@@ -55,6 +74,7 @@ std::vector<WorkPart> even_parts(const nlohmann::json& listing, std::size_t coun
         parts.back().keys.insert(parts.back().keys.end(), unit.keys.begin(), unit.keys.end());
         left_s -= unit.cost_s;
     }
+    add_helpers(listing, count, parts);
     return parts;
 }
 

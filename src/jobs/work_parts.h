@@ -23,7 +23,8 @@ struct WorkParts {
 
 /// Divides what a JobListing's JSON asks for, and nobody has made, into at most `count` parts of even
 /// estimated cost. The jobs of a cell, and the times of a view, stay together, and neighbours share a part,
-/// so that few parts load the same scene. There are fewer parts where there are fewer of these units.
+/// so that few parts load the same scene. Where there are fewer of these units, further parts help to trace
+/// the truths, and without truths there are fewer parts.
 std::vector<WorkPart> even_parts(const nlohmann::json& listing, std::size_t count);
 
 /// {"aoscore": version, "arguments": [text], "parts": [{"cost_s": n, "jobs": [key]}]}

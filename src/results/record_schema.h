@@ -19,6 +19,11 @@ struct Describer {
         properties[key] = described<T>();
         required.push_back(key);
     }
+    /// A list that may be left out.
+    template <class T>
+    void where_any(const char* key, const std::vector<T>&) {
+        properties[key] = described<std::vector<T>>();
+    }
 };
 
 /// A schema of numbers, texts and truth values; empty, which accepts everything, for JSON of any form.
@@ -41,7 +46,8 @@ json described_scalar() {
     }
 }
 
-/// The schema of what written() makes of a T: every member stands there, and no other.
+/// The schema of what written() makes of a T: every member stands there but for lists that may be left
+/// out, and no other.
 template <class T>
 json described() {
     if constexpr (Scalar<T>) {
