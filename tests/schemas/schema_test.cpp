@@ -4,6 +4,7 @@
 #include "core/files.h"
 #include "core/folders.h"
 #include "core/strict_json.h"
+#include "jobs/recorded/frame_camera.h"
 #include "plan/claims/claim.h"
 #include "plan/plan.h"
 #include "scene/view_file.h"
@@ -127,14 +128,13 @@ void read_method(const fs::path& of, const json& content, const fs::path& folder
     load_methods(folder / "methods");
 }
 
-std::vector<Kind> kinds() {
+std::vector<Kind> kinds(const fs::path& folder) {
     const fs::path data = data_dir();
     std::vector<Kind> all;
     for (const char* method : {"sd-hbao", "gtao", "n8ao", "multi-view-hbao"}) {
-        const fs::path folder = data / "shaders" / "methods" / method;
-        all.push_back({"method", folder / "method.json", [folder](const json& content, const fs::path& to) {
-                           read_method(folder, content, to);
-                       }});
+        const fs::path of = data / "shaders" / "methods" / method;
+        all.push_back({"method", of / "method.json",
+                       [of](const json& content, const fs::path& to) { read_method(of, content, to); }});
     }
     all.push_back(
         {"presets", data / "shaders/methods/gtao/tuned.json", [](const json& content, const fs::path& to) {
@@ -147,6 +147,11 @@ std::vector<Kind> kinds() {
              write_json(to / "views.json", content);
              read_view_file(to / "views.json");
          }});
+    write_json(folder / "camera.json", {{"fovy_deg", 50}, {"near_m", 0.1}, {"far_m", 50}});
+    all.push_back({"camera", folder / "camera.json", [](const json& content, const fs::path& to) {
+                       write_json(to / "changed.json", content);
+                       read_frame_camera(to / "changed.json", 16.0 / 9);
+                   }});
     for (const char* experiment : {"hussain-table-3", "today", "vermeer-table-9-1"})
         all.push_back(
             {"experiment", data / "reports" / (std::string(experiment) + ".json"), read_experiment});
@@ -171,7 +176,7 @@ std::string refusal(const Kind& kind, const json& content, const fs::path& folde
 
 TEST(FileSchema, NamesNoMemberThatTheProgramDoesNotRead) {
     const fs::path folder = output_dir();
-    for (const Kind& kind : kinds()) {
+    for (const Kind& kind : kinds(folder)) {
         const json example = parse_json_file(kind.example);
         const std::string file = kind.id + ".schema.json";
         std::set<std::string> tried;
@@ -196,7 +201,7 @@ TEST(FileSchema, NamesNoMemberThatTheProgramDoesNotRead) {
 
 TEST(FileSchema, OfAKindNamesWhatAnEditorMayPutAtTheTop) {
     const fs::path folder = output_dir();
-    for (const Kind& kind : kinds()) {
+    for (const Kind& kind : kinds(folder)) {
         json example = parse_json_file(kind.example);
         example["$schema"] = kind.id + ".schema.json";
         EXPECT_EQ(refusal(kind, example, folder), "") << kind.example;
