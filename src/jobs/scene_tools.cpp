@@ -24,9 +24,15 @@ const ReferenceScene& SceneTools::reference() {
 }
 
 ScreenRenderer& SceneTools::ready_renderer() {
+    std::optional<Capture> drawn;
+    if (renderer_.lost()) {
+        drawn = renderer_.renew();
+        uploaded_ = nullptr;
+    }
     // A recorded frame's scene has nothing to draw.
     if (uploaded_ != scene_ && !scene_->meshes.empty()) renderer_.set_scene(*scene_);
     uploaded_ = scene_;
+    if (drawn) renderer_.draw_gbuffer(*drawn);
     return renderer_;
 }
 

@@ -24,7 +24,8 @@ class SceneTools {
     /// The tracer of the chosen scene, which is built for rays only when some are wanted, and as far as their
     /// radius.
     const ReferenceScene& reference();
-    /// The renderer with the chosen scene uploaded.
+    /// The renderer with the chosen scene uploaded. Where the driver has lost the context, it is a new one, with
+    /// the last G-buffer drawn again: what was being drawn has failed, and what follows need not.
     ScreenRenderer& ready_renderer();
     /// The renderer, for questions about OpenGL itself.
     ScreenRenderer& renderer() { return renderer_; }

@@ -130,6 +130,21 @@ ScreenRenderer::~ScreenRenderer() {
     impl_->context->make_current();
 }
 
+bool ScreenRenderer::lost() const {
+    return gl::context_lost();
+}
+
+std::optional<Capture> ScreenRenderer::renew() {
+    const GBuffer& gbuffer = impl_->stage.gbuffer;
+    std::optional<Capture> drawn;
+    if (impl_->shows_scene && gbuffer.drawn()) drawn = gbuffer.capture();
+    RayLayerSource rays = std::move(impl_->ray_layers);
+    impl_.reset();
+    impl_ = std::make_unique<Impl>();
+    if (rays) set_ray_layers(std::move(rays));
+    return drawn;
+}
+
 std::string ScreenRenderer::renderer() const {
     impl_->context->make_current();
     return gl_text(GL_RENDERER);

@@ -120,6 +120,12 @@ class ScreenRenderer {
     ScreenRenderer();
     ~ScreenRenderer();
 
+    /// Whether the driver has lost the context, so that every call throws until renew().
+    bool lost() const;
+    /// Makes a new context in place of a lost one, without scene and G-buffers. Returns the capture of the
+    /// G-buffer that was drawn last; nothing where none was, or it was not of the scene.
+    std::optional<Capture> renew();
+
     std::string renderer() const;  ///< GL_RENDERER
     std::string version() const;   ///< GL_VERSION
 

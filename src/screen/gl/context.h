@@ -23,6 +23,9 @@ class GlContext {
     using Function = void (*)();
     /// The entry point of an OpenGL function ("glClear"); null when there is none.
     virtual Function function(const char* name) const = 0;
+
+    /// Whether the driver says when it has lost the context (ARB_robustness).
+    virtual bool tells_loss() const { return false; }
 };
 
 /// Chooses where contexts come from: "osmesa", "egl", or "egl:DEVICE", an index or a part of a device's name.

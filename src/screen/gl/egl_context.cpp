@@ -22,6 +22,7 @@ struct Egl {
     decltype(&eglGetProcAddress) address =
         library.function<decltype(&eglGetProcAddress)>("eglGetProcAddress");
     decltype(&eglInitialize) initialize = library.function<decltype(&eglInitialize)>("eglInitialize");
+    decltype(&eglQueryString) display_string = library.function<decltype(&eglQueryString)>("eglQueryString");
     decltype(&eglBindAPI) bind = library.function<decltype(&eglBindAPI)>("eglBindAPI");
     decltype(&eglCreateContext) create = library.function<decltype(&eglCreateContext)>("eglCreateContext");
     decltype(&eglDestroyContext) destroy =
@@ -94,6 +95,31 @@ std::vector<std::string> egl_devices() {
 struct EglContext::State {
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLContext context = EGL_NO_CONTEXT;
+    bool tells_loss = false;
+
+    /// Creates a context that says when it is lost, where the driver has such, else another.
+    void create() {
+        const char* extensions = egl().display_string(display, EGL_EXTENSIONS);
+        tells_loss =
+            extensions != nullptr &&
+            std::string_view(extensions).find("EGL_EXT_create_context_robustness") != std::string_view::npos;
+        if (tells_loss)
+            context =
+                created({EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT, EGL_LOSE_CONTEXT_ON_RESET_EXT});
+        if (context != EGL_NO_CONTEXT) return;
+        tells_loss = false;
+        context = created({});
+    }
+
+    EGLContext created(const std::vector<EGLint>& further) const {
+        std::vector<EGLint> attributes = {
+            EGL_CONTEXT_MAJOR_VERSION,       3,
+            EGL_CONTEXT_MINOR_VERSION,       3,
+            EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
+        attributes.insert(attributes.end(), further.begin(), further.end());
+        attributes.push_back(EGL_NONE);
+        return egl().create(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
+    }
 
     // The display stays initialised: it is the device's, and another context may use it.
     ~State() {
@@ -112,15 +138,7 @@ EglContext::EglContext(const std::string& device) : state_(std::make_unique<Stat
     state_->display = egl().platform_display(EGL_PLATFORM_DEVICE_EXT, chosen, nullptr);
     if (state_->display == EGL_NO_DISPLAY || egl().initialize(state_->display, nullptr, nullptr) == EGL_FALSE)
         throw internal_error(fmt::format("the device {} cannot be opened", name), "EGL");
-    const std::array<EGLint, 7> attributes = {EGL_CONTEXT_MAJOR_VERSION,
-                                              3,
-                                              EGL_CONTEXT_MINOR_VERSION,
-                                              3,
-                                              EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                              EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                              EGL_NONE};
-    if (egl().bind(EGL_OPENGL_API) == EGL_TRUE)
-        state_->context = egl().create(state_->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
+    if (egl().bind(EGL_OPENGL_API) == EGL_TRUE) state_->create();
     if (state_->context == EGL_NO_CONTEXT)
         throw internal_error(fmt::format("the device {} gives no context of OpenGL 3.3 core", name), "EGL");
     make_current();
@@ -132,6 +150,10 @@ void EglContext::make_current() {
     if (egl().current() == state_->context) return;
     if (egl().make_current(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, state_->context) == EGL_FALSE)
         throw internal_error("the OpenGL context cannot be made current without a surface", "EGL");
+}
+
+bool EglContext::tells_loss() const {
+    return state_->tells_loss;
 }
 
 GlContext::Function EglContext::function(const char* name) const {

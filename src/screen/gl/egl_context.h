@@ -20,6 +20,7 @@ class EglContext final : public GlContext {
 
     void make_current() override;
     Function function(const char* name) const override;
+    bool tells_loss() const override;
 
   private:
     struct State;

@@ -92,7 +92,11 @@ AOSCORE_GL_FUNCTIONS(AOSCORE_GL_DECLARE)
 /// function.
 void load_functions(const GlContext& context);
 
-/// Throws internal_error when an OpenGL call since the last check failed; `doing` names the action.
+/// Throws internal_error when an OpenGL call since the last check failed, or the driver has lost the context;
+/// `doing` names the action.
 void check(const char* doing);
+
+/// Whether check() has found the context of load_functions() lost: no call does anything in it any more.
+bool context_lost();
 
 }  // namespace aoscore::gl
