@@ -40,6 +40,7 @@ CommandEntry add_reference_command(CLI::App& program, const GlobalOptions& globa
 CommandEntry add_gbuffer_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_compare_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_page_command(CLI::App& program, const GlobalOptions& global);
+CommandEntry add_index_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_list_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_stress_command(CLI::App& program, const GlobalOptions& global);
 CommandEntry add_bench_command(CLI::App& program, const GlobalOptions& global);

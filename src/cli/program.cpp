@@ -18,14 +18,15 @@
 namespace aoscore {
 namespace {
 
-constexpr std::array<AddCommand, 21> kCommands{
-    add_run_command,     add_score_command,     add_sweep_command,
-    add_tune_command,    add_worst_command,     add_export_training_command,
-    add_claims_command,  add_reference_command, add_gbuffer_command,
-    add_compare_command, add_page_command,      add_list_command,
-    add_stress_command,  add_bench_command,     add_cache_command,
-    add_job_command,     add_plan_command,      add_work_command,
-    add_schema_command,  add_manual_command,    add_completion_command};
+constexpr std::array<AddCommand, 22> kCommands{
+    add_run_command,       add_score_command,     add_sweep_command,
+    add_tune_command,      add_worst_command,     add_export_training_command,
+    add_claims_command,    add_reference_command, add_gbuffer_command,
+    add_compare_command,   add_page_command,      add_index_command,
+    add_list_command,      add_stress_command,    add_bench_command,
+    add_cache_command,     add_job_command,       add_plan_command,
+    add_work_command,      add_schema_command,    add_manual_command,
+    add_completion_command};
 
 constexpr const char* kFooter =
     "Exit codes: 0 ok, 1 a --warn limit was tripped, 2 a --fail limit was tripped or nothing could be "

@@ -1,5 +1,7 @@
 #include "browser/browser_support.h"
 #include "core/files.h"
+#include "page/index/index_page.h"
+#include "page/index_results.h"
 #include "page/page.h"
 #include "page/synthetic_results.h"
 #include "support/support.h"
@@ -90,6 +92,8 @@ TEST_P(BrowserSpec, Holds) {
     testing::write_synthetic(ranking_alone(results), folder / "no-pictures");
     for (const char* made : {"synthetic", "odd-names", "one-method", "no-pictures"})
         write_page(folder / made);
+    write_index_page(testing::synthetic_index(100, 4, 25).contents(), folder / "index", "aoscore index runs",
+                     1);
     testing::expect_spec_holds(GetParam() + ".spec.mjs", folder);
 }
 

@@ -10,6 +10,8 @@ namespace {
 constexpr std::string_view kUnreserved =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/,";
 
+}  // namespace
+
 std::string percent_encoded(const std::string& text) {
     std::string encoded;
     for (const char c : text) {
@@ -20,8 +22,6 @@ std::string percent_encoded(const std::string& text) {
     }
     return encoded;
 }
-
-}  // namespace
 
 std::string stage_link(const std::vector<std::pair<std::string, std::string>>& entries) {
     std::string link = "#";

@@ -9,7 +9,7 @@ export const require = createRequire(path.join(process.env.AOSCORE_DATA, 'packag
 const { chromium } = require('playwright-core');
 
 export const folder = process.env.AOSCORE_TEST_FOLDER;
-export const pages = Object.fromEntries(['measured', 'synthetic', 'odd-names', 'one-method', 'no-pictures']
+export const pages = Object.fromEntries(['measured', 'synthetic', 'odd-names', 'one-method', 'no-pictures', 'index']
   .map((name) => [name, path.join(folder, name, 'index.html')]));
 export const results = JSON.parse(fs.readFileSync(path.join(folder, 'measured/results.json'), 'utf8'));
 
@@ -38,7 +38,7 @@ export async function open({ which = 'measured', hash = '', folded = false, init
   await page.goto(address + hash);
   if (!folded) {
     await unfoldAll(page);
-    await startStage(page);
+    if (await page.locator('.stage').count() > 0) await startStage(page);
     if (hash === '') await page.evaluate(() => scrollTo({ top: 0, behavior: 'instant' }));
   }
   return { page, complaints, requests, address };

@@ -1,0 +1,127 @@
+#include "page/index/index_page.h"
+
+#include "core/counted.h"
+#include "core/files.h"
+#include "core/folders.h"
+#include "page/document/html_document.h"
+#include "page/document/number_text.h"
+#include "page/document/page_parts.h"
+#include "page/document/page_template.h"
+#include "page/index/scene_ranking.h"
+#include "results/results.h"
+
+#include <fmt/format.h>
+
+namespace aoscore {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::string rank_of(const ScenePlace& place, const IndexedContestant& contestant) {
+    if (contestant.role == kBoundRole) return kBoundRole;
+    PlaceRecord record;
+    record.rank = place.rank;
+    return place.rank ? rank_text(record) : kNoNumber;
+}
+
+std::string view_name(const IndexedView& view) {
+    return view.scene + "/" + view.view;
+}
+
+json place_model(const ScenePlace& place, const IndexContents& contents, double largest) {
+    const IndexedContestant& contestant = contents.contestants[place.contestant];
+    const IndexedCell& worst = contents.cells[place.worst_cell];
+    const auto at = [&](double error) { return fmt::format("{:.2f}%", 100 * error / largest); };
+    const std::string behind = place.behind_first
+                                   ? fmt::format("{} to {}", fixed_text(place.behind_first->low, 4),
+                                                 fixed_text(place.behind_first->high, 4))
+                                   : kNoNumber;
+    return {{"rank", rank_of(place, contestant)},
+            {"name", contestant.name},
+            {"error", fixed_text(place.error, 4)},
+            {"interval",
+             fmt::format("{} to {}", fixed_text(place.interval.low, 4), fixed_text(place.interval.high, 4))},
+            {"low", at(place.interval.low)},
+            {"high", at(place.interval.high)},
+            {"at", at(place.error)},
+            {"behind", behind},
+            {"worst", view_name(contents.views[worst.view])},
+            {"worst_error", fixed_text(worst.error, 4)},
+            {"has_link", !worst.link.empty()},
+            {"worst_link", worst.link},
+            {"ms", fixed_text(place.ms, 1)},
+            {"fetches", fixed_text(place.fetches, 1)}};
+}
+
+json number(const std::optional<double>& value) {
+    return value ? json(*value) : json();
+}
+
+/// What the script shows: views, contestants in the ranking's order, and cells as rows of numbers and texts.
+json data_model(const IndexContents& contents, const SceneRanking& ranking) {
+    json views = json::array(), contestants = json::array(), cells = json::array(), order = json::array();
+    for (const IndexedView& view : contents.views)
+        views.push_back({{"scene", view.scene},
+                         {"view", view.view},
+                         {"size", fmt::format("{}×{}", view.width, view.height)},
+                         {"radius", short_text(view.radius_m)},
+                         {"picture", view.picture}});
+    for (const IndexedContestant& contestant : contents.contestants)
+        contestants.push_back({{"name", contestant.name}});
+    for (const ScenePlace& place : ranking.places) order.push_back(place.contestant);
+    for (const IndexedCell& cell : contents.cells)
+        cells.push_back({cell.view, cell.contestant, number(cell.error),
+                         cell.interval ? json(cell.interval->low) : json(),
+                         cell.interval ? json(cell.interval->high) : json(), number(cell.bias), cell.rank,
+                         number(cell.ms), number(cell.fetches), cell.link, cell.failure});
+    return {{"views", std::move(views)},
+            {"contestants", std::move(contestants)},
+            {"order", std::move(order)},
+            {"cells", std::move(cells)}};
+}
+
+json page_model(const IndexContents& contents, const SceneRanking& ranking, const std::string& command) {
+    double largest = 0;
+    for (const ScenePlace& place : ranking.places) largest = std::max(largest, place.interval.high);
+    json places = json::array(), unreadable = json::array();
+    for (const ScenePlace& place : ranking.places)
+        places.push_back(place_model(place, contents, largest > 0 ? largest : 1));
+    for (const UnreadableResults& one : contents.unreadable)
+        unreadable.push_back({{"path", one.path}, {"reason", one.reason}});
+    return {{"version", std::string(version())},
+            {"command", command},
+            {"verdict", scene_sentence(ranking, contents)},
+            {"has_places", !places.empty()},
+            {"places", std::move(places)},
+            {"counts", fmt::format("{} with {} on {}", counted(contents.read, "run", "runs"),
+                                   counted(contents.cells.size(), "cell", "cells"),
+                                   counted(contents.views.size(), "view", "views"))},
+            {"ranked_over", fmt::format("{} of {}", counted(ranking.views, "view", "views"),
+                                        counted(ranking.scenes, "scene", "scenes"))},
+            {"several_scenes", ranking.scenes > 1},
+            {"has_left_out", ranking.left_out > 0},
+            {"left_out", counted(ranking.left_out, "contestant was", "contestants were")},
+            {"has_replaced", contents.replaced > 0},
+            {"replaced", counted(contents.replaced, "cell is", "cells are")},
+            {"has_unreadable", !unreadable.empty()},
+            {"unreadable_count", counted(unreadable.size(), "file could", "files could")},
+            {"unreadable", std::move(unreadable)},
+            {"data", script_json(data_model(contents, ranking))}};
+}
+
+}  // namespace
+
+fs::path write_index_page(const IndexContents& contents, const fs::path& folder, const std::string& command,
+                          std::uint64_t seed) {
+    const fs::path parts = data_dir() / "reports" / "index";
+    const json model = page_model(contents, rank_over_scenes(contents, seed), command);
+    const fs::path frame = parts / "template.html", path = folder / "index.html";
+    write_atomically(
+        path,
+        html_text({"index", read_file(page_folder() / "style" / "page.css") + read_file(parts / "style.css"),
+                   read_file(parts / "script.js"), fill_template(read_file(frame), model, frame.string())}));
+    return path;
+}
+
+}  // namespace aoscore
