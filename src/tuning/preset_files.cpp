@@ -46,6 +46,7 @@ void add_presets_to(json& file, const MethodTuning& tuning, const MethodDescript
     for (const TunedMethod& t : tuning.budgets) {
         const std::string id = tuned_preset_id(tuning.cell.preset, t.budget);
         json values = method.presets.at(tuning.cell.preset);
+        for (const auto& [parameter, value] : tuning.cell.overrides) values[parameter] = json(value);
         for (const auto& [parameter, value] : values_of(tuning.axes, t.settings))
             values[parameter] = json(value);
         file["presets"][id] = std::move(values);

@@ -58,6 +58,19 @@ TuningPlan::Method read_method(StrictObject object, const std::vector<MethodDesc
     return method;
 }
 
+/// Checks the methods that are named as not tuned: each with a reason, and none that is.
+void check_left_out(StrictObject left_out, const TuningPlan& plan,
+                    const std::vector<MethodDescriptor>& methods) {
+    for (const auto& [id, reason] : left_out.members()) {
+        row_in_file(methods, id, left_out.where());
+        if (!reason.is_string() || reason.get<std::string>().empty())
+            throw file_error("gives no reason", left_out.where(id), "a text");
+        const auto is_it = [&id = id](const TuningPlan::Method& tuned) { return tuned.cell.method == id; };
+        if (std::ranges::any_of(plan.methods, is_it))
+            throw file_error("is tuned all the same", left_out.where(id));
+    }
+}
+
 }  // namespace
 
 fs::path tuning_definition_file(const std::string& name) {
@@ -93,6 +106,7 @@ void read_tuning_definition(const fs::path& file, const fs::path& scenes_dir, Tu
     const std::vector<MethodDescriptor> methods = load_methods();
     for (StrictObject& method : object.objects("methods"))
         plan.methods.push_back(read_method(std::move(method), methods));
+    if (object.has("left_out")) check_left_out(object.object("left_out"), plan, methods);
     object.finish();
 }
 

@@ -69,13 +69,42 @@ void require_several(const TuningPlan& plan, std::size_t views) {
                       "tune", "several views or scenes, or --in-sample");
 }
 
+/// Refuses what a preset that is found could not hold: parameters of filters, modes, and lengths in metres,
+/// since a preset's follow the radius.
+void require_preset_holds(const CellPlan& cell, const MethodDescriptor& method) {
+    for (const auto& [id, value] : cell.overrides) {
+        const Parameter* p = method.find_parameter(id);
+        if (p != nullptr && p->length_power != 0)
+            throw usage_error(
+                id + " is a length, and keeps its metres where it is set: a preset's follow the radius",
+                method.id + " --set", "parameters without a unit");
+    }
+    if (!cell.filter_overrides.empty())
+        log_warning(method.id +
+                    ": the preset cannot hold parameters of its filter; set them where it is used");
+}
+
+/// The parameters to tune, without those that were set.
+std::vector<SearchAxis> free_axes(const CellPlan& cell, const MethodDescriptor& method,
+                                  const std::vector<std::string>& wanted, bool counts) {
+    std::vector<SearchAxis> axes = search_axes(method, cell.preset, wanted, counts);
+    const auto is_set = [&](const SearchAxis& axis) { return cell.overrides.contains(axis.parameter); };
+    const auto set = std::ranges::find_if(axes, is_set);
+    if (set != axes.end() && !wanted.empty())
+        throw usage_error(set->parameter + " is both set and to be tuned", method.id,
+                          "one of --set, --parameters");
+    std::erase_if(axes, is_set);
+    if (axes.empty()) throw usage_error("all that could be tuned is set", method.id + " --set");
+    return axes;
+}
+
 std::vector<TuningSubject> subjects_of(const TuningPlan& plan, const Registry& registry) {
     const bool limited = std::ranges::any_of(plan.budgets, &Budget::is_limited);
     std::vector<TuningSubject> subjects;
     for (const auto& [cell, parameters, effort] : plan.methods) {
         const MethodDescriptor& method = find_method(registry.methods, cell.method);
-        subjects.push_back(
-            {cell, search_axes(method, cell.preset, parameters, limited), plan.metric, plan.seed});
+        require_preset_holds(cell, method);
+        subjects.push_back({cell, free_axes(cell, method, parameters, limited), plan.metric, plan.seed});
     }
     return subjects;
 }

@@ -149,6 +149,10 @@ TEST(Tune, RefusesWhatItCannotDoInWords) {
         {"tune pillar --methods gtao --metric nonsense --size 64x36", "--metric"},
         {"tune pillar --methods gtao --metric psnr --size 64x36", "no best value to tune towards"},
         {"tune pillar --methods volumetric-sphere --size 64x36", "nothing is left to tune"},
+        {"tune pillar --methods gtao --set steps=3 --parameters steps --size 64x36",
+         "both set and to be tuned"},
+        {"tune pillar --methods hbao --set radius=0.3 --size 64x36", "a preset's follow the radius"},
+        {"tune pillar --methods gtao --guard-band 10% --size 64x36", "no guard band"},
         {"tune pillar --methods sd-gtao --set sampling=rays --size 64x36", "layers that rays meet"}};
     for (const auto& [arguments, words] : refused) {
         const ProgramRun run = run_aoscore(std::string(arguments) + " --samples 4 --out o", folder);
@@ -156,6 +160,31 @@ TEST(Tune, RefusesWhatItCannotDoInWords) {
         EXPECT_THAT(run.err, HasSubstr(words)) << arguments;
     }
     EXPECT_FALSE(std::filesystem::exists(folder / "o"));
+}
+
+TEST(Tune, SaysOnWhichViewNothingCanBeCompared) {
+    const auto folder = output_dir();
+    const ProgramRun run = run_aoscore(
+        "tune plane --methods gtao --eye 0,-1000,0 --target 0,-2000,0 --in-sample --size 64x36 --samples 4 "
+        "--out o",
+        folder);
+    EXPECT_EQ(run.exit_code, 2) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("plane/eye: the camera sees no surface"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "o"));
+}
+
+TEST(Tune, WritesWhatWasSetIntoThePresetToo) {
+    const auto folder = output_dir();
+    const ProgramRun run = run_aoscore(
+        "tune pillar --view main --in-sample --methods gtao --set steps=3 --parameters step_power --size "
+        "64x36 "
+        "--samples 4 --evaluations 2 --refinements 0 --out tuned",
+        folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const nlohmann::json file = nlohmann::json::parse(std::ifstream(folder / "tuned/gtao.tuned.json"));
+    EXPECT_EQ(file.at("presets").at("tuned").at("steps"), 3);
+    EXPECT_FALSE(file.at("tunings").at("tuned").contains("held_out"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "tuned/index.html"));
 }
 
 /// The debiased RMSE of some methods on a view that the bundled presets were not tuned on.
