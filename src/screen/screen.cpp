@@ -4,6 +4,7 @@
 #include "core/machine.h"
 #include "core/processor_watch.h"
 #include "screen/gbuffer/gbuffer.h"
+#include "screen/gbuffer/peeled_surfaces.h"
 #include "screen/gbuffer/precision.h"
 #include "screen/gbuffer/scene_geometry.h"
 #include "screen/gl/context.h"
@@ -193,6 +194,11 @@ double ScreenRenderer::draw_depth_layers(const DepthLayers& layers) {
 
 std::vector<ImageF> ScreenRenderer::read_depth_layers() {
     return impl_->ready_stage().runner.depth_layers().read();
+}
+
+std::vector<SurfaceLayer> ScreenRenderer::read_surfaces() {
+    const GBuffer& gbuffer = impl_->ready_stage().gbuffer;
+    return peel_surfaces(gbuffer.geometry(), gbuffer.frame());
 }
 
 std::string ScreenRenderer::gbuffer_digest() {
