@@ -9,16 +9,15 @@ const int kOutputs = (SAMPLES + 3) / 4;
 const float kProbabilities = 65536.0;
 uniform float u_alpha;  // with what probability a sample accepts a surface
 uniform uint u_seed;
-uniform int u_instance;
-uniform int u_first_triangle;
+
+uint triangle_id();  // of the surface whose coins these are
 
 // Seeds must not share numbers: seed ^ sample would only exchange the samples of neighbouring seeds.
 uint stream_key(int stream) { return u_seed * 2654435769u + uint(stream); }
 
 uvec3 fragment_id() {
     uvec2 texel = uvec2(mirrored_texel(ivec2(gl_FragCoord.xy), ivec2(u_size_px)));
-    uint triangle = uint(u_first_triangle + gl_PrimitiveID) + uint(u_instance) * 2246822519u;
-    return uvec3(texel, triangle);
+    return uvec3(texel, triangle_id());
 }
 
 // Four numbers in [0,1), even and independent.

@@ -4,14 +4,12 @@
 // Vermeer, Stochastic-Depth Ambient Occlusion, 2020, algorithms 4 and 5, section 8.2.
 #include "surface.glsl"
 #include "coins.glsl"
+#include "triangle_id.glsl"
+#ifdef FACING
+#include "facing.glsl"
+#endif
 
 layout(location = 0) out vec4 o_depths[kOutputs];
-
-#ifdef FACING
-uniform mat4 u_view_from_mesh;
-// The picture is drawn upside down, which turns the winding round, as a mirrored mesh does (glTF 2.0, "Instantiation").
-bool is_front() { return gl_FrontFacing == (determinant(mat3(u_view_from_mesh)) < 0.0); }
-#endif
 
 void main() {
     bvec4 accepted[kOutputs] = accepted_samples();

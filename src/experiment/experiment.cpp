@@ -187,7 +187,7 @@ class ExperimentRun {
 std::map<std::string, LiveView> live_views(const PlannedRuns& planned) {
     std::map<std::string, LiveView> views;
     for (const ViewRun& run : planned.runs())
-        views.emplace(run.work.key, LiveView{run.work.frame(), run.drawn_for_m});
+        views.emplace(run.work.key, LiveView{run.work.frame(), run.drawn_for_m, run.work.keeps_surfaces()});
     return views;
 }
 

@@ -9,6 +9,7 @@
 #include "metrics/roles.h"
 #include "plan/run_modes.h"
 #include "plan/view_description.h"
+#include "screen/method/layer_bytes.h"
 #include "screen/method/lengths.h"
 
 #include <fmt/format.h>
@@ -71,6 +72,8 @@ CellRecord described_cell(const ViewRun& run, std::size_t i) {
     record.parameters = visibility_alone ? visibility_values(*cell.request.method, cell.request.parameters)
                                          : cell.request.parameters;
     record.lengths = cell.lengths;
+    if (const auto bytes = layer_bytes(cell.request, run.work.width, run.work.height))
+        record.layer_bytes = static_cast<double>(*bytes);
     for (const auto& [mode, choice] : unusual_modes(cell.plan.modes)) record.parameters[mode] = choice;
     for (const auto& [id, value] : cell.plan.filter_overrides)
         record.parameters[std::string(kFilterPrefix) + id] = value;

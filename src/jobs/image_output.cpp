@@ -3,6 +3,7 @@
 #include "core/files.h"
 #include "image/channels.h"
 #include "image/image_file.h"
+#include "image/surface_channels.h"
 #include "jobs/own_truth.h"
 #include "jobs/truth_channels.h"
 
@@ -119,8 +120,8 @@ std::map<std::string, std::string> gbuffer_attributes(const Scene& scene, const 
 }
 
 void write_gbuffer(const std::filesystem::path& path, const GBufferImages& gbuffer,
-                   const Image<glm::vec3>& positions_m,
-                   const std::map<std::string, std::string>& attributes) {
+                   const Image<glm::vec3>& positions_m, const std::map<std::string, std::string>& attributes,
+                   std::span<const SurfaceLayer> surfaces) {
     const ImageF mask = as_float(gbuffer.surface);
     std::vector<ChannelView> channels{{"Y", &gbuffer.linear_depth()}, {std::string(kMaskChannel), &mask}};
     std::list<ImageF> planes;  // a list: its elements stay where they are
@@ -130,6 +131,12 @@ void write_gbuffer(const std::filesystem::path& path, const GBufferImages& gbuff
         add_vectors(gbuffer.vector(channel.id), channel.exr_names, channels, planes);
     }
     add_vectors(positions_m, std::array{"P.X", "P.Y", "P.Z"}, channels, planes);
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        const SurfaceChannels names(static_cast<int>(i));
+        channels.push_back({names.depth, &surfaces[i].depth_m});
+        channels.push_back({names.triangle_low, &surfaces[i].triangle_low});
+        channels.push_back({names.triangle_high, &surfaces[i].triangle_high});
+    }
     write_exr(path, channels, attributes);
 }
 

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 
 namespace aoscore {
@@ -32,8 +33,10 @@ std::map<std::string, std::string> gbuffer_attributes(const Scene& scene, const 
 Image<glm::vec3> view_positions(const GBufferImages& gbuffer, const CameraFrame& frame);
 
 /// Writes a G-buffer as EXR: its channels by the names of image/channels.h, `P.X/Y/Z` view-space positions in
-/// metres, `mask.Y`, and `Y` equal to Z for viewers. Channels that were not drawn are left out.
+/// metres, `mask.Y`, `Y` equal to Z for viewers, and the surfaces behind one another, where there are some,
+/// by the names of image/surface_channels.h. Channels that were not drawn are left out.
 void write_gbuffer(const std::filesystem::path& path, const GBufferImages& gbuffer,
-                   const Image<glm::vec3>& positions_m, const std::map<std::string, std::string>& attributes);
+                   const Image<glm::vec3>& positions_m, const std::map<std::string, std::string>& attributes,
+                   std::span<const SurfaceLayer> surfaces = {});
 
 }  // namespace aoscore

@@ -97,10 +97,12 @@ void measure_signals(const MethodOutput& picture, const Truth& truth, const Hidd
     const Mask visible = part_of(valid, [&](std::size_t i) { return occlusion.is_visible(i); });
     for (const auto& [id, image] : picture.signals) {
         const TruthSignal known = truth_signal(truth, id);
-        repeats.hidden_signals[id] =
-            evaluate_signal(id, {known.image, image, hidden, *known.standard_error_rad});
-        repeats.other_signals[id] =
-            evaluate_signal(id, {known.image, image, visible, *known.standard_error_rad});
+        const SignalInput where_hidden{known.image, image, hidden, *known.standard_error_rad};
+        const SignalInput elsewhere{known.image, image, visible, *known.standard_error_rad};
+        repeats.hidden_signals[id] = evaluate_signal(id, where_hidden);
+        repeats.other_signals[id] = evaluate_signal(id, elsewhere);
+        repeats.hidden_angles[id] = angle_blocks(where_hidden);
+        repeats.other_angles[id] = angle_blocks(elsewhere);
     }
 }
 

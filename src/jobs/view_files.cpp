@@ -2,6 +2,7 @@
 
 #include "core/signal.h"
 #include "image/image_file.h"
+#include "image/surface_channels.h"
 #include "jobs/image_output.h"
 #include "jobs/truth_provenance.h"
 
@@ -19,8 +20,11 @@ void write_truth_file(const ViewWork& work, const CachedTruth& traced, const Gro
     write_truth(work.folder / work.truth_file(), traced.truth, ground.contract.valid, std::move(header));
 }
 
-void write_gbuffer_file(const ViewWork& work, const GBufferImages& gbuffer) {
-    write_gbuffer(work.folder / work.gbuffer_file(), gbuffer, {}, {{"aoscore:view", work.key}});
+void write_gbuffer_file(const ViewWork& work, const GBufferImages& gbuffer,
+                        std::span<const SurfaceLayer> surfaces) {
+    std::map<std::string, std::string> header{{"aoscore:view", work.key}};
+    if (work.keeps_surfaces()) header[SurfaceChannels::kCount] = std::to_string(surfaces.size());
+    write_gbuffer(work.folder / work.gbuffer_file(), gbuffer, {}, header, surfaces);
 }
 
 void write_image_file(const ViewWork& work, const CellWork& cell, const MethodOutput& image) {

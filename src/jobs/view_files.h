@@ -4,12 +4,15 @@
 #include "jobs/view_work.h"
 #include "store/truth/truth_cache.h"
 
+#include <span>
+
 namespace aoscore {
 
 // These functions write the image files of a view, below its work's folder.
 
 void write_truth_file(const ViewWork& work, const CachedTruth& traced, const Ground& ground);
-void write_gbuffer_file(const ViewWork& work, const GBufferImages& gbuffer);
+void write_gbuffer_file(const ViewWork& work, const GBufferImages& gbuffer,
+                        std::span<const SurfaceLayer> surfaces);
 /// Writes the output as `Y`, the image before the filter, where there is one, as `raw.Y`, and the channels of
 /// its signals (see core/signal.h).
 void write_image_file(const ViewWork& work, const CellWork& cell, const MethodOutput& image);

@@ -101,7 +101,10 @@ Key ViewKeys::truth_file() const {
 }
 
 Key ViewKeys::gbuffer_file() const {
-    return KeyBuilder("gbuffer_file", "files").input(gbuffer(work_.drawn_inputs())).key();
+    KeyBuilder key("gbuffer_file", "files");
+    key.input(gbuffer(work_.drawn_inputs()));
+    if (work_.keeps_surfaces()) key.text("surfaces");
+    return key.key();
 }
 
 Key ViewKeys::image(const CellWork& cell) const {

@@ -181,8 +181,7 @@ void ViewMaker::make(const Job& job) {
             write_truth_file(work_, *truth_, *ground_);
             return store_.put_file(job.key.hex, work_.folder / work_.truth_file());
         case ArtifactKind::gbuffer_file:
-            write_gbuffer_file(work_, *gbuffer_);
-            return store_.put_file(job.key.hex, work_.folder / work_.gbuffer_file());
+            return make_gbuffer_file(job);
         case ArtifactKind::image:
             return make_image(job);
         case ArtifactKind::score:
@@ -199,6 +198,16 @@ void ViewMaker::make(const Job& job) {
         default:
             throw internal_error("is not made by itself", std::string(id_of(job.kind)));
     }
+}
+
+void ViewMaker::make_gbuffer_file(const Job& job) {
+    std::vector<SurfaceLayer> surfaces;
+    if (work_.keeps_surfaces()) {
+        draw(work_.drawn_inputs());
+        surfaces = work_.tools.ready_renderer().read_surfaces();
+    }
+    write_gbuffer_file(work_, *gbuffer_, surfaces);
+    store_.put_file(job.key.hex, work_.folder / work_.gbuffer_file());
 }
 
 void ViewMaker::draw(const std::set<std::string>& inputs) {

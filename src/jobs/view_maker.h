@@ -61,6 +61,7 @@ class ViewMaker final : public Maker {
 
     void draw(const std::set<std::string>& inputs);
     CachedTruth trace(TruthRequest request, const std::string& what);
+    void make_gbuffer_file(const Job& job);
     void make_image(const Job& job);
     void make_score(const Job& job);
     void light_by_sky(Score& score);

@@ -15,6 +15,13 @@ bool ViewWork::pictured() const {
     return std::any_of(cells.begin(), cells.end(), [](const CellWork& cell) { return cell.keep_image; });
 }
 
+bool ViewWork::keeps_surfaces() const {
+    return keep_gbuffer && std::ranges::any_of(cells, [](const CellWork& cell) {
+               const MethodRequest* request = cell.contestant->timed_request();
+               return cell.keep_image && request != nullptr && request->method->depth_layers;
+           });
+}
+
 bool ViewWork::times_gbuffer() const {
     return timed && recorded == nullptr && (pictured() || timing_goal.has_value());
 }

@@ -66,6 +66,9 @@ struct ViewWork {
 
     /// Whether a cell keeps its image; then the view keeps its own.
     bool pictured() const;
+    /// Whether the G-buffer's file has the surfaces behind one another as well: a cell that is pictured reads
+    /// depth layers, which the page gathers from them.
+    bool keeps_surfaces() const;
     /// Whether the cost of a frame without AO is measured, as pictures and timings to a goal ask for it.
     bool times_gbuffer() const;
     /// The G-buffer inputs that cells read, and the lighting where frames are lit.

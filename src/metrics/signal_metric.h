@@ -2,6 +2,7 @@
 
 #include "core/image.h"
 #include "core/signal.h"
+#include "metrics/analysis/repeats.h"
 #include "metrics/metric.h"
 
 #include <map>
@@ -36,5 +37,9 @@ const std::vector<SignalMetric>& signal_metrics();
 /// Evaluates every metric of the table for `signal`, by id. Where a valid pixel is NaN or infinite, or none
 /// is valid, every value is empty with a note. Throws sizes_differ for planes of several sizes.
 std::map<std::string, MetricValue> evaluate_signal(std::string_view signal, const SignalInput& input);
+
+/// The errors of a signal's angles by block: of directions the angle between both, of an angle the difference
+/// test - truth. Without blocks where a pixel that counts is NaN or infinite. Throws sizes_differ.
+AngleBlocks angle_blocks(const SignalInput& input);
 
 }  // namespace aoscore

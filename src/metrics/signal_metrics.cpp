@@ -77,4 +77,10 @@ std::map<std::string, MetricValue> evaluate_signal(std::string_view signal, cons
     return values;
 }
 
+AngleBlocks angle_blocks(const SignalInput& input) {
+    require_one_size(input);
+    return blocks_of(input.truth.size() == 1 ? angle_differences_deg(input) : direction_errors_deg(input),
+                     input);
+}
+
 }  // namespace aoscore

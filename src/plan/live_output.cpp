@@ -47,7 +47,8 @@ json view_data(const LiveView& live, const Registry& registry) {
             {"near_m", view.near},
             {"far_m", view.far},
             {"pixel_size", {view.pixel_size.x, view.pixel_size.y}},
-            {"orthographic", view.orthographic}};
+            {"orthographic", view.orthographic},
+            {"surfaces", live.keeps_surfaces}};
 }
 
 json descriptors(const std::vector<MethodDescriptor>& all, std::uint64_t seed) {

@@ -19,6 +19,7 @@ std::set<std::string> gbuffer_inputs_of(const Registry& registry);
 struct LiveView {
     CameraFrame frame;
     std::optional<double> drawn_for_m;  ///< AO radius that lengths follow; empty: descriptors' own lengths
+    bool keeps_surfaces = false;        ///< whether its G-buffer's file has the surfaces behind one another
 };
 
 /// Writes kLiveFile (results/live_file.h) into the folder: every method and filter of the registry, whose

@@ -22,6 +22,12 @@ void visit_members(Visit& visit, Record& record) {
     visit("squared_sums", record.squared_sums);
 }
 
+template <class Visit, RecordOf<BinBlocks> Record>
+void visit_members(Visit& visit, Record& record) {
+    visit("counts", record.counts);
+    visit("signed_sums", record.signed_sums);
+}
+
 template <class Visit, RecordOf<CauseShare> Record>
 void visit_members(Visit& visit, Record& record) {
     visit("cause", record.cause);
@@ -111,6 +117,7 @@ void visit_members(Visit& visit, Record& record) {
     visit("false_occlusion", record.false_occlusion);
     visit("regions", record.regions);
     visit("splits", record.splits);
+    visit("behind_edges", record.behind_edges);
     visit("distribution", record.distribution);
     visit("tile_pattern", record.tile_pattern);
     visit("found_beyond_layer", record.found_beyond_layer);

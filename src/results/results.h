@@ -189,6 +189,8 @@ struct CellRecord {
     Timing lighting;    ///< the lighting pass, timed in the same rounds; no runs where not asked for
     Timing gbuffer;     ///< its G-buffer with the guard band, in place of the view's; no runs without one
     std::optional<double> gbuffer_bytes;  ///< of the G-buffer, with the guard band; empty where not timed
+    /// Of the depth layers that it reads, side cameras' too, with the guard band; empty where it reads none.
+    std::optional<double> layer_bytes;
     std::optional<double> frame_ms;  ///< G-buffer + AO + filter + lighting where it was timed, medians added
     std::optional<FrameRecord> frame;         ///< set where lighting was timed
     Timing frame_at_once, frame_by_pass;      ///< whole frames, waited for at the end or after every pass; no

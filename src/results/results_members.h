@@ -42,6 +42,13 @@ void visit_members(Visit& visit, Record& convergence) {
     visit("bands", convergence.bands);
 }
 
+template <class Visit, RecordOf<AngleBlocks> Record>
+void visit_members(Visit& visit, Record& angles) {
+    visit("counts", angles.counts);
+    visit("absolute_sums", angles.absolute_sums);
+    visit("signed_sums", angles.signed_sums);
+}
+
 template <class Visit, RecordOf<Repeats> Record>
 void visit_members(Visit& visit, Record& repeats) {
     visit("counts", repeats.counts);
@@ -54,6 +61,8 @@ void visit_members(Visit& visit, Record& repeats) {
     visit("from_converged", repeats.from_converged);
     visit("hidden_signals", repeats.hidden_signals);
     visit("other_signals", repeats.other_signals);
+    visit("hidden_angles", repeats.hidden_angles);
+    visit("other_angles", repeats.other_angles);
 }
 
 template <class Visit, RecordOf<TruthRecord> Record>
@@ -191,6 +200,7 @@ void visit_members(Visit& visit, Record& cell) {
     visit("lighting", cell.lighting);
     visit("gbuffer", cell.gbuffer);
     visit("gbuffer_bytes", cell.gbuffer_bytes);
+    visit("layer_bytes", cell.layer_bytes);
     visit("frame_ms", cell.frame_ms);
     visit("frame", cell.frame);
     visit("frame_at_once", cell.frame_at_once);

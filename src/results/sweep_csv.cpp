@@ -81,7 +81,7 @@ std::string line_of(const SweepRecord& sweep, const SweepRow& row, const std::st
     line.add(row.cost_ms).add(row.cost_low_ms).add(row.cost_high_ms);
     add_frame(line, row.frame);
     line.add(of_view(static_cast<double>(cell.ao.runs_ms.size())));
-    line.add(row.relative_cost).add(row.fetches);
+    line.add(row.relative_cost).add(row.fetches).add(of_view(cell.layer_bytes));
     line.add(of_view(view != nullptr ? std::optional(view->radius_m) : std::nullopt));
     line.add(of_view(view != nullptr ? std::optional(view->radius_px_median) : std::nullopt));
     line.add(view != nullptr ? lengths_text(cell) : std::string());
@@ -104,8 +104,8 @@ std::string sweeps_as_csv(const Results& results) {
     for (const char* name : {"gbuffer_ms", "ao_ms", "filter_ms", "cost_ms", "cost_low_ms", "cost_high_ms"})
         head.add(std::string(name));
     for (const char* name : kFrameColumns) head.add(std::string(name));
-    for (const char* name : {"runs", "relative_cost", "fetches", "radius_m", "radius_px", "lengths",
-                             kRankingMetric, kNoisyRankingMetric})
+    for (const char* name : {"runs", "relative_cost", "fetches", "layer_bytes", "radius_m", "radius_px",
+                             "lengths", kRankingMetric, kNoisyRankingMetric})
         head.add(std::string(name));
     for (const char* of : {"_fitted", "_unfiltered"}) head.add(std::string(kRankingMetric) + of);
     for (const char* name : {kBiasMetric, kStructureMetric, kPerceptualMetric, "pareto", "failed"})

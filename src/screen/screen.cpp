@@ -5,6 +5,7 @@
 #include "core/processor_watch.h"
 #include "screen/gbuffer/derived_inputs.h"
 #include "screen/gbuffer/gbuffer.h"
+#include "screen/gbuffer/peeled_surfaces.h"
 #include "screen/gbuffer/precision.h"
 #include "screen/gbuffer/scene_geometry.h"
 #include "screen/gl/context.h"
@@ -240,6 +241,11 @@ double ScreenRenderer::draw_depth_layers(const DepthLayers& layers) {
 
 std::vector<ImageF> ScreenRenderer::read_depth_layers() {
     return impl_->ready_stage().runner.depth_layers().read();
+}
+
+std::vector<SurfaceLayer> ScreenRenderer::read_surfaces() {
+    const GBuffer& gbuffer = impl_->ready_stage().gbuffer;
+    return peel_surfaces(gbuffer.geometry(), gbuffer.frame());
 }
 
 std::string ScreenRenderer::gbuffer_digest() {

@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 #include "screen/gbuffer/capture.h"
 #include "screen/gbuffer/guard_band.h"
+#include "screen/gbuffer/surface_layer.h"
 #include "screen/method/depth_layers.h"
 #include "screen/method/method.h"
 
@@ -170,6 +171,8 @@ class ScreenRenderer {
     /// Reads the depth layers that were drawn last: a picture of view depth in metres for each sample, the
     /// far plane's where it is empty.
     std::vector<ImageF> read_depth_layers();
+    /// Peels off the surfaces of the G-buffer's scene that lie behind one another, front to back.
+    std::vector<SurfaceLayer> read_surfaces();
     /// The digest of all G-buffer textures' bytes, which is equal before and after a method ran.
     std::string gbuffer_digest();
 

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "plan/claims/quantity.h"
 #include "plan/resolved_cell.h"
+#include "verdict/equal_cost.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -26,6 +27,7 @@ struct Found {
     const CellRecord* cell;
     const ViewRecord* view;
     Measured measured;
+    Measured cost;  ///< of a check at equal cost
 };
 
 /// One expression of a check with its claimed range.
@@ -159,15 +161,23 @@ class Judge {
     }
 
     std::vector<ClaimFinding> findings(const ClaimCheck& check, std::string& reason) {
-        const std::optional<std::vector<Found>> found = find_cells(check, reason);
-        if (!found) return {};
+        std::optional<std::vector<Found>> found = find_cells(check, check.quantity, reason);
+        if (found && !check.cost.empty()) add_costs(check, *found, reason);
+        if (!found || !reason.empty()) return {};
         std::vector<ClaimFinding> list;
         for (const Part& part : parts_of(check, *found)) list.push_back(finding(part, check));
         return list;
     }
 
-    std::optional<std::vector<Found>> find_cells(const ClaimCheck& check, std::string& reason) const {
-        const Quantity& quantity = find_quantity(check.quantity, "claims");
+    void add_costs(const ClaimCheck& check, std::vector<Found>& found, std::string& reason) const {
+        const std::optional<std::vector<Found>> costs = find_cells(check, check.cost, reason);
+        if (!costs) return;
+        for (std::size_t i = 0; i < found.size(); ++i) found[i].cost = (*costs)[i].measured;
+    }
+
+    std::optional<std::vector<Found>> find_cells(const ClaimCheck& check, const std::string& quantity_id,
+                                                 std::string& reason) const {
+        const Quantity& quantity = find_quantity(quantity_id, "claims");
         std::vector<Found> list;
         for (const ClaimCell& asked : check.cells) {
             const ViewRecord* view = find_view(results_, list_.views.at(asked.view));
@@ -183,7 +193,7 @@ class Judge {
                 }
                 of_draws.push_back(std::move(measured));
             }
-            list.push_back({&asked, first, view, over_draws(of_draws, asked, results_.seed)});
+            list.push_back({&asked, first, view, over_draws(of_draws, asked, results_.seed), {}});
         }
         return list;
     }
@@ -243,6 +253,25 @@ class Judge {
         return parts;
     }
 
+    /// The first cell's quantity less what the others give at its cost.
+    static Part beside_rivals(const ClaimCheck& check, const Quantity& q, const std::vector<Found>& found) {
+        std::vector<Measured> all = measured_of(found);
+        for (const Found& one : found) all.push_back(one.cost);
+        const auto count = static_cast<std::ptrdiff_t>(found.size());
+        const auto less_rivals = [count](const std::vector<double>& v) {
+            const auto costs = v.begin() + count;
+            return v[0] - at_cost(*costs, {costs + 1, v.end()}, {v.begin() + 1, costs});
+        };
+        return {
+            fmt::format("{}: {} less that of {} to {} at the same {}", q.label, name_of(found[0]),
+                        name_of(found[1]), name_of(found.back()), find_quantity(check.cost, "claims").label),
+            combined(all, less_rivals),
+            check.low,
+            check.high,
+            std::string(q.unit),
+            q.decimals};
+    }
+
     std::vector<Part> parts_of(const ClaimCheck& check, const std::vector<Found>& found) const {
         const Quantity& q = find_quantity(check.quantity, "claims");
         const std::string label(q.label), unit(q.unit);
@@ -288,6 +317,8 @@ class Judge {
                                 found[2].asked->label, found[3].asked->label, found[0].asked->label,
                                 found[1].asked->label),
                     [](const auto& v) { return (v[2] - v[3]) / (v[0] - v[1]); }, "", 3);
+            case Kind::at_equal_cost:
+                return {beside_rivals(check, q, found)};
         }
         return {};
     }

@@ -45,6 +45,18 @@ constexpr LiveCase kCases[] = {
     {"normal_depth", "--view close --methods hbao,ssao --filter normal-depth"},
     {"border_clamp", "--view close --methods alchemy,gtao,xegtao --border clamp"},
     {"another_seed", "--seed 77 --view wide --methods ssao,alchemy,hbao"},
+    {"depth_layers",
+     "--seed 77 --view wide --methods sd-ssao,sd-hbao,sd-hbao-plus,sd-gtao,sd-bitmask --filter none", 0.99},
+    {"depth_layers_hash_4d",
+     "--view close --methods sd-ssao,sd-hbao-plus --set sampling=hash_4d --set depth_samples=7", 0.99},
+    {"depth_layers_simple_hash",
+     "--view close --methods sd-hbao,sd-gtao --set sampling=simple_hash --set per_sample=false", 0.99},
+    {"depth_layers_peeled", "--view close --methods sd-ssao,sd-hbao,sd-hbao-plus,sd-bitmask --preset peeled",
+     0.99},
+    {"depth_layers_apart",
+     "--view wide --methods sd-ssao,sd-hbao,sd-hbao-plus,sd-gtao --preset deep-g-buffer", 0.99},
+    {"depth_layers_closed_meshes", "--view wide --methods sd-ssao --preset closed-meshes", 0.99},
+    {"depth_layers_refused", "--view close --methods sd-hbao,ssao --set sampling=anisotropic"},
 };
 INSTANTIATE_TEST_SUITE_P(Page, LivePictures, ::testing::ValuesIn(kCases),
                          [](const auto& one) { return std::string(one.param.name); });

@@ -77,6 +77,13 @@ TEST_F(RepeatedImages, HoldSignalsAgainstTheTruthWhereOcclusionIsHiddenAndWhereN
     const double hidden = repeats.hidden_signals.at("cone_angle").at(kConeBiasMetric).value.value();
     const double other = repeats.other_signals.at("cone_angle").at(kConeBiasMetric).value.value();
     EXPECT_GT(hidden, other) << "cones are too wide where the occluder is not seen";
+    const AngleBlocks& cones = repeats.hidden_angles.at("cone_angle");
+    EXPECT_NEAR(*ratio_of_sums(cones.signed_sums, cones.counts), hidden, 1e-9);
+    EXPECT_NEAR(*ratio_of_sums(cones.absolute_sums, cones.counts),
+                *repeats.hidden_signals.at("cone_angle").at(kConeErrorMetric).value, 1e-9);
+    const AngleBlocks& normals = repeats.other_angles.at("bent_normal");
+    EXPECT_NEAR(*ratio_of_sums(normals.absolute_sums, normals.counts),
+                *repeats.other_signals.at("bent_normal").at(kBentAngleMetric).value, 1e-9);
 }
 
 TEST_F(RepeatedImages, SurviveTheStore) {

@@ -273,6 +273,11 @@ TEST(Splits, TellTheFarSideOfAnEdgeFromTheNearOne) {
     EXPECT_DOUBLE_EQ(split->bins[0].share, 8.0 / 128) << "the eight pixels behind it";
     EXPECT_DOUBLE_EQ(split->bins[1].share, 8.0 / 128) << "and the eight before it";
     EXPECT_DOUBLE_EQ(*split->bins[0].bias, -0.5 / 8);
+    const BinBlocks behind = analyse(pair.input(), facts, 0.1, 1).value().behind_edges;
+    EXPECT_DOUBLE_EQ(std::accumulate(behind.counts.begin(), behind.counts.end(), 0.0), 8 * 64);
+    EXPECT_DOUBLE_EQ(std::accumulate(behind.signed_sums.begin(), behind.signed_sums.end(), 0.0), -0.5 * 64);
+    const auto rows = std::ranges::count_if(behind.signed_sums, [](double sum) { return sum != 0; });
+    EXPECT_EQ(rows, (64 + 4) / 5) << "blocks of five pixels a side, one above the other";
 }
 
 TEST(DistanceTo, IsTheDistanceFromTheNearestMarkedPixel) {

@@ -65,6 +65,7 @@ json camera(const ViewRecord& view) {
             {"far_m", 100},
             {"pixel_size", {0.01, 0.01}},
             {"orthographic", false},
+            {"surfaces", false},
             {"own_parameters", false},
             {"method_lengths", {{"depth-only", {{"default", {{"radius", 0.5}}}}}}},
             {"filter_lengths", json::object()}};
@@ -79,6 +80,7 @@ struct LiveFolder {
                    {"noise_4x4", std::vector<double>(64, 0.5)},
                    {"macros", {{"SCALE", 1}}},
                    {"depth_mip_levels", 6},
+                   {"layer_samplings", {{"stratified", "SAMPLING_STRATIFIED"}}},
                    {"seed", 1}}},
                  {"methods_dir", ""},
                  {"methods", {method("depth-only", {"linear_depth", "noise_4x4", "depth_mips"})}},
@@ -130,13 +132,6 @@ TEST(LiveData, RefusesWhatNoBrowserCanRunAndSaysWhy) {
     EXPECT_THAT(data.refused[1].reason, HasSubstr("albedo"));
 }
 
-TEST(LiveData, SaysWhatIsMissing) {
-    LiveFolder folder;
-    EXPECT_THAT(read_live_data(folder.results, folder.folder).missing, HasSubstr(kLiveFile));
-    folder.results.views[1].gbuffer_file.clear();
-    EXPECT_THAT(folder.read().missing, HasSubstr("G-buffer"));
-}
-
 void expect_file_error(const LiveFolder& folder) {
     try {
         folder.read();
@@ -144,6 +139,63 @@ void expect_file_error(const LiveFolder& folder) {
     } catch (const Error& e) {
         EXPECT_EQ(e.exit_code(), ExitCode::file_error) << e.what();
     }
+}
+
+/// A method over depth layers with a preset for each of these samplings.
+json layered(const std::vector<std::string>& samplings) {
+    json data = method("layered", {"linear_depth", "depth_layers", "side_layers"});
+    data["parameters"].push_back({{"id", "sampling"},
+                                  {"type", "choice"},
+                                  {"default", "stratified"},
+                                  {"choices", {"stratified", "rays"}},
+                                  {"unit", ""},
+                                  {"length_power", 0},
+                                  {"meaning", "…"}});
+    data["parameters"].push_back({{"id", "cameras"},
+                                  {"type", "integer"},
+                                  {"default", 0},
+                                  {"low", 0},
+                                  {"high", 4},
+                                  {"unit", ""},
+                                  {"length_power", 0},
+                                  {"meaning", "…"}});
+    data["presets"] = json::object();
+    for (const std::string& sampling : samplings)
+        data["presets"][sampling] = {{"radius", 0.5}, {"sampling", sampling}, {"cameras", 0}};
+    data["depth_layers"] = {{"samples", 4}, {"sampling", "@sampling"}};
+    data["side_layers"] = {{"cameras", "@cameras"}, {"sampling", "@sampling"}};
+    return data;
+}
+
+TEST(LiveData, RunsMethodsOverLayersWhereSurfacesWereKeptAndNamesWhatNeedsTheScene) {
+    LiveFolder folder;
+    folder.live["methods"].push_back(layered({"stratified", "rays"}));
+    LiveData data = folder.read();
+    EXPECT_EQ(data.index["methods"].size(), 1U);
+    ASSERT_EQ(data.refused.size(), 1U);
+    EXPECT_THAT(data.refused[0].reason, HasSubstr("depth_layers"));
+
+    for (auto& view : folder.live["views"]) view["surfaces"] = true;
+    folder.live["methods"][1]["presets"]["cameras"] = {
+        {"radius", 0.5}, {"sampling", "stratified"}, {"cameras", 1}};
+    write_atomically(folder.folder / kLiveFile, folder.live.dump());
+    data = read_live_data(folder.results, folder.folder);
+    ASSERT_EQ(data.index["methods"].size(), 2U);
+    const json& method = data.index["methods"][1];
+    EXPECT_EQ(method["presets"].size(), 1U);
+    EXPECT_EQ(method["parameters"][1]["not_here"], json({"rays"}));
+    EXPECT_EQ(method["parameters"][2]["high"], 0);
+    ASSERT_EQ(data.refused.size(), 2U);
+    EXPECT_THAT(data.refused[0].label + data.refused[0].reason, HasSubstr("further cameras"));
+    EXPECT_THAT(data.refused[1].label + data.refused[1].reason, HasSubstr("rays"));
+    expect_file_error(folder);  // the G-buffers' files have no surfaces
+}
+
+TEST(LiveData, SaysWhatIsMissing) {
+    LiveFolder folder;
+    EXPECT_THAT(read_live_data(folder.results, folder.folder).missing, HasSubstr(kLiveFile));
+    folder.results.views[1].gbuffer_file.clear();
+    EXPECT_THAT(folder.read().missing, HasSubstr("G-buffer"));
 }
 
 TEST(LiveData, RejectsADamagedFileAChannelThatLacksAndAPlaceOutside) {
@@ -172,8 +224,9 @@ std::vector<json::json_pointer> places_in(const json& document) {
 
 /// Whether the object at this place may have members of any name.
 bool names_freely(const json::json_pointer& place) {
-    static const std::set<std::string> kObjects{"views",   "derived",        "macros",     "presets",
-                                                "default", "method_lengths", "depth-only", "when"};
+    static const std::set<std::string> kObjects{"views",      "derived", "macros",
+                                                "presets",    "default", "method_lengths",
+                                                "depth-only", "when",    "layer_samplings"};
     return !place.empty() && kObjects.contains(place.back());
 }
 

@@ -3,6 +3,7 @@
 #include "hand_made.h"
 #include "screen/gbuffer/depth_layer_buffer.h"
 #include "screen/gl/context.h"
+#include "screen/method/layer_bytes.h"
 #include "support/support.h"
 
 #include <gtest/gtest.h>
@@ -344,6 +345,82 @@ TEST(DepthLayers, HoldNothingButSurfacesOfTheirTexel) {
         EXPECT_LE(not_peeled, peeled[0].size() / 500) << stage.name;
         EXPECT_GT(deeper, peeled[0].size() / 40) << stage.name;
     }
+}
+
+/// Jarzynski and Olano, Hash Functions for GPU Rendering, 2020, for a first lane alone.
+std::uint32_t first_lane_of_pcg4d(std::array<std::uint32_t, 4> v) {
+    for (std::uint32_t& lane : v) lane = lane * 1664525U + 1013904223U;
+    const auto mix = [&v] {
+        v[0] += v[1] * v[3];
+        v[1] += v[2] * v[0];
+        v[2] += v[0] * v[1];
+        v[3] += v[1] * v[2];
+    };
+    mix();
+    for (std::uint32_t& lane : v) lane ^= lane >> 16U;
+    mix();
+    return v[0];
+}
+
+// What is kept for programs without the scene is enough to gather the layers anew: here by one coin a
+// surface, tossed for the numbers of pixel and triangle.
+TEST(KeptSurfaces, AreThePeeledLayersAndTossTheSameCoins) {
+    constexpr double kAlpha = 0.25;
+    constexpr std::uint32_t kSeed = 7;
+    for (const Stage& stage : stages()) {
+        ScreenRenderer renderer;
+        renderer.set_scene(stage.scene);
+        renderer.draw_gbuffer(stage.frame, {});
+        const std::vector<SurfaceLayer> surfaces = renderer.read_surfaces();
+        renderer.draw_depth_layers({.samples = 16, .sampling = "peeled", .facing = true});
+        const std::vector<ImageF> peeled = renderer.read_depth_layers();
+        ASSERT_LE(surfaces.size(), peeled.size()) << stage.name;
+        ASSERT_GE(surfaces.size(), 2U) << stage.name;
+        for (std::size_t k = 0; k < peeled.size(); ++k) {
+            if (k < surfaces.size())
+                EXPECT_EQ(surfaces[k].depth_m.pixels, peeled[k].pixels) << stage.name << " " << k;
+        }
+        renderer.draw_depth_layers(layers_of("simple_hash", 1, kAlpha, kSeed));
+        const ImageF sample = renderer.read_depth_layers().front();
+        const auto far = static_cast<float>(stage.frame.camera().far);
+        std::size_t wrong = 0;
+        for (std::size_t i = 0; i < sample.size(); ++i) {
+            float nearest = far;
+            for (const SurfaceLayer& surface : surfaces) {
+                const float depth = std::abs(surface.depth_m.pixels[i]);
+                const std::uint32_t triangle = static_cast<std::uint32_t>(surface.triangle_low.pixels[i]) |
+                                               static_cast<std::uint32_t>(surface.triangle_high.pixels[i])
+                                                   << 16U;
+                const auto x = static_cast<std::uint32_t>(i % static_cast<std::size_t>(sample.width));
+                const auto y = static_cast<std::uint32_t>(i / static_cast<std::size_t>(sample.width));
+                const std::uint32_t bits = first_lane_of_pcg4d({x, y, triangle, kSeed * 2654435769U});
+                if ((bits >> 16U) / 65536.0 < kAlpha) nearest = std::min(nearest, depth);
+            }
+            wrong += nearest != sample.pixels[i] ? 1 : 0;
+        }
+        EXPECT_LE(wrong, sample.size() / 500) << stage.name << ": surfaces that share a window depth";
+    }
+}
+
+// A closed form: a texel holds one, two, or whole fours of floats.
+TEST(LayerBytes, AreFourASampleInWholeTexelsAndAPictureForEachCamera) {
+    const std::vector<MethodDescriptor> methods = load_methods();
+    const auto bytes = [&](const char* method, const ParameterValues& settings, double band_px = 0) {
+        MethodRequest request;
+        request.method = &find_method(methods, method);
+        request.parameters = request.method->values("default", settings);
+        request.guard_band.width = band_px;
+        return layer_bytes(request, 1920, 1080);
+    };
+    constexpr std::size_t kPixels = 1920 * 1080;
+    EXPECT_EQ(bytes("sd-ssao", {{"depth_samples", 1}}), 4 * kPixels);
+    EXPECT_EQ(bytes("sd-ssao", {{"depth_samples", 2}}), 8 * kPixels);
+    EXPECT_EQ(bytes("sd-ssao", {{"depth_samples", 5}}), 32 * kPixels);
+    EXPECT_EQ(bytes("sd-ssao", {{"depth_samples", 16}}), 132'710'400U) << "below 160 MB";
+    EXPECT_EQ(bytes("sd-ssao", {{"depth_samples", 1}}, 8), 4U * 1936 * 1096);
+    EXPECT_EQ(bytes("sd-hbao-plus", {{"depth_samples", 4}, {"side_cameras", 2}, {"side_scale", 2}}),
+              16 * kPixels + 2 * 16 * kPixels / 4);
+    EXPECT_EQ(bytes("hbao", {}), std::nullopt);
 }
 
 TEST(DepthLayers, DoNotDependOnTheOrderOfDrawing) {

@@ -196,6 +196,62 @@ TEST_F(Claims, RatiosSlopesSpreadsAndGainsAreWhatTheyAreCalled) {
     EXPECT_DOUBLE_EQ(value({{"kind", "gain"}, {"cells", {"s", "a"}}}), (16.0 - 6) / (4.0 - 8));
 }
 
+// "s" costs 4, 8 and 16 ms and reads as many texels: between two of them the fetches follow the logarithm.
+TEST_F(Claims, AtEqualCostAnInterpolatedRivalIsTakenOff) {
+    std::map<std::string, std::vector<double>> ms{
+        {"alchemy/default/samples=4", std::vector<double>(8, 4.0)},
+        {"alchemy/default/samples=8", std::vector<double>(8, 8.0)},
+        {"alchemy/default/samples=16", std::vector<double>(8, 16.0)}};
+    const auto finding = [&](double cost) {
+        ms["alchemy/default"] = std::vector<double>(8, cost);
+        const ClaimList list = list_of({{"kind", "at_equal_cost"},
+                                        {"quantity", "fetches"},
+                                        {"cost", "ao_ms"},
+                                        {"low", 0},
+                                        {"cells", {"a", "s"}}});
+        const ClaimRecord record = judge_claims({list}, results_of(list, ms)).at(0);
+        return record.findings.empty() ? std::nullopt : record.findings.front().value;
+    };
+    EXPECT_NEAR(finding(8 * std::sqrt(2.0)).value(), 8 * std::sqrt(2.0) - 12, 1e-9);
+    EXPECT_NEAR(finding(8).value(), 0, 1e-9);
+    EXPECT_NEAR(finding(40).value(), 24, 1e-9) << "the dearest rival has no more to give";
+    EXPECT_FALSE(finding(3)) << "no rival is as cheap";
+    EXPECT_THROW(
+        list_of({{"kind", "at_equal_cost"}, {"quantity", "fetches"}, {"low", 0}, {"cells", {"a", "s"}}}),
+        Error)
+        << "which cost is equal?";
+}
+
+// Every block has the same error, so that no draw of blocks can change it.
+TEST_F(Claims, AnErrorThatIsEvenOverThePictureHasNoUncertainty) {
+    CellRecord cell;
+    cell.analysis.emplace();
+    cell.analysis->fit.rmse = std::sqrt(0.05);
+    cell.analysis->fit.rmse_debiased = std::sqrt(0.04);
+    cell.analysis->fit.squared_sums = {0.5, 1, 0.25};
+    cell.analysis->blocks.counts = {10, 20, 5};
+    cell.analysis->behind_edges = {{4, 2, 0}, {-1, -0.5, 0}};
+    cell.repeats.emplace();
+    cell.repeats->hidden_angles["cone_angle"] = {{3, 6}, {30, 60}, {-15, -30}};
+    const auto measured = [&](const char* id) {
+        const Measured value = find_quantity(id, "test").measure(cell, {}, 1);
+        const Measured::Range range = value.range().value();
+        EXPECT_NEAR(range.low, *value.value, 1e-12) << id;
+        EXPECT_NEAR(range.high, *value.value, 1e-12) << id;
+        EXPECT_GT(value.draws.size(), 100U) << id;
+        return *value.value;
+    };
+    EXPECT_NEAR(measured("fitted_rmse"), 0.2, 1e-12);
+    EXPECT_NEAR(measured("hidden_cone_error"), 10, 1e-12);
+    EXPECT_NEAR(measured("hidden_cone_bias"), -5, 1e-12);
+    cell.analysis->behind_edges = {{4, 2, 2}, {-1, -0.5, -0.5}};
+    EXPECT_NEAR(measured("behind_edges"), -0.25, 1e-12);
+    cell.analysis->fit.squared_sums = {1.5, 0, 0.25};
+    const Measured uneven = find_quantity("fitted_rmse", "test").measure(cell, {}, 1);
+    EXPECT_LT(uneven.range()->low, 0.2);
+    EXPECT_GT(uneven.range()->high, 0.2);
+}
+
 TEST_F(Claims, AListMustBeUnderstoodWhole) {
     for (const auto& [key, value] : std::vector<std::pair<std::string, json>>{{"kind", "bigger"},
                                                                               {"quantity", "speed"},

@@ -69,17 +69,19 @@ class LiveBench {
     this.result.setBusy(true);
     const preview = previewView(view);
     const few = await unpackedInputs(preview, say);
+    const fewSurfaces = await unpackedSurfaces(preview, preview.surfaces, say);
     if (turn !== this.turn) return;
     this.result.setView(stageView);
     this.result.say('Compiling the shaders …');
-    this.previewRunner.setView(preview, few);
+    this.previewRunner.setView(preview, few, fewSurfaces);
     this.takeView(view);
     const { truth, noise } = stageView.images;
     const [inputs, ...images] = await Promise.all([unpackedInputs(view, say), imageValues(truth), imageValues(noise)]);
+    const surfaces = await unpackedSurfaces(view, view.surfaces, say);
     if (turn !== this.turn) return;
     this.loading = null;
     this.result.setTruth(...images);
-    this.runner.setView(view, inputs);
+    this.runner.setView(view, inputs, surfaces);
     this.elapsed_ms = null;
     this.request(false);
   }

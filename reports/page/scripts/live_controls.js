@@ -57,8 +57,9 @@ function numberControl(parameter, settings, changed) {
   return { labelled: range, elements: [range, number, make('span', 'unit-beside', unit)], set };
 }
 
-function choiceControl({ id, choices }, changed) {
+function choiceControl({ id, choices, not_here: notHere = [] }, changed) {
   const select = make('select', '', ...choices.map((choice) => new Option(choice, choice)));
+  for (const option of select.options) option.disabled = notHere.includes(option.value);
   Object.assign(select, { id: `live-${controlCount += 1}`, name: id });
   select.addEventListener('change', () => changed(select.value));
   return { labelled: select, elements: [select], set: (value) => { select.value = value; } };

@@ -7,6 +7,8 @@ const kEsPreamble = `#version 300 es
 precision highp float;
 precision highp int;
 precision highp sampler2D;
+precision highp sampler2DArray;
+precision highp usampler2DArray;
 `;
 const glslEs = (source, macros) => {
   const defines = Object.entries(macros).map(([name, value]) => `#define ${name} ${value}\n`).join('');
@@ -27,6 +29,7 @@ class LiveGl {
     this.gl = gl;
     this.programs = new Map();
     this.buffers = new Map();
+    this.arrays = new Set();  // textures that are arrays
     this.framebuffer = gl.createFramebuffer();
     gl.bindVertexArray(gl.createVertexArray());
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
@@ -81,7 +84,25 @@ class LiveGl {
     return texture;
   }
 
-  deleteTexture(texture) { this.gl.deleteTexture(texture); }
+  // `count` textures of one size, of 'R' or 'RGBA' floats or of integers, 'U'. `data` holds one after the other.
+  textureArray(format, width, height, count, data = null) {
+    const { gl } = this;
+    const [internal, transfer, type] = { R: [gl.R32F, gl.RED, gl.FLOAT], RGBA: [gl.RGBA32F, gl.RGBA, gl.FLOAT],
+      U: [gl.R32UI, gl.RED_INTEGER, gl.UNSIGNED_INT] }[format];
+    const texture = gl.createTexture();
+    this.arrays.add(texture);
+    gl.bindTexture(gl.TEXTURE_2D_ARRAY, texture);
+    gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, internal, width, height, count);
+    if (data) gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, 0, width, height, count, transfer, type, data);
+    for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D_ARRAY, filter, gl.NEAREST);
+    for (const wrap of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D_ARRAY, wrap, gl.CLAMP_TO_EDGE);
+    return texture;
+  }
+
+  deleteTexture(texture) {
+    this.gl.deleteTexture(texture);
+    this.arrays.delete(texture);
+  }
 
   setLevels(texture, last) {
     this.gl.bindTexture(this.gl.TEXTURE_2D, texture);
@@ -102,7 +123,15 @@ class LiveGl {
     gl.bindBufferBase(gl.UNIFORM_BUFFER, index, this.buffers.get(id));
   }
 
-  // Fills a target {texture, width, height, level} with 1 and draws over it. `setUniforms` is called with the program in
+  // Draws into a level of a target's texture, or, where it is an array, into one of its textures: `layer`.
+  attach({ texture, level = 0, layer = 0 }) {
+    const { gl } = this;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
+    if (this.arrays.has(texture)) gl.framebufferTextureLayer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, texture, level, layer);
+    else gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, level);
+  }
+
+  // Fills a target {texture, width, height, level, layer} with 1 and draws over it. `setUniforms` is called with the program in
   // use, `inputs` are textures by sampler name.
   draw(program, target, inputs, setUniforms) {
     this.drawRows(program, target, inputs, setUniforms, 0, target.height);
@@ -111,8 +140,7 @@ class LiveGl {
   // Draws rows from `first` up to `end` alone; the first ones begin with the fill.
   drawRows(program, target, inputs, setUniforms, first, end) {
     const { gl } = this;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target.texture, target.level ?? 0);
+    this.attach(target);
     gl.viewport(0, 0, target.width, target.height);
     if (first === 0) gl.clearBufferfv(gl.COLOR, 0, [1, 1, 1, 1]);
     gl.useProgram(program.name);
@@ -121,7 +149,7 @@ class LiveGl {
       const location = program.uniforms.get(sampler);
       if (!location) continue;
       gl.activeTexture(gl.TEXTURE0 + unit);
-      gl.bindTexture(gl.TEXTURE_2D, texture);
+      gl.bindTexture(this.arrays.has(texture) ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D, texture);
       gl.uniform1i(location, unit++);
     }
     gl.activeTexture(gl.TEXTURE0);
@@ -147,8 +175,7 @@ class LiveGl {
   // A promise of the picture as floats, row 0 at the top.
   async read({ texture, width, height }) {
     const { gl } = this;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+    this.attach({ texture });
     const single = gl.getParameter(gl.IMPLEMENTATION_COLOR_READ_FORMAT) === gl.RED;
     const values = new Float32Array(width * height * (single ? 1 : 4));
     const buffer = gl.createBuffer();

@@ -3,5 +3,5 @@
 function previewView(view) {
   const factor = view.preview_factor;
   return { ...view, width: Math.ceil(view.width / factor), height: Math.ceil(view.height / factor),
-    pixel_size: view.pixel_size.map((size) => size * factor), inputs: view.preview_inputs };
+    pixel_size: view.pixel_size.map((size) => size * factor), inputs: view.preview_inputs, surfaces: view.preview_surfaces };
 }

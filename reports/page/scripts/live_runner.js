@@ -20,13 +20,15 @@ class LiveRunner {
     this.contract = contract;
     this.noise = this.live.texture('RGBA', 4, 4, { data: Float32Array.from(contract.noise_4x4) });
     this.textures = new Map();
+    this.layers = new LiveLayers(this);
   }
 
-  // `inputs`: {name: {format: 'R' or 'RGBA', data}} of the G-buffer.
-  setView(view, inputs) {
+  // `inputs`: {name: {format: 'R' or 'RGBA', data}} of the G-buffer; surfaces as unpackedSurfaces() has them, or null.
+  setView(view, inputs, surfaces) {
     for (const { texture } of this.textures.values()) this.live.deleteTexture(texture);
     this.textures.clear();
     this.view = view;
+    this.layers.setSurfaces(surfaces);
     for (const [name, { format, data }] of Object.entries(inputs)) {
       this.textures.set(name, { texture: this.live.texture(format, view.width, view.height, { data }) });
     }
@@ -95,6 +97,8 @@ class LiveRunner {
   input(name, descriptor, parameters, previous) {
     if (name === 'visibility' || name === 'coarser') return previous.texture;
     if (name === 'noise_4x4') return this.noise;
+    if (name === 'depth_layers') return this.layers.texture(descriptor.depth_layers, parameters);
+    if (name === 'side_layers') return this.layers.noSideLayers(descriptor.side_layers, parameters);
     if (name === 'normal_from_depth') return this.normalFromDepth(false);
     if (name === 'normal_from_depth_accurate') return this.normalFromDepth(true);
     if (name === 'depth_mips') {

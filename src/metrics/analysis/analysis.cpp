@@ -6,6 +6,7 @@
 #include "metrics/intervals/truth_noise.h"
 #include "metrics/measures/mean_error.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -21,8 +22,12 @@ std::optional<ErrorAnalysis> analyse(const MetricInput& input, const PixelFacts&
     analysis.missing = summarize_mask(masks.missing, input, facts.causes);
     analysis.false_occlusion = summarize_mask(masks.false_occlusion, input, {});
     analysis.regions = worst_regions(masks, input, facts.causes);
-    analysis.splits =
-        divisions != nullptr ? error_splits(input, facts, *divisions) : error_splits(input, facts);
+    const std::vector<PixelDivision> own =
+        divisions != nullptr ? std::vector<PixelDivision>() : pixel_divisions(input.valid, facts);
+    if (divisions == nullptr) divisions = &own;
+    analysis.splits = error_splits(input, facts, *divisions);
+    const auto sides = std::ranges::find(*divisions, "edge_side", &PixelDivision::id);
+    if (sides != divisions->end()) analysis.behind_edges = bin_blocks(input, *sides, 0);
     analysis.distribution = error_distribution(input);
     analysis.tile_pattern = tile_pattern(input);
     if (facts.one_layer != nullptr) analysis.found_beyond_layer = found_beyond_layer(input, *facts.one_layer);

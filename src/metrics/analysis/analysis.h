@@ -1,6 +1,7 @@
 #pragma once
 
 #include "metrics/analysis/best_fit.h"
+#include "metrics/analysis/bin_blocks.h"
 #include "metrics/analysis/error_distribution.h"
 #include "metrics/analysis/occlusion_masks.h"
 #include "metrics/analysis/pixel_facts.h"
@@ -25,6 +26,8 @@ struct ErrorAnalysis {
     MaskSummary false_occlusion;                ///< darker than the truth beyond both
     std::vector<ErrorRegion> regions;           ///< worst connected pieces of both masks
     std::vector<Split> splits;                  ///< error by property of the pixel
+    /// Errors on the far side of depth edges; without blocks where depth is unknown.
+    BinBlocks behind_edges;
     ErrorDistribution distribution;
     std::optional<double> tile_pattern;  ///< see tile_pattern()
     /// See found_beyond_layer(); empty where the bound was not traced.

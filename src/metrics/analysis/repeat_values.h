@@ -46,6 +46,12 @@ inline Repeats over_all_blocks(Repeats repeats) {
         for (auto* const sums : {&(*distance)->counts, &(*distance)->squares, &(*distance)->bands})
             add_up(*sums);
     }
+    for (auto* const angles : {&repeats.hidden_angles, &repeats.other_angles}) {
+        for (auto& [signal, blocks] : *angles) {
+            for (auto* const sums : {&blocks.counts, &blocks.absolute_sums, &blocks.signed_sums})
+                add_up(*sums);
+        }
+    }
     return repeats;
 }
 

@@ -63,6 +63,13 @@ struct Convergence {
 /// Sums the differences of `pictures` from `converged`, all of one size. Throws sizes_differ.
 Convergence convergence(const std::vector<ImageF>& pictures, const ImageF& converged, const Mask& valid);
 
+/// Errors of a signal's angles, degrees, summed over the blocks of BlockGrid, of the pixels that its metrics
+/// count.
+struct AngleBlocks {
+    std::vector<double> counts, absolute_sums;
+    std::vector<double> signed_sums;  ///< of test - truth; of directions, which have no sign, of the angle
+};
+
 /// What drawing a cell again shows: with other seeds, and over one depth layer and over all.
 struct Repeats {
     static constexpr int kSeeds = 4;
@@ -79,6 +86,7 @@ struct Repeats {
     std::optional<Convergence> raw_from_converged, from_converged;
     /// Metrics of signals beside visibility where the truth has hidden occlusion, and where it has none.
     std::map<std::string, std::map<std::string, MetricValue>> hidden_signals, other_signals;
+    std::map<std::string, AngleBlocks> hidden_angles, other_angles;
 };
 
 /// Sums of a pixel's variance over pictures of several seeds, for each block: `of` of one size, two at least.

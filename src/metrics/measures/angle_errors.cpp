@@ -1,5 +1,6 @@
 #include "metrics/measures/angle_errors.h"
 
+#include "metrics/intervals/block_grid.h"
 #include "metrics/measures/mean_error.h"
 
 #include <fmt/format.h>
@@ -56,6 +57,25 @@ std::vector<double> angle_differences_deg(const SignalInput& input) {
         return kDegrees *
                (static_cast<double>(input.test[0].pixels[i]) - static_cast<double>(input.truth[0].pixels[i]));
     });
+}
+
+AngleBlocks blocks_of(const std::vector<double>& errors_deg, const SignalInput& input) {
+    if (!std::ranges::all_of(errors_deg, [](double error) { return std::isfinite(error); })) return {};
+    const BlockGrid grid(input.valid.width, input.valid.height);
+    const std::vector<double> none(grid.size(), 0.0);
+    AngleBlocks blocks{none, none, none};
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < input.valid.size(); ++i) {
+        if (!counts(input, i)) continue;
+        const std::size_t width = static_cast<std::size_t>(input.valid.width);
+        const std::size_t side = static_cast<std::size_t>(grid.side_px);
+        const std::size_t block = i / width / side * static_cast<std::size_t>(grid.across) + i % width / side;
+        blocks.counts[block] += 1;
+        blocks.absolute_sums[block] += std::abs(errors_deg[at]);
+        blocks.signed_sums[block] += errors_deg[at];
+        ++at;
+    }
+    return blocks;
 }
 
 MetricValue mean_size(const std::vector<double>& errors, const SignalInput& input) {

@@ -14,6 +14,9 @@ std::vector<double> direction_errors_deg(const SignalInput& input);
 /// Differences test - truth of an angle in radians at every pixel that counts, degrees.
 std::vector<double> angle_differences_deg(const SignalInput& input);
 
+/// These errors, summed by block.
+AngleBlocks blocks_of(const std::vector<double>& errors_deg, const SignalInput& input);
+
 /// The mean size of these errors, and the size that 95 % of them do not exceed (the nearest rank); a note in
 /// both says how many pixels were left out as unknown.
 MetricValue mean_size(const std::vector<double>& errors, const SignalInput& input);

@@ -8,11 +8,13 @@
 #include "core/strict_json.h"
 #include "core/threads.h"
 #include "image/channels.h"
+#include "image/surface_channels.h"
 #include "metrics/roles.h"
 #include "page/document/page_template.h"
 #include "page/live/live_index.h"
 #include "page/live/live_packing.h"
 #include "page/live/live_preview.h"
+#include "page/live/live_surfaces.h"
 #include "page/pictures/stored_images.h"
 #include "results/live_file.h"
 #include "results/ranked_value.h"
@@ -55,29 +57,44 @@ std::set<std::string> inputs_of(const json& method) {
     return inputs;
 }
 
-/// Says why a method cannot be run; empty when it can.
-std::string refusal(const json& method) {
+const json& samplings_of(const LiveData& data) {
+    return data.index.at("contract").at("layer_samplings");
+}
+
+/// Says why a method cannot be run; empty when it can. Layered inputs are gathered from surfaces, which are
+/// there in every view or not at all.
+std::string refusal(const json& method, bool has_surfaces) {
     if (method.contains("processor")) {
         return fmt::format("computed on the processor ({}), not by shaders",
                            method.at("processor").get<std::string>());
     }
     for (const std::string& input : inputs_of(method)) {
+        if (is_layered_input(input)) {
+            if (has_surfaces && method.contains("depth_layers")) continue;
+            return fmt::format(
+                "reads the input {}, for which the page holds surfaces where a method over depth "
+                "layers was measured in every view",
+                input);
+        }
         const Channel* channel = find_row(gbuffer_channels(), input);
         const MadeInput* made = find_row(made_inputs(), input);
-        const bool held = channel != nullptr ? channel->on_page : made != nullptr && !made->layered;
+        const bool held = channel != nullptr ? channel->on_page : made != nullptr;
         if (!held) return fmt::format("reads the input {}, which the page does not hold", input);
     }
     return {};
 }
 
 void sort_out(LiveData& data) {
+    const json& views = data.index.at("views");
+    const bool has_surfaces =
+        std::ranges::all_of(views, [](const json& view) { return view.at("surfaces").get<bool>(); });
     json runnable = json::array();
     for (json& method : data.index.at("methods")) {
-        const std::string reason = refusal(method);
-        if (reason.empty()) {
-            runnable.push_back(std::move(method));
-        } else {
+        const std::string reason = refusal(method, has_surfaces);
+        if (!reason.empty()) {
             data.refused.push_back({method.at("label").get<std::string>(), reason});
+        } else if (leave_out_presets(method, samplings_of(data), data.refused)) {
+            runnable.push_back(std::move(method));
         }
     }
     data.index["methods"] = std::move(runnable);
@@ -96,7 +113,23 @@ json cell_data(const CellRecord& cell) {
     return data;
 }
 
-void add_view(json& data, const ViewRecord& view, const Results& results) {
+/// Whether a measured cell can be drawn anew. The reason against it is added to what the page refuses, unless
+/// its method or preset is refused already.
+bool can_be_drawn(LiveData& live, const CellRecord& cell) {
+    for (const json& method : live.index.at("methods")) {
+        if (method.at("id") != cell.method) continue;
+        if (!method.contains("depth_layers")) return true;
+        if (!method.at("presets").contains(cell.preset)) return false;
+        json values = method.at("presets").at(cell.preset);
+        values.update(json(cell.parameters));
+        const std::string reason = layers_refusal(method, values, samplings_of(live));
+        if (!reason.empty()) live.refused.push_back({cell.id, reason});
+        return reason.empty();
+    }
+    return true;
+}
+
+void add_view(LiveData& live, json& data, const ViewRecord& view, const Results& results) {
     data["scene"] = view.scene;
     data["view"] = view.view;
     data["radius_m"] = view.radius_m;
@@ -106,7 +139,8 @@ void add_view(json& data, const ViewRecord& view, const Results& results) {
     data["preview_inputs"] = json::object();
     data["cells"] = json::array();
     for (const CellRecord& cell : results.cells) {
-        if (cell.view_key == view.key && cell.error.empty()) data["cells"].push_back(cell_data(cell));
+        if (cell.view_key == view.key && cell.error.empty() && can_be_drawn(live, cell))
+            data["cells"].push_back(cell_data(cell));
     }
 }
 
@@ -130,8 +164,30 @@ void add_views(LiveData& data, const Results& results, const fs::path& folder) {
             throw file_error("lacks the view " + view.key + " of the results beside it",
                              (folder / kLiveFile).string() + ": views");
         }
-        add_view(views.at(view.key), view, results);
+        add_view(data, views.at(view.key), view, results);
     }
+}
+
+bool reads_layers(const json& index) {
+    return std::ranges::any_of(index.at("methods"),
+                               [](const json& method) { return method.contains("depth_layers"); });
+}
+
+void add_surfaces(LiveData& data, const ViewRecord& view, const ImageFile& gbuffer, const fs::path& path) {
+    json& index = data.index.at("views").at(view.key);
+    PackedSurfaces packed =
+        pack_surfaces(gbuffer, path, index.at("far_m").get<double>(), "live " + view.key + " surfaces",
+                      index.at("preview_factor").get<int>(), [&](std::string block, std::string text) {
+                          data.blocks.emplace_back(std::move(block), std::move(text));
+                      });
+    index["surfaces"] = std::move(packed.index);
+    index["preview_surfaces"] = std::move(packed.preview_index);
+    if (packed.full_share == 0) return;
+    data.cautions.push_back(fmt::format(
+        "In {}, {:.1f} % of the pixels have {} surfaces behind one another or more, and the page "
+        "holds {} of them: what methods over depth layers show there may differ from what the run "
+        "measured.",
+        view.key, 100 * packed.full_share, SurfaceChannels::kMost, SurfaceChannels::kMost));
 }
 
 }  // namespace
@@ -185,6 +241,7 @@ std::string add_gbuffer(LiveData& data, const ViewRecord& view, const ImageFile&
         add("preview_inputs", name + " preview", packed[i].preview);
         if (id == kDepthChannel) depth_block = name;
     }
+    if (reads_layers(data.index)) add_surfaces(data, view, gbuffer, path);
     return depth_block;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/image_file.h"
+#include "page/live/live_layers.h"
 #include "results/results.h"
 
 #include <nlohmann/json.hpp>
@@ -21,14 +22,13 @@ struct LiveData {
     /// has, beside its camera, `inputs`: {name: {kind as PackedInput has it, data: name of the block}};
     /// `preview_inputs`, the same of every `preview_factor`-th pixel (live_preview.h); scene, view, radius_m,
     /// samples, noise_floor_rmse; and `cells`, the measured cells with method, preset, filter, parameters and
-    /// the ranked metrics.
+    /// the ranked metrics. Where surfaces behind one another were kept, `surfaces` and `preview_surfaces` are
+    /// those of live_surfaces.h.
     nlohmann::json index;
 
-    struct Refused {
-        std::string label;
-        std::string reason;
-    };
-    std::vector<Refused> refused;  ///< methods that cannot be run in a browser
+    /// Methods, presets and measured cells that cannot be run in a browser.
+    std::vector<LiveRefusal> refused;
+    std::vector<std::string> cautions;  ///< sentences on views that live pictures are not exact in
 
     /// The texts of script elements by name: packed G-buffer inputs (live_packing.h).
     std::vector<std::pair<std::string, std::string>> blocks;

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -49,6 +50,7 @@ void check_contract(StrictObject contract) {
     contract.numbers("noise_4x4", kNoiseNumbers);
     check_values(contract.object("macros"));
     contract.integer("depth_mip_levels", 1, 32);
+    check_texts(contract.object("layer_samplings"));
     contract.number("seed", 0, std::numeric_limits<std::uint32_t>::max());
     contract.finish();
 }
@@ -81,6 +83,18 @@ void check_kernel(StrictObject kernel) {
     kernel.finish();
 }
 
+/// Checks the members of a layered input, where the method has it; the `needed` ones decide whether the page
+/// can run it.
+void check_layers(StrictObject& method, const char* input, std::initializer_list<const char*> needed) {
+    if (!method.has(input)) return;
+    StrictObject members = method.object(input);
+    for (const char* member : needed) {
+        if (!members.has(member))
+            throw file_error("is missing", members.where(member), "a value, or '@' and a parameter");
+    }
+    check_values(std::move(members));
+}
+
 void check_passes(StrictObject& method) {
     const int sources = static_cast<int>(method.texts_or_empty("sources").size());
     std::vector<StrictObject> passes = method.objects("passes");
@@ -96,6 +110,8 @@ void check_passes(StrictObject& method) {
     StrictObject mips = method.object("depth_mips");
     for (const char* key : {"filter", "radius"}) mips.text(key);
     mips.finish();
+    check_layers(method, "depth_layers", {"sampling"});
+    check_layers(method, "side_layers", {"cameras", "sampling"});
 }
 
 void check_preset_filters(StrictObject filters) {
@@ -126,7 +142,7 @@ void check_lengths(StrictObject lengths) {
 }
 
 void check_view(StrictObject view) {
-    for (const char* key : {"own_parameters", "orthographic"}) {
+    for (const char* key : {"own_parameters", "orthographic", "surfaces"}) {
         const json& value = view.raw(key);
         require(value.is_boolean(), value, view.where(key), "true or false");
     }

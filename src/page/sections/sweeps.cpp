@@ -59,6 +59,11 @@ std::string cost_text(const SweepRow& row, int decimals) {
                        fixed_text(row.cost_low_ms, decimals), fixed_text(row.cost_high_ms, decimals));
 }
 
+std::string megabytes_text(std::optional<double> bytes) {
+    if (bytes) *bytes /= 1e6;
+    return fixed_text(bytes, 2);
+}
+
 json row_model(const SweepRow& row, int decimals) {
     return {{"cell", row.cell->id},
             {"method", row.cell->method_label},
@@ -69,6 +74,7 @@ json row_model(const SweepRow& row, int decimals) {
             {"cost_sort", row.cost_ms ? fmt::format("{:.6g}", *row.cost_ms) : ""},
             {"relative", fixed_text(row.relative_cost, 2)},
             {"fetches", fixed_text(row.fetches, 1)},
+            {"layer_mb", megabytes_text(row.cell->layer_bytes)},
             {"error", fixed_text(row.error, 4)},
             {"noisy", fixed_text(row.noisy_error, 4)},
             {"fitted", fixed_text(row.fitted_error, 4)},
@@ -167,6 +173,10 @@ json rows_model(const Rows& rows, const SweepRecord& sweep) {
                   {"frames", frame_rows(rows)}};
     for (const SweepRow* row : rows) model["rows"].push_back(row_model(*row, decimals));
     model["has_frames"] = !model["frames"].empty();
+    const bool has_layers =
+        std::ranges::any_of(rows, [](const SweepRow* row) { return row->cell->layer_bytes.has_value(); });
+    model["has_layers"] = has_layers;
+    model["columns"] = has_layers ? 9 : 8;  // beside method and setting
     return model;
 }
 

@@ -46,6 +46,7 @@ constexpr std::array kKinds{
     KindRow{"value", Kind::value, 1, kMany, true},
     KindRow{"spread", Kind::spread, 2, kMany, true},
     KindRow{"gain", Kind::gain, 4, 4, true},
+    KindRow{"at_equal_cost", Kind::at_equal_cost, 2, kMany, true},
 };
 
 const KindRow& kind_named(const std::string& id, const std::string& where) {
@@ -150,6 +151,10 @@ class Reader {
             if (object.has("low")) check.low = object.number("low", -kAny, kAny);
             if (object.has("high")) check.high = object.number("high", -kAny, kAny);
             if (!check.low && !check.high) throw file_error("has neither low nor high", object.where());
+        }
+        if (check.kind == Kind::at_equal_cost) {
+            check.cost = object.text("cost");
+            find_quantity(check.cost, object.where("cost"));
         }
         if (check.kind == Kind::monotone) check.tolerance = object.number_or("tolerance", 0, 0, kAny);
         const json& cells = object.raw("cells");
@@ -358,8 +363,9 @@ void scale_views(std::vector<ClaimList>& lists, double factor) {
 
 namespace {
 
-void plan_check(ExperimentPlan& plan, const ClaimList& list, const ClaimCheck& check) {
-    const QuantityNeeds& needs = find_quantity(check.quantity, "claims").needs;
+void plan_quantity(ExperimentPlan& plan, const ClaimList& list, const ClaimCheck& check,
+                   const std::string& quantity) {
+    const QuantityNeeds& needs = find_quantity(quantity, "claims").needs;
     for (const ClaimCell& cell : check.cells) {
         ViewPlan view = list.views.at(cell.view);
         view.own_parameters = true;
@@ -375,6 +381,11 @@ void plan_check(ExperimentPlan& plan, const ClaimList& list, const ClaimCheck& c
             shared_cell(plan.views[index], std::move(asked));
         }
     }
+}
+
+void plan_check(ExperimentPlan& plan, const ClaimList& list, const ClaimCheck& check) {
+    plan_quantity(plan, list, check, check.quantity);
+    if (!check.cost.empty()) plan_quantity(plan, list, check, check.cost);
 }
 
 }  // namespace

@@ -37,9 +37,13 @@ struct ClaimCheck {
         value,             ///< the quantity of every cell
         spread,            ///< (largest - smallest) / mean
         gain,  ///< (third - fourth) / (first - second): the gain of a later step over an earlier one's
+        /// The first's less the others' at the first's cost: between the two that cost less and more, by the
+        /// logarithm of the cost; the dearest of them where all cost less. Empty where all cost more.
+        at_equal_cost,
     };
     Kind kind = Kind::value;
     std::string quantity;
+    std::string cost;  ///< at_equal_cost: the quantity that is equal
     std::vector<ClaimCell> cells;
     std::optional<double> low, high;  ///< the range; order and monotone have none
     double tolerance = 0;

@@ -4,6 +4,7 @@
 #include "core/known_names.h"
 #include "metrics/intervals/bootstrap.h"
 #include "metrics/roles.h"
+#include "plan/claims/block_draws.h"
 #include "plan/claims/repeat_quantities.h"
 #include "plan/claims/time_quantities.h"
 
@@ -41,6 +42,10 @@ Measured gbuffer_bytes(const CellRecord& cell, const ViewRecord& view, std::uint
     if (!cell.gbuffer_bytes) return {};
     return exact(*cell.gbuffer_bytes / (double{1} * view.width * view.height));
 }
+Measured layer_bytes(const CellRecord& cell, const ViewRecord& view, std::uint64_t) {
+    if (!cell.layer_bytes) return {};
+    return exact(*cell.layer_bytes / (double{1} * view.width * view.height));
+}
 // Draws are paired between the settings of one view, which draw the same blocks of the picture.
 Measured of_blocks(const CellRecord& cell, const char* measure, std::uint64_t seed) {
     if (!cell.analysis) return {};
@@ -56,8 +61,16 @@ Measured rmse(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
 Measured bias(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
     return of_blocks(cell, kBiasMetric, seed);
 }
-Measured fitted_rmse(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
-    return exact(cell.analysis ? cell.analysis->fit.rmse_debiased : std::nullopt);
+// The truth's noise, which is taken off, is taken as known.
+Measured fitted_rmse(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    if (!cell.analysis || !cell.analysis->fit.rmse_debiased) return {};
+    const BestFit& fit = cell.analysis->fit;
+    const double noise = fit.rmse * fit.rmse - *fit.rmse_debiased * *fit.rmse_debiased;
+    Measured measured = over_blocks(
+        {&fit.squared_sums, &cell.analysis->blocks.counts},
+        [noise](const auto& s) { return std::sqrt(std::max(s[0] / s[1] - noise, 0.0)); }, seed);
+    measured.value = fit.rmse_debiased;
+    return measured;
 }
 Measured missing_area(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
     return of_blocks(cell, kMissingArea, seed);
@@ -84,10 +97,11 @@ const SplitBin* first_bin(const CellRecord& cell, std::string_view split_id) {
     }
     return nullptr;
 }
-// The first bin is the pixels just behind an edge.
-Measured behind_edges(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
-    const SplitBin* bin = first_bin(cell, "edge_side");
-    return exact(bin != nullptr ? bin->bias : std::nullopt);
+Measured behind_edges(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    if (!cell.analysis || cell.analysis->behind_edges.counts.empty()) return {};
+    const BinBlocks& behind = cell.analysis->behind_edges;
+    return over_blocks(
+        {&behind.signed_sums, &behind.counts}, [](const auto& s) { return s[0] / s[1]; }, seed);
 }
 Measured edge_bias(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
     const SplitBin* bin = first_bin(cell, "edge_distance");
@@ -207,6 +221,7 @@ const std::vector<Quantity>& quantities() {
          waiting,
          {.whole_frames = true}},
         {"fetches", "fetches a pixel", "", 1, fetches},
+        {"layer_bytes", "depth layers for each pixel of the picture", "bytes", 1, layer_bytes},
         {"gbuffer_bytes", "G-buffer for each pixel of the picture", "bytes", 1, gbuffer_bytes, kTimes},
         {"rmse", "RMSE", "", 4, rmse, kOfBlocks},
         {"unfiltered_rmse", "RMSE before the filter", "", 4, unfiltered<kRankingMetric>},

@@ -1,7 +1,7 @@
 #include "plan/claims/repeat_quantities.h"
 
 #include "metrics/analysis/repeats.h"
-#include "metrics/roles.h"
+#include "plan/claims/block_draws.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,39 +18,13 @@ namespace aoscore::repeat_quantities {
 namespace {
 
 using Blocks = std::vector<double>;
-using OfSums = std::function<double(const std::vector<double>& sums)>;
 
-constexpr int kBlockDraws = 2000;
 constexpr const char *kBentNormal = "bent_normal", *kConeAngle = "cone_angle";
-
-/// The value of the sums over all blocks, and over blocks drawn with replacement: as resampled() draws those
-/// of one picture.
-Measured of_blocks(const std::vector<const Blocks*>& of, const OfSums& value_of, std::uint64_t seed) {
-    std::vector<double> sums(of.size(), 0);
-    for (std::size_t k = 0; k < of.size(); ++k) {
-        for (const double block : *of[k]) sums[k] += block;
-    }
-    Measured measured;
-    const double value = value_of(sums);
-    if (!std::isfinite(value)) return measured;
-    measured.value = value;
-    const std::size_t blocks = of.front()->size();
-    std::mt19937_64 random(seed);
-    for (int i = 0; i < kBlockDraws; ++i) {
-        sums.assign(of.size(), 0);
-        for (std::size_t drawn = 0; drawn < blocks; ++drawn) {
-            const std::size_t block = random() % blocks;
-            for (std::size_t k = 0; k < of.size(); ++k) sums[k] += (*of[k])[block];
-        }
-        measured.draws.push_back(value_of(sums));
-    }
-    return measured;
-}
 
 Measured noise_of(const std::optional<Repeats>& repeats, Blocks Repeats::*variance, double strength,
                   std::uint64_t seed) {
     if (!repeats) return {};
-    return of_blocks(
+    return over_blocks(
         {&((*repeats).*variance), &repeats->counts},
         [strength](const auto& s) { return strength * std::sqrt(s[0] / s[1]); }, seed);
 }
@@ -59,7 +33,7 @@ Measured root_mean(const CellRecord& cell, std::optional<Convergence> Repeats::*
                    Blocks Convergence::*squares, std::uint64_t seed) {
     if (!cell.repeats || !((*cell.repeats).*which)) return {};
     const Convergence& sums = *((*cell.repeats).*which);
-    return of_blocks(
+    return over_blocks(
         {&(sums.*squares), &sums.counts}, [](const auto& s) { return std::sqrt(s[0] / s[1]); }, seed);
 }
 
@@ -71,14 +45,14 @@ const FoundOcclusion* found_in(const CellRecord& cell, std::optional<FoundOcclus
 Measured part(const FoundOcclusion* found, Blocks FoundOcclusion::*some, Blocks FoundOcclusion::*all,
               std::uint64_t seed) {
     if (found == nullptr) return {};
-    return of_blocks(
+    return over_blocks(
         {&(found->*some), &(found->*all)}, [](const auto& s) { return s[0] / s[1]; }, seed);
 }
 
 /// The standard deviation over pixels of the part that is found, over its mean.
 Measured unevenness(const FoundOcclusion* found, std::uint64_t seed) {
     if (found == nullptr) return {};
-    return of_blocks(
+    return over_blocks(
         {&found->parts, &found->squared_parts, &found->pixels},
         [](const auto& s) {
             const double mean = s[0] / s[2];
@@ -87,15 +61,14 @@ Measured unevenness(const FoundOcclusion* found, std::uint64_t seed) {
         seed);
 }
 
-Measured signal_metric(const CellRecord& cell,
-                       std::map<std::string, std::map<std::string, MetricValue>> Repeats::*where,
-                       const char* signal, const char* metric) {
+Measured angle(const CellRecord& cell, std::map<std::string, AngleBlocks> Repeats::*where, const char* signal,
+               Blocks AngleBlocks::*sums, std::uint64_t seed) {
     if (!cell.repeats) return {};
-    const auto& signals = (*cell.repeats).*where;
-    const auto of_signal = signals.find(signal);
-    if (of_signal == signals.end()) return {};
-    const auto found = of_signal->second.find(metric);
-    return found == of_signal->second.end() ? Measured{} : Measured{found->second.value, {}};
+    const auto& angles = (*cell.repeats).*where;
+    const auto found = angles.find(signal);
+    if (found == angles.end()) return {};
+    return over_blocks(
+        {&(found->second.*sums), &found->second.counts}, [](const auto& s) { return s[0] / s[1]; }, seed);
 }
 
 }  // namespace
@@ -161,24 +134,24 @@ Measured finders_of_layers(const CellRecord& cell, const ViewRecord&, std::uint6
     return part(found_in(cell, &Repeats::of_layers), &FoundOcclusion::finders, &FoundOcclusion::pixels, seed);
 }
 
-Measured hidden_bent_angle(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
-    return signal_metric(cell, &Repeats::hidden_signals, kBentNormal, kBentAngleMetric);
+Measured hidden_bent_angle(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return angle(cell, &Repeats::hidden_angles, kBentNormal, &AngleBlocks::absolute_sums, seed);
 }
 
-Measured other_bent_angle(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
-    return signal_metric(cell, &Repeats::other_signals, kBentNormal, kBentAngleMetric);
+Measured other_bent_angle(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return angle(cell, &Repeats::other_angles, kBentNormal, &AngleBlocks::absolute_sums, seed);
 }
 
-Measured hidden_cone_error(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
-    return signal_metric(cell, &Repeats::hidden_signals, kConeAngle, kConeErrorMetric);
+Measured hidden_cone_error(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return angle(cell, &Repeats::hidden_angles, kConeAngle, &AngleBlocks::absolute_sums, seed);
 }
 
-Measured hidden_cone_bias(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
-    return signal_metric(cell, &Repeats::hidden_signals, kConeAngle, kConeBiasMetric);
+Measured hidden_cone_bias(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return angle(cell, &Repeats::hidden_angles, kConeAngle, &AngleBlocks::signed_sums, seed);
 }
 
-Measured other_cone_error(const CellRecord& cell, const ViewRecord&, std::uint64_t) {
-    return signal_metric(cell, &Repeats::other_signals, kConeAngle, kConeErrorMetric);
+Measured other_cone_error(const CellRecord& cell, const ViewRecord&, std::uint64_t seed) {
+    return angle(cell, &Repeats::other_angles, kConeAngle, &AngleBlocks::absolute_sums, seed);
 }
 
 }  // namespace aoscore::repeat_quantities

@@ -11,12 +11,13 @@ namespace aoscore {
 const std::vector<DepthSampling>& depth_samplings() {
     static const std::vector<DepthSampling> table = {
         {"stratified", "SAMPLING_STRATIFIED",
-         "a surface takes alpha S samples, rounded up or down at random, in any of their combinations"},
-        {"simple_hash", "SAMPLING_SIMPLE_HASH", "a coin for each sample, from pixel, triangle and sample"},
-        {"hash_4d", "SAMPLING_HASH_4D", "the same, hashed one after the other, four samples at a time"},
+         "a surface takes alpha S samples, rounded up or down at random, in any of their combinations", true},
+        {"simple_hash", "SAMPLING_SIMPLE_HASH", "a coin for each sample, from pixel, triangle and sample",
+         true},
+        {"hash_4d", "SAMPLING_HASH_4D", "the same, hashed one after the other, four samples at a time", true},
         {"isotropic", "SAMPLING_ISOTROPIC", "a coin for each sample, from a place in the scene"},
         {"anisotropic", "SAMPLING_ANISOTROPIC", "the same, with a scale of its own along each axis"},
-        {"peeled", "SAMPLING_PEELED", "no coins: the layers from front to back"},
+        {"peeled", "SAMPLING_PEELED", "no coins: the layers from front to back", true},
         {"rays", "",
          "of a ray through the pixel: the first surface, and of those behind it any, with one probability"},
     };
@@ -25,6 +26,11 @@ const std::vector<DepthSampling>& depth_samplings() {
 
 bool is_rasterised(std::string_view sampling) {
     return !row_of(depth_samplings(), sampling, "no sampling of depth layers").macro.empty();
+}
+
+int stored_depths(int samples) {
+    constexpr int kInTexel = 4;
+    return samples <= 2 ? samples : (samples + kInTexel - 1) / kInTexel * kInTexel;
 }
 
 const std::vector<Parameter>& depth_layers_members() {

@@ -16,6 +16,9 @@ struct DepthSampling {
     std::string_view id;     ///< its name in descriptors
     std::string_view macro;  ///< its macro in shaders/gbuffer/depth_layers.frag; empty: no pass draws it
     std::string_view meaning;
+    /// Its coins depend on pixel and triangle alone, so that layers can be gathered from surfaces that were
+    /// kept (screen/gbuffer/surface_layer.h).
+    bool of_kept_surfaces = false;
 };
 const std::vector<DepthSampling>& depth_samplings();
 
@@ -51,6 +54,9 @@ const std::vector<Parameter>& depth_layers_members();
 /// The depth layers for these parameters, in a run of this seed. The input may have further members.
 DepthLayers asked_depth_layers(const InputMembers& input, const ParameterValues& parameters,
                                std::uint64_t run_seed);
+
+/// The floats that a texel of so many depths takes: they lie in textures of one, two or four each.
+int stored_depths(int samples);
 
 /// Whether the method, with these parameters, reads layers that rays meet.
 bool reads_ray_layers(const MethodDescriptor& method, const ParameterValues& parameters);

@@ -2,6 +2,7 @@
 
 #include "core/folders.h"
 #include "screen/gbuffer/derived_inputs.h"
+#include "screen/method/depth_layers.h"
 #include "screen/method/kernel.h"
 #include "screen/passes/pass_program.h"
 
@@ -144,6 +145,8 @@ json method_data(const MethodDescriptor& method, std::uint64_t seed) {
     for (const Kernel& kernel : method.kernels) data["kernels"].push_back(kernel_data(kernel, method, seed));
     data["depth_mips"] = {{"filter", method.depth_mips.filter},
                           {"radius", method.depth_mips.radius_parameter}};
+    if (method.depth_layers) data["depth_layers"] = method.depth_layers->members;
+    if (method.side_layers) data["side_layers"] = method.side_layers->members;
     return data;
 }
 
@@ -153,12 +156,18 @@ json contract_data(std::uint64_t seed) {
         for (const float number : {texel.x, texel.y, texel.z, texel.w}) noise.push_back(short_number(number));
     }
     json derived = json::object();
-    for (const char* file : {"depth_mip.frag", "normal_from_depth.frag", "upsample.frag"})
+    for (const char* file :
+         {"depth_mip.frag", "gathered_layers.frag", "normal_from_depth.frag", "upsample.frag"})
         derived[file] = gbuffer_shader(file);
+    json samplings = json::object();
+    for (const DepthSampling& sampling : depth_samplings()) {
+        if (sampling.of_kept_surfaces) samplings[std::string(sampling.id)] = sampling.macro;
+    }
     return {{"screen_vertex", gbuffer_shader("screen.vert")},
             {"derived", std::move(derived)},
             {"noise_4x4", std::move(noise)},
             {"macros", pass_macros({})},
+            {"layer_samplings", std::move(samplings)},
             {"depth_mip_levels", DerivedInputs::kMipLevels},
             {"seed", static_cast<std::uint32_t>(seed)}};
 }

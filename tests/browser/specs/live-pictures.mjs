@@ -21,10 +21,11 @@ const text = await page.locator('#live').textContent();
 const report = [];
 for (const cell of results.cells) {
   const method = live.methods.find(({ id }) => id === cell.method);
-  const reason = refusal(method);
+  const reason = refusal(method, live, cell.parameters);
   if (reason) {
     test(`${cell.method} is named with the reason why it does not run`, () => {
-      assert.ok(text.includes(`${method.label}, ${reason}`));
+      const names = [method.label, `${method.label}, preset ${cell.preset}`, cell.id];
+      assert.ok(names.some((name) => text.includes(`${name}, ${reason}`)), reason);
     });
     continue;
   }

@@ -17,11 +17,21 @@ export async function openLive(page) {
   return shown(page);
 }
 
-// Why the page does not run a method, as it says itself; empty where it does.
-export function refusal({ processor, passes }) {
+// Why the page does not run a method, or these values of its parameters, as it says itself; empty where it does. `live` is
+// the run's live.json.
+export function refusal({ processor, passes, ...method }, live, values = method.presets.default) {
   if (processor) return `computed on the processor (${processor})`;
   const layered = passes.flatMap(({ inputs }) => inputs).find((input) => ['depth_layers', 'side_layers'].includes(input));
-  return layered ? `reads the input ${layered}` : '';
+  if (!layered) return '';
+  if (!Object.values(live.views).every(({ surfaces }) => surfaces)) return `reads the input ${layered}`;
+  const member = (input, name) => {
+    const value = method[input]?.[name];
+    return typeof value === 'string' && value.startsWith('@') ? values[value.slice(1)] : value;
+  };
+  if (!method.depth_layers) return `reads the input ${layered}`;
+  if (member('side_layers', 'cameras')) return 'reads depth layers of further cameras';
+  const sampling = member('depth_layers', 'sampling');
+  return ['isotropic', 'anisotropic', 'rays'].includes(sampling) ? `takes depth layers by the sampling ${sampling}` : '';
 }
 
 // Chooses the method with the settings of a measured cell.
