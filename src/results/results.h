@@ -340,7 +340,7 @@ struct WorkRecord {
 };
 
 struct Results {
-    static constexpr int kSchemaVersion = 9;
+    static constexpr int kSchemaVersion = 10;
     int schema_version = kSchemaVersion;  ///< of the file they were read from; written is kSchemaVersion
     std::string program_version;
     std::string created_utc;  ///< 2026-11-22T02:11:47Z

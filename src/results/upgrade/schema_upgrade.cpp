@@ -155,6 +155,19 @@ void from_8(json& results, Unsaid& unsaid) {
     unsaid.insert("single runs of the pass that fetches are related to");
 }
 
+void from_9(json& results, Unsaid& unsaid) {
+    for_each_object(results, "cells", [&](json& cell) {
+        if (add_members(cell, {{"layer_bytes", json()}})) unsaid.insert("the size of depth layers");
+        for_object(cell, "analysis", [](json& analysis) {
+            add_members(analysis,
+                        {{"behind_edges", {{"counts", json::array()}, {"signed_sums", json::array()}}}});
+        });
+        for_object(cell, "repeats", [](json& repeats) {
+            add_members(repeats, {{"hidden_angles", json::object()}, {"other_angles", json::object()}});
+        });
+    });
+}
+
 /// A step from one schema to the next. A member is added by the step from the last schema whose files may
 /// lack it: several came while a number was in use.
 struct SchemaUpgrade {
@@ -162,7 +175,8 @@ struct SchemaUpgrade {
     void (*apply)(json& results, Unsaid& unsaid);
 };
 
-constexpr SchemaUpgrade kUpgrades[] = {{4, from_4}, {5, from_5}, {6, from_6}, {7, from_7}, {8, from_8}};
+constexpr SchemaUpgrade kUpgrades[] = {{4, from_4}, {5, from_5}, {6, from_6},
+                                       {7, from_7}, {8, from_8}, {9, from_9}};
 static_assert(std::size(kUpgrades) == Results::kSchemaVersion - kOldestSchema);
 
 std::string warning_of(const Unsaid& unsaid, const json& results, int schema_version) {
