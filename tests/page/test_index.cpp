@@ -90,7 +90,7 @@ TEST(Index, LeadsToThePagesOfTheResultsAndShowsTheirViews) {
     const std::filesystem::path results = folder / "run of today, 1#";
     testing::write_synthetic(testing::synthetic_results(), results);
     write_page(results);
-    IndexBuilder index(folder / "index");
+    IndexBuilder index(folder / "index, not there yet");
     index.add(read_results(results), results);
     for (const IndexedView& view : index.contents().views)
         EXPECT_TRUE(view.picture.starts_with("data:image/png;base64,"));

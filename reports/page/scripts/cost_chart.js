@@ -90,10 +90,11 @@ function drawBarsAndNames(chart, points) {
   ctx.restore();
 }
 
-// A click on a dot, or near it, shows its picture on the stage.
+// A dot, or a place near it, shows its name under the pointer, and on a click its picture on the stage, where there is one.
 const dotReach_px = 14;
 
-function leadToStage(chart, points, view) {
+function answerPointer(chart, points, view) {
+  const clickable = document.querySelector('.stage') !== null;
   const nearest = (event) => {
     const { left, top } = chart.over.getBoundingClientRect();
     const away = ({ ms, error }) => Math.hypot(chart.valToPos(ms, 'x') - event.clientX + left, chart.valToPos(error, 'y') - event.clientY + top);
@@ -102,21 +103,25 @@ function leadToStage(chart, points, view) {
   };
   chart.over.addEventListener('mousemove', (event) => {
     const point = nearest(event);
-    chart.over.style.cursor = point ? 'pointer' : '';
+    chart.over.style.cursor = point && clickable ? 'pointer' : '';
     chart.over.title = point ? `${point.name}: ${numberText(point.ms, 2)} ms, ${numberText(point.error, 4)}` : '';
   });
   chart.over.addEventListener('click', (event) => {
     const point = nearest(event);
-    if (point) showOnStage(`#${new URLSearchParams({ view, cell: point.cell, picture: 'error', mode: 'beside' })}`);
+    if (point && clickable) showOnStage(`#${new URLSearchParams({ view, cell: point.cell, picture: 'error', mode: 'beside' })}`);
   });
 }
+
+const roomForName_px = 35;  // of a chart's width
 
 // A brief chart leaves out bounds, has names and bars for the methods on the front alone, and a logarithmic axis of errors,
 // so that one poor method does not press all others together.
 function startCostChart(element, { brief = false } = {}) {
   const all = chartData(element);
-  // Names leave out presets where they tell nothing.
-  const named = all.filter(({ front }) => front || !brief);
+  // Where there is no room for all names the front has some, and the others show theirs under the pointer. Names leave out
+  // presets where they tell nothing.
+  const crowded = all.length * roomForName_px > element.clientWidth;
+  const named = all.filter(({ front }) => front || !(brief || crowded));
   const ambiguous = ({ label, cell }) => named.some((other) => other.label === label && other.cell !== cell);
   const points = (brief ? all.filter(({ bound }) => !bound) : all).map((point) => {
     const name = `${point.label}, ${point.preset}`;
@@ -138,7 +143,7 @@ function startCostChart(element, { brief = false } = {}) {
         points: { ...dot(pageColour('accent')), fill: pageColour('accent') } },
       { paths: () => null, points: dot(pageColour('strong-line')) },
       { paths: () => null, points: { ...dot(pageColour('strong-line')), size: 6, width: 1 } }],
-      hooks: { draw: [(chart) => drawBarsAndNames(chart, points)], ready: [(chart) => { if (document.querySelector('.stage')) leadToStage(chart, points, element.dataset.view); }] },
+      hooks: { draw: [(chart) => drawBarsAndNames(chart, points)], ready: [(chart) => answerPointer(chart, points, element.dataset.view)] },
     };
   };
   showChart(element, options, data);

@@ -54,7 +54,8 @@ struct IndexContents {
 class IndexBuilder {
   public:
     /// `page_folder` is where the index will lie, from which links lead.
-    explicit IndexBuilder(std::filesystem::path page_folder) : page_folder_(std::move(page_folder)) {}
+    explicit IndexBuilder(const std::filesystem::path& page_folder)
+        : page_folder_(std::filesystem::absolute(page_folder)) {}
 
     /// Adds results, which lie in `folder`, ranked as on their page. Throws file_error where a picture that
     /// they name cannot be read, and adds nothing then.
