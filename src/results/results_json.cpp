@@ -1,8 +1,6 @@
 #include "results/record_json.h"
 #include "results/results_members.h"
 
-#include <fmt/format.h>
-
 namespace aoscore {
 
 using nlohmann::json;
@@ -35,17 +33,7 @@ json to_json(const ErrorAnalysis& analysis) {
 }
 
 Results results_from_json(const json& object, const std::string& where) {
-    Reader reader{StrictObject::of_file(object, where)};
-    int schema_version = 0;
-    reader("schema_version", schema_version);
-    if (schema_version != Results::kSchemaVersion) {
-        throw file_error(fmt::format("is {}, of another version of this program", schema_version),
-                         reader.object.where("schema_version"), fmt::format("{}", Results::kSchemaVersion));
-    }
-    Results results;
-    visit_members(reader, results);
-    reader.object.finish();
-    return results;
+    return record_json::versioned_record_from_json<Results>(object, where);
 }
 
 }  // namespace aoscore
