@@ -22,9 +22,9 @@ struct StepRecord {
     /// confidence.
     std::optional<Interval> change;
     std::string verdict = kFailed;  ///< one of the four above, by that interval
-    /// How much longer a frame takes, milliseconds (below 0: how much shorter), as the cell's fixed pass
-    /// measures time; and an interval by those of both medians. Empty where nothing could be timed: `reason`
-    /// says why.
+    /// How much longer a frame takes, milliseconds (below 0: how much shorter), of processor time where it
+    /// was taken, as the cell's fixed pass measures time; and an interval by those of both medians. Empty
+    /// where nothing could be timed: `reason` says why.
     std::optional<double> ms;
     std::optional<Interval> ms_interval;
     std::optional<double> fetches;  ///< how many more fetches a pixel the AO passes take

@@ -185,5 +185,21 @@ T record_from_json(const json& object, const std::string& where) {
     return record;
 }
 
+/// Reads a file's record with its "schema_version". Throws file_error for another form or version.
+template <class T>
+T versioned_record_from_json(const json& object, const std::string& where) {
+    Reader reader{StrictObject::of_file(object, where)};
+    int schema_version = 0;
+    reader("schema_version", schema_version);
+    if (schema_version != T::kSchemaVersion) {
+        throw file_error(fmt::format("is {}, of another version of this program", schema_version),
+                         reader.object.where("schema_version"), fmt::format("{}", T::kSchemaVersion));
+    }
+    T record;
+    visit_members(reader, record);
+    reader.object.finish();
+    return record;
+}
+
 }  // namespace record_json
 }  // namespace aoscore

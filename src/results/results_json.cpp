@@ -53,10 +53,7 @@ Results results_from_json(const json& object, const std::string& where) {
         results.schema_version = schema_version;
         return results;
     }
-    Results results;
-    visit_members(reader, results);
-    reader.object.finish();
-    return results;
+    return record_json::versioned_record_from_json<Results>(object, where);
 }
 
 }  // namespace aoscore

@@ -97,17 +97,7 @@ void write_stress_results(const StressResults& results, const std::filesystem::p
 StressResults read_stress_results(const std::filesystem::path& folder) {
     const std::filesystem::path file = folder / kStressFile;
     const nlohmann::json object = parse_json_file(file);
-    record_json::Reader reader{StrictObject::of_file(object, file.string())};
-    int schema_version = 0;
-    reader("schema_version", schema_version);
-    if (schema_version != StressResults::kSchemaVersion) {
-        throw file_error(fmt::format("is {}, of another version of this program", schema_version),
-                         file.string() + ".schema_version", fmt::format("{}", StressResults::kSchemaVersion));
-    }
-    StressResults results;
-    visit_members(reader, results);
-    reader.object.finish();
-    return results;
+    return record_json::versioned_record_from_json<StressResults>(object, file.string());
 }
 
 bool has_stress_results(const std::filesystem::path& folder) {

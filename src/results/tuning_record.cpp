@@ -104,16 +104,7 @@ void write_tuning_record(const TuningRecord& tuning, const std::filesystem::path
 TuningRecord read_tuning_record(const std::filesystem::path& folder) {
     const std::filesystem::path file = folder / kTuningFile;
     const nlohmann::json object = parse_json_file(file);
-    record_json::Reader reader{StrictObject::of_file(object, file.string())};
-    int schema_version = 0;
-    reader("schema_version", schema_version);
-    if (schema_version != TuningRecord::kSchemaVersion) {
-        throw file_error(fmt::format("is {}, of another version of this program", schema_version),
-                         file.string() + ".schema_version", fmt::format("{}", TuningRecord::kSchemaVersion));
-    }
-    TuningRecord tuning;
-    visit_members(reader, tuning);
-    reader.object.finish();
+    TuningRecord tuning = record_json::versioned_record_from_json<TuningRecord>(object, file.string());
     check(tuning, file.string());
     return tuning;
 }

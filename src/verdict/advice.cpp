@@ -69,12 +69,40 @@ Cost scaled(Cost cost, double factor) {
     return cost;
 }
 
+/// The times that make a cell's cost.
+struct CellTimes {
+    Timing ao, filter, gbuffer, shared_gbuffer, fixed_pass;
+
+    std::array<Timing*, 5> all() { return {&ao, &filter, &gbuffer, &shared_gbuffer, &fixed_pass}; }
+};
+
+CellTimes times_of(const CellRecord& cell, const ViewRecord& view) {
+    return {cell.ao, cell.filter_pass, cell.gbuffer, view.gbuffer, cell.fixed_pass};
+}
+
+/// Whether every run has processor time too.
+bool has_processor_time(CellTimes times) {
+    return !times.ao.processor_runs_ms.empty() && std::ranges::all_of(times.all(), [](const Timing* timing) {
+        return timing->processor_runs_ms.size() == timing->runs_ms.size();
+    });
+}
+
+/// Processor time of all threads in place of the clock's, which another load of the machine moves.
+CellTimes on_processor(CellTimes times) {
+    for (Timing* timing : times.all()) {
+        if (timing->processor_runs_ms.empty()) continue;
+        timing->runs_ms = timing->processor_runs_ms;
+        timing->median_ms = median(timing->runs_ms);
+    }
+    return times;
+}
+
 /// What a cell adds to a frame: its passes, and what its own G-buffer takes more than the view's.
-std::optional<Cost> cost_of(const CellRecord& cell, const ViewRecord& view) {
-    std::optional<Cost> cost = median_cost(cell.ao);
+std::optional<Cost> cost_of(const CellTimes& times) {
+    std::optional<Cost> cost = median_cost(times.ao);
     if (!cost) return std::nullopt;
-    if (const auto filter = median_cost(cell.filter_pass)) cost = sum(*cost, *filter);
-    const auto own = median_cost(cell.gbuffer), shared = median_cost(view.gbuffer);
+    if (const auto filter = median_cost(times.filter)) cost = sum(*cost, *filter);
+    const auto own = median_cost(times.gbuffer), shared = median_cost(times.shared_gbuffer);
     if (own && shared) cost = sum(*cost, less(*own, *shared));
     return cost;
 }
@@ -97,8 +125,13 @@ class StepsOfOne {
         if (!error || !cell_.analysis) return std::move(advice_);
         advice_.error = *error;
         advice_.fetches = cell_.fetches_per_pixel;
-        advice_.fixed_pass_ms = cell_.fixed_pass.median_ms;
-        if (const auto cost = cost_of(cell_, view_)) advice_.ms = cost->ms;
+        by_processor_ = has_processor_time(times_of(cell_, view_)) &&
+                        std::ranges::all_of(plan_.steps, [&](const StepPlan& step) {
+                            return !step.cell_index || has_times_alike(cell_of(*step.cell_index));
+                        });
+        const CellTimes times = chosen_times(cell_);
+        advice_.fixed_pass_ms = times.fixed_pass.median_ms;
+        if (const auto cost = cost_of(times)) advice_.ms = cost->ms;
         errors_.push_back(resampled_errors(advice_.metric, *error, cell_.analysis->blocks, results_.seed));
         for (const StepPlan& step : plan_.steps) {
             if (step.cell_index)
@@ -118,6 +151,16 @@ class StepsOfOne {
         const CellRecord* cell = find_row(results_.cells, ids_[index]);
         if (cell == nullptr) throw internal_error("advice names a cell that is not there", ids_[index]);
         return *cell;
+    }
+
+    /// Whether a step's cell has processor time, or was not timed.
+    bool has_times_alike(const CellRecord& cell) const {
+        return cell.ao.runs_ms.empty() || has_processor_time(times_of(cell, view_));
+    }
+
+    CellTimes chosen_times(const CellRecord& cell) const {
+        const CellTimes times = times_of(cell, view_);
+        return by_processor_ ? on_processor(times) : times;
     }
 
     void skip(const StepPlan& step, std::string reason) {
@@ -156,13 +199,14 @@ class StepsOfOne {
     }
 
     void add_cost(StepRecord& record, const CellRecord& changed) const {
-        const auto before = cost_of(cell_, view_), after = cost_of(changed, view_);
-        if (!before || !after || !cell_.fixed_pass.median_ms || !changed.fixed_pass.median_ms) {
+        const CellTimes times = chosen_times(cell_), changed_times = chosen_times(changed);
+        const auto before = cost_of(times), after = cost_of(changed_times);
+        const std::optional<double> fixed_ms = times.fixed_pass.median_ms;
+        if (!before || !after || !fixed_ms || !changed_times.fixed_pass.median_ms) {
             record.reason = "it was not timed";
             return;
         }
-        const Cost more =
-            less(scaled(*after, *cell_.fixed_pass.median_ms / *changed.fixed_pass.median_ms), *before);
+        const Cost more = less(scaled(*after, *fixed_ms / *changed_times.fixed_pass.median_ms), *before);
         record.ms = more.ms;
         record.ms_interval = more.interval;
     }
@@ -233,6 +277,7 @@ class StepsOfOne {
     const CellRecord& cell_;
     const ViewRecord& view_;
     AdviceRecord advice_;
+    bool by_processor_ = false;          ///< costs are processor time
     std::vector<Resampled> errors_;      ///< the cell's, then those of the steps in `compared_`
     std::vector<std::size_t> compared_;  ///< indices of steps
 };

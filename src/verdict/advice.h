@@ -13,7 +13,7 @@ namespace aoscore {
 /// for all steps. Steps that change no pixel become skipped ones. The best buy comes first: steps that are
 /// surely closer and take no more time in the median, by the error that they take off; those that take
 /// some, by the error that a millisecond takes off; those whose cost is not known; ties; those that are
-/// surely farther.
+/// surely farther. Costs are processor time of all threads where every run has it, else the clock's.
 AdviceRecord judge_advice(const AdvicePlan& plan, std::span<const std::string> ids, const Results& results);
 
 }  // namespace aoscore

@@ -80,5 +80,22 @@ TEST(Advise, EitherMeasuresAStepOfEveryKindOrSaysWhyNot) {
     }
 }
 
+// The rays that a truth takes follow from what is scored, not from what advice tries beside it.
+TEST(Advise, ChangesNothingThatAScoreSays) {
+    const auto folder = output_dir();
+    const std::string score =
+        "score pillar --view main --size 96x54 --methods gtao,crytek-ssao,alchemy,hbao ";
+    ASSERT_EQ(run_aoscore(score + "--out plain", folder).exit_code, 0);
+    ASSERT_EQ(run_aoscore(score + "--advise --out advised", folder).exit_code, 0);
+    const Results plain = read_results(folder / "plain"), advised = read_results(folder / "advised");
+    EXPECT_EQ(plain.views.at(0).samples, advised.views.at(0).samples);
+    ASSERT_EQ(plain.cells.size(), advised.cells.size());
+    for (std::size_t i = 0; i < plain.cells.size(); ++i) {
+        EXPECT_EQ(plain.cells[i].id, advised.cells[i].id);
+        EXPECT_EQ(plain.cells[i].ranked.at("rmse_debiased").value,
+                  advised.cells[i].ranked.at("rmse_debiased").value);
+    }
+}
+
 }  // namespace
 }  // namespace aoscore

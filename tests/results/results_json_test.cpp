@@ -42,6 +42,10 @@ struct Filler {
         for (int i = 0; i < 3; ++i) (*this)(key, values.emplace_back());
     }
     template <class T>
+    void where_any(const char* key, std::vector<T>& values) {
+        (*this)(key, values);
+    }
+    template <class T>
     void operator()(const char* key, std::map<std::string, T>& values) {
         for (int i = 0; i < 3; ++i) (*this)(key, values["key " + std::to_string(++count)]);
     }
@@ -169,6 +173,10 @@ struct Counter {
     int members = 0;
     template <class T>
     void operator()(const char*, T&) {
+        ++members;
+    }
+    template <class T>
+    void where_any(const char*, T&) {
         ++members;
     }
 };

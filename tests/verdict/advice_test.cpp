@@ -172,5 +172,25 @@ TEST(Advice, SaysWhyAStepFailed) {
     EXPECT_EQ(advice.steps[0].reason, "7 pixels are NaN");
 }
 
+/// The same cell with processor time of every run, so many times the clock's.
+CellRecord with_processor_time(CellRecord one, double factor) {
+    for (const double ms : one.ao.runs_ms) one.ao.processor_runs_ms.push_back(factor * ms);
+    one.fixed_pass.runs_ms = one.fixed_pass.processor_runs_ms = {3.9, 4, 4.1};
+    return one;
+}
+
+// Another load of the machine moves the clock: a step that is said to take longer by it may take less.
+TEST(Advice, CostsAreProcessorTimeWhereEveryRunHasIt) {
+    Made made(with_processor_time(cell("a", 0.1, 10, 16), 1.5));
+    made.add_step("more-taps", with_processor_time(cell("b", 0.05, 30, 32), 0.4));
+    const AdviceRecord advice = made.judged();
+    EXPECT_NEAR(*advice.ms, 15, 1e-9);
+    EXPECT_NEAR(*advice.steps.at(0).ms, 12 - 15, 1e-9);
+    EXPECT_NEAR(*advice.fixed_pass_ms, 4, 1e-9);
+    Made mixed(with_processor_time(cell("a", 0.1, 10, 16), 1.5));
+    mixed.add_step("more-taps", cell("b", 0.05, 30, 32));
+    EXPECT_NEAR(*mixed.judged().ms, 10, 1e-9) << "two clocks are never mixed";
+}
+
 }  // namespace
 }  // namespace aoscore
