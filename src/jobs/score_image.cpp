@@ -30,7 +30,7 @@ class Comparison {
         : input_{truth.visibility[query], image, valid, &truth.standard_error[query]} {
         input_.maps = &maps_[0];
         if (truth.halves.empty()) return;
-        halves_.emplace(truth.halves[query][0], truth.halves[query][1], &maps_[1], &maps_[2], &maps_[3]);
+        halves_.emplace(truth.halves[query][0], truth.halves[query][1], &maps_[1], &maps_[2]);
         input_.halves = &*halves_;
     }
     /// Compares with the first query; `valid` must be the mask that the side was made for.
@@ -45,7 +45,7 @@ class Comparison {
     const MetricInput& input() const { return input_; }
 
   private:
-    std::array<MapSums, 4> maps_;
+    std::array<MapSums, 3> maps_;
     std::optional<TruthHalves> halves_;
     MetricInput input_;
 };
@@ -62,7 +62,7 @@ std::map<std::string, double> noise_of(const MetricInput& input) {
     if (input.halves == nullptr) return {};
     const OcclusionMasks masks = occlusion_masks(input);
     return truth_noise(block_errors(input, masks), block_errors(against_half(input, 0), masks),
-                       block_errors(against_half(input, 1), masks), noisier_maps(input));
+                       block_errors(against_half(input, 1), masks));
 }
 
 MetricMap raw_metrics(const Truth& truth, const Ground& ground, const TruthSide& side, const ImageF& raw,

@@ -16,8 +16,7 @@
 namespace aoscore {
 namespace {
 
-/// An image against a truth and, where it has two halves, against either, and with a part of its noise left.
-/// The halves must be prepared.
+/// An image against a truth and, where it has two halves, against either. The halves must be prepared.
 class Evaluation {
   public:
     explicit Evaluation(const MetricInput& input) {
@@ -25,7 +24,6 @@ class Evaluation {
         if (input.halves != nullptr) {
             inputs_[0].prepared_truth = &input.halves->prepared->whole;
             for (const std::size_t half : {0U, 1U}) inputs_.push_back(against_half(input, half));
-            inputs_.push_back(against_noisier(input));
         }
         finest_.resize(inputs_.size());
         for (std::size_t i = 0; i < inputs_.size(); ++i) inputs_[i].finest = &finest_[i];
@@ -33,20 +31,11 @@ class Evaluation {
 
     MetricValue measured(const Metric& row) const {
         const MetricValue whole = row.measure(inputs_[0]);
-        if (inputs_.size() == 1) return whole;
-        if (row.noise == Metric::Noise::taken_off_in_windows) leave_maps(row);
-        if (row.noise != Metric::Noise::extrapolated) return whole;
+        if (inputs_.size() == 1 || row.noise != Metric::Noise::extrapolated) return whole;
         return extrapolated(whole, row.measure(inputs_[1]), row.measure(inputs_[2]));
     }
 
   private:
-    /// Truth_noise() needs the other sums alone.
-    void leave_maps(const Metric& row) const {
-        for (std::size_t i = 1; i < inputs_.size(); ++i) {
-            if (inputs_[i].maps != nullptr) row.measure(inputs_[i]);
-        }
-    }
-
     std::vector<MetricInput> inputs_;
     std::vector<std::optional<FinestSimilarity>> finest_;
 };
@@ -69,7 +58,7 @@ std::vector<std::string> told_metrics(double noise_variance, std::span<const std
     std::vector<std::string> told;
     for (const Metric& row : metrics()) {
         if (!ids.empty() && std::ranges::find(ids, row.id) == ids.end()) continue;
-        if (row.left_by_variance * noise_variance <= 1 && noise_variance <= row.most_noise_variance)
+        if (row.part_left(noise_variance) <= 1 && noise_variance <= row.most_noise_variance)
             told.emplace_back(row.id);
     }
     return told;

@@ -2,6 +2,7 @@
 
 #include "core/image.h"
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <span>
@@ -24,7 +25,6 @@ struct TruthHalves {
     const ImageF& second;
     MapSums* first_maps = nullptr;  ///< like MetricInput::maps, for the metrics against each half
     MapSums* second_maps = nullptr;
-    MapSums* noisier_maps = nullptr;           ///< of the metrics against PreparedHalves::noisier
     const PreparedHalves* prepared = nullptr;  ///< of the truth and of these, where shared
 };
 
@@ -65,14 +65,18 @@ struct Metric {
     /// Computes the metric from resampled blocks, for its interval. Null where blocks cannot give it.
     double (*resampled)(const DrawnSums&) = nullptr;
     /// The treatment of the truth's noise, where the truth has two halves. Its variance is `taken_off` a mean
-    /// square, or `taken_off_in_windows` the variances under SSIM's window, see PreparedHalves. An
-    /// `extrapolated` metric changes in proportion to the noise's variance, so that its value for a truth
-    /// without noise is extrapolated; see extrapolation.h.
-    enum class Noise { included, taken_off, taken_off_in_windows, extrapolated };
+    /// square. An `extrapolated` metric changes in proportion to the noise's variance, so that its value for
+    /// a truth without noise is extrapolated; see extrapolation.h.
+    enum class Noise { included, taken_off, extrapolated };
     Noise noise = Noise::included;
-    /// The remaining error of the extrapolation as a part of its correction: a constant, and one for each
-    /// unit of the noise's mean variance. Both were measured, see truth_noise().
-    double left_always = 0, left_by_variance = 0;
+    /// The error that the extrapolation leaves as a part of its correction, root mean square over scenes: a
+    /// constant, and one for each unit of the noise's standard deviation, as the correction is of the second
+    /// order in the noise and what it leaves of the third. Both were measured, see truth_noise().
+    double left_always = 0, left_by_deviation = 0;
+    /// The part that noise of this mean variance leaves.
+    double part_left(double noise_variance) const {
+        return left_always + left_by_deviation * std::sqrt(noise_variance);
+    }
     /// The mean variance of the noise beyond which the metric is not worth its time, see told_metrics().
     double most_noise_variance = std::numeric_limits<double>::infinity();
     bool brief = false;     ///< also in tables for readers, whose width is limited

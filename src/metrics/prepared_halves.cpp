@@ -6,9 +6,9 @@
 namespace aoscore {
 namespace {
 
-/// Half the difference of the halves, scaled so that its variance is `part` of that.
-ImageF noise_of(const ImageF& first, const ImageF& second, double part) {
-    const auto scale = static_cast<float>(std::sqrt(part) / 2);
+/// Half the difference of the halves, scaled so that its variance is so many times that.
+ImageF noise_of(const ImageF& first, const ImageF& second, double times) {
+    const auto scale = static_cast<float>(std::sqrt(times) / 2);
     ImageF noise(first.width, first.height);
     for (std::size_t i = 0; i < noise.size(); ++i)
         noise.pixels[i] = scale * (first.pixels[i] - second.pixels[i]);
@@ -20,8 +20,7 @@ ImageF noise_of(const ImageF& first, const ImageF& second, double part) {
 PreparedHalves::PreparedHalves(const ImageF& mean, const ImageF& first_half, const ImageF& second_half,
                                const Mask& valid)
     : whole(mean, valid, noise_of(first_half, second_half, 1)),
-      first(first_half, valid),
-      second(second_half, valid),
-      noisier(mean, valid, noise_of(first_half, second_half, 1 - kPartLeft)) {}
+      first(first_half, valid, noise_of(first_half, second_half, 2)),
+      second(second_half, valid, noise_of(first_half, second_half, 2)) {}
 
 }  // namespace aoscore

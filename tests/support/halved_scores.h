@@ -8,29 +8,32 @@
 
 #include <array>
 #include <map>
+#include <span>
 #include <string>
 
 namespace aoscore::testing {
 
-/// Every metric against a truth of two halves, without the truth's noise.
+/// Metrics against a truth of two halves, without the truth's noise.
 struct HalvedScores {
     std::map<std::string, MetricValue> values;
     std::map<std::string, double> noise;
 };
 
-/// Scores an image; `truth` is the mean of the halves, and all images have one size.
+/// Scores an image by the metrics of these ids, or by all; `truth` is the mean of the halves, and all images
+/// have one size.
 inline HalvedScores halved_scores(const ImageF& truth, const ImageF& first, const ImageF& second,
-                                  const ImageF& test, const Mask& valid) {
-    std::array<MapSums, 4> maps;
-    const TruthHalves halves{first, second, &maps[1], &maps[2], &maps[3]};
+                                  const ImageF& test, const Mask& valid,
+                                  std::span<const std::string> ids = {}) {
+    std::array<MapSums, 3> maps;
+    const TruthHalves halves{first, second, &maps[1], &maps[2]};
     MetricInput input{truth, test, valid};
     input.maps = &maps[0];
     input.halves = &halves;
     HalvedScores scores;
-    scores.values = evaluate(input);
+    scores.values = evaluate(input, ids);
     const OcclusionMasks masks = occlusion_masks(input, 0.1);
     scores.noise = truth_noise(block_errors(input, masks), block_errors(against_half(input, 0), masks),
-                               block_errors(against_half(input, 1), masks), maps[3]);
+                               block_errors(against_half(input, 1), masks));
     return scores;
 }
 

@@ -13,6 +13,18 @@ void extrapolate(std::vector<double>& whole, const std::vector<double>& first,
     for (std::size_t i = 0; i < whole.size(); ++i) whole[i] = extrapolated(whole[i], first[i], second[i]);
 }
 
+void extrapolate(MapSums& whole, const MapSums& first, const MapSums& second) {
+    extrapolate(whole.ssim_sums, first.ssim_sums, second.ssim_sums);
+    extrapolate(whole.flip_sums, first.flip_sums, second.flip_sums);
+    if (!whole.ms_ssim || !first.ms_ssim || !second.ms_ssim) {
+        whole.ms_ssim.reset();
+        whole.ms_ssim_influences.clear();
+        return;
+    }
+    whole.ms_ssim = extrapolated(*whole.ms_ssim, *first.ms_ssim, *second.ms_ssim);
+    extrapolate(whole.ms_ssim_influences, first.ms_ssim_influences, second.ms_ssim_influences);
+}
+
 }  // namespace
 
 MetricInput against_half(const MetricInput& input, std::size_t half) {
@@ -25,19 +37,6 @@ MetricInput against_half(const MetricInput& input, std::size_t half) {
     return against;
 }
 
-MapSums noisier_maps(const MetricInput& input) {
-    const MapSums* const maps = input.halves->noisier_maps;
-    return maps != nullptr ? *maps : MapSums{};
-}
-
-MetricInput against_noisier(const MetricInput& input) {
-    MetricInput against{input.truth, input.test, input.valid};
-    against.maps = input.halves->noisier_maps;
-    against.prepared_truth = &input.halves->prepared->noisier;
-    against.prepared_test = input.prepared_test;
-    return against;
-}
-
 MetricValue extrapolated(const MetricValue& whole, const MetricValue& first, const MetricValue& second) {
     if (!whole.value || !first.value || !second.value) return whole;
     return {extrapolated(*whole.value, *first.value, *second.value), whole.note};
@@ -45,7 +44,7 @@ MetricValue extrapolated(const MetricValue& whole, const MetricValue& first, con
 
 BlockErrors extrapolated(BlockErrors whole, const BlockErrors& first, const BlockErrors& second) {
     extrapolate(whole.absolute_sums, first.absolute_sums, second.absolute_sums);
-    extrapolate(whole.maps.flip_sums, first.maps.flip_sums, second.maps.flip_sums);
+    extrapolate(whole.maps, first.maps, second.maps);
     return whole;
 }
 

@@ -15,11 +15,6 @@ namespace aoscore {
 
 /// The same comparison against one half of the truth, 0 or 1, without a standard error.
 MetricInput against_half(const MetricInput& input, std::size_t half);
-/// The sums that evaluate() has left of the comparison with a part of the noise left; empty without such.
-MapSums noisier_maps(const MetricInput& input);
-/// The same comparison with a part of the noise's variance left, see PreparedHalves; the halves must be
-/// prepared.
-MetricInput against_noisier(const MetricInput& input);
 
 inline double extrapolated(double whole, double first, double second) {
     return 2 * whole - (first + second) / 2;

@@ -76,32 +76,12 @@ DrawnSums all_with_ms_ssim(const BlockErrors& image) {
     return all;
 }
 
-BlockErrors with_maps(BlockErrors image, const MapSums& maps) {
-    image.maps = maps;
-    return image;
+/// The standard deviation over scenes of what an extrapolation leaves of the noise, which no other seed would
+/// change, for a correction by it and a mean variance of the noise.
+double left_over(const Metric& metric, double correction, double noise_variance) {
+    if (metric.noise != Metric::Noise::extrapolated) return 0;
+    return metric.part_left(noise_variance) * std::abs(correction);
 }
-
-/// What is left of the noise where its part is taken off, which no other seed would change.
-class Remainder {
-  public:
-    Remainder(const BlockErrors& whole, const BlockErrors& extrapolated, const MapSums& noisier)
-        : whole_(all_with_ms_ssim(whole)),
-          extrapolated_(all_with_ms_ssim(extrapolated)),
-          noisier_(all_with_ms_ssim(with_maps(whole, noisier))) {}
-
-    double most(const Metric& metric) const {
-        const auto change_to = [&](const DrawnSums& other) {
-            return std::abs(metric.resampled(other) - metric.resampled(whole_));
-        };
-        if (metric.noise == Metric::Noise::taken_off_in_windows) return change_to(noisier_);
-        if (metric.noise != Metric::Noise::extrapolated) return 0;
-        const double noise_variance = whole_.variance / whole_.count;
-        return (metric.left_always + metric.left_by_variance * noise_variance) * change_to(extrapolated_);
-    }
-
-  private:
-    DrawnSums whole_, extrapolated_, noisier_;
-};
 
 double ms_ssim_variance(const MapSums& whole, const MapSums& first, const MapSums& second) {
     double variance = 0;
@@ -115,9 +95,10 @@ double ms_ssim_variance(const MapSums& whole, const MapSums& first, const MapSum
 }  // namespace
 
 std::map<std::string, double> truth_noise(const BlockErrors& whole, const BlockErrors& first,
-                                          const BlockErrors& second, const MapSums& noisier) {
+                                          const BlockErrors& second) {
     const Moved sums = moved(whole, first, second);
-    const Remainder remainder(whole, extrapolated(whole, first, second), noisier);
+    const DrawnSums all = all_with_ms_ssim(whole);
+    const DrawnSums all_extrapolated = all_with_ms_ssim(extrapolated(whole, first, second));
     const bool has_ms_ssim = whole.maps.ms_ssim && first.maps.ms_ssim && second.maps.ms_ssim;
     std::map<std::string, double> noise;
     for (const Metric& metric : metrics()) {
@@ -125,7 +106,10 @@ std::map<std::string, double> truth_noise(const BlockErrors& whole, const BlockE
         const double variance = metric.measure == measure::ms_ssim && has_ms_ssim
                                     ? ms_ssim_variance(whole.maps, first.maps, second.maps)
                                     : variance_of_sum(movements(metric, sums), whole.across, whole.down);
-        const double half_width = kDeviations * std::sqrt(variance) + remainder.most(metric);
+        const double correction = metric.resampled(all_extrapolated) - metric.resampled(all);
+        const double half_width =
+            kDeviations *
+            std::hypot(std::sqrt(variance), left_over(metric, correction, all.variance / all.count));
         if (std::isfinite(half_width)) noise[std::string(metric.id)] = half_width;
     }
     return noise;
