@@ -20,7 +20,7 @@ class PreparedHalves {
     PreparedHalves(const ImageF& mean, const ImageF& first_half, const ImageF& second_half,
                    const Mask& valid);
 
-    PreparedImage whole;  ///< the mean, its noise's variance taken off
+    PreparedImage whole;          ///< the mean, its noise's variance taken off
     PreparedImage first, second;  ///< the halves, their noise's variances taken off
 
     /// The memory of all of it, bytes a pixel.
