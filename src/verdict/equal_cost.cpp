@@ -13,7 +13,8 @@ double at_cost(double cost, const std::vector<double>& rival_costs, const std::v
     for (std::size_t i = 0; i < rival_costs.size(); ++i) rivals.emplace_back(rival_costs[i], rival_values[i]);
     std::ranges::sort(rivals);
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    if (rivals.empty() || !(cost >= rivals.front().first) || !(rivals.front().first > 0)) return kNone;
+    if (rivals.empty() || !(cost > 0) || !(rivals.front().first > 0)) return kNone;
+    if (cost < rivals.front().first) return rivals.front().second;
     const auto dearer =
         std::ranges::find_if(rivals, [cost](const auto& rival) { return rival.first > cost; });
     const auto& [low_cost, low_value] = *(dearer - 1);

@@ -215,7 +215,7 @@ TEST_F(Claims, AtEqualCostAnInterpolatedRivalIsTakenOff) {
     EXPECT_NEAR(finding(8 * std::sqrt(2.0)).value(), 8 * std::sqrt(2.0) - 12, 1e-9);
     EXPECT_NEAR(finding(8).value(), 0, 1e-9);
     EXPECT_NEAR(finding(40).value(), 24, 1e-9) << "the dearest rival has no more to give";
-    EXPECT_FALSE(finding(3)) << "no rival is as cheap";
+    EXPECT_NEAR(finding(3).value(), -1, 1e-9) << "no rival is as cheap: the cheapest stands for all";
     EXPECT_THROW(
         list_of({{"kind", "at_equal_cost"}, {"quantity", "fetches"}, {"low", 0}, {"cells", {"a", "s"}}}),
         Error)

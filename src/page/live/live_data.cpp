@@ -71,10 +71,11 @@ std::string refusal(const json& method, bool has_surfaces) {
     for (const std::string& input : inputs_of(method)) {
         if (is_layered_input(input)) {
             if (has_surfaces && method.contains("depth_layers")) continue;
-            return fmt::format(
-                "reads the input {}, for which the page holds surfaces where a method over depth "
-                "layers was measured in every view",
-                input);
+            return fmt::format("reads the input {}, {}", input,
+                               method.contains("depth_layers")
+                                   ? "for which the page holds surfaces where every view was measured with a "
+                                     "method over depth layers"
+                                   : "and the page holds no surfaces of further cameras");
         }
         const Channel* channel = find_row(gbuffer_channels(), input);
         const MadeInput* made = find_row(made_inputs(), input);

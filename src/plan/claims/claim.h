@@ -38,7 +38,7 @@ struct ClaimCheck {
         spread,            ///< (largest - smallest) / mean
         gain,  ///< (third - fourth) / (first - second): the gain of a later step over an earlier one's
         /// The first's less the others' at the first's cost: between the two that cost less and more, by the
-        /// logarithm of the cost; the dearest of them where all cost less. Empty where all cost more.
+        /// logarithm of the cost; the dearest of them where all cost less, the cheapest where all cost more.
         at_equal_cost,
     };
     Kind kind = Kind::value;
