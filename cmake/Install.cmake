@@ -8,7 +8,7 @@ get_property(libraries GLOBAL PROPERTY AOSCORE_LIBRARIES)
 # Not under the multiarch folder: core/program_path.cpp looks in ../lib/aoscore.
 install(TARGETS aoscore-import aoscore-shader-trial ${libraries} RUNTIME DESTINATION lib/aoscore LIBRARY DESTINATION lib/aoscore)
 
-install(DIRECTORY shaders scenes DESTINATION ${data} PATTERN "*.glb" EXCLUDE PATTERN "*.gltf" EXCLUDE)
+install(DIRECTORY contestants shaders scenes DESTINATION ${data} PATTERN "*.glb" EXCLUDE PATTERN "*.gltf" EXCLUDE)
 install(DIRECTORY reports DESTINATION ${data} PATTERN out EXCLUDE PATTERN readme.png EXCLUDE)
 install(FILES src/bench/skimage_ssim.py DESTINATION ${data}/src/bench)
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

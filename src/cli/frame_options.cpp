@@ -74,8 +74,8 @@ std::shared_ptr<const RecordedView> read_frame_view(const FrameOptions& options)
         read_recorded_view(options.frame, options.truth, options.frame.files.front().stem().string()));
 }
 
-ImageFolder own_contestant(const FrameOptions& options) {
-    ImageFolder folder;
+OutsideMethod own_contestant(const FrameOptions& options) {
+    OutsideMethod folder;
     folder.folder = options.own.has_parent_path() ? options.own.parent_path() : std::filesystem::path(".");
     folder.method.id = kOwnId;
     folder.method.label = fmt::format("The frame's own ({})", options.own.filename().string());

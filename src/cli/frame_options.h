@@ -29,6 +29,6 @@ void add_recorded_options(CLI::App& app, FrameOptions& options);
 std::shared_ptr<const RecordedView> read_frame_view(const FrameOptions& options);
 
 /// The engine's own image as a contestant of the view "frame".
-ImageFolder own_contestant(const FrameOptions& options);
+OutsideMethod own_contestant(const FrameOptions& options);
 
 }  // namespace aoscore

@@ -2,6 +2,7 @@
 #include "cli/shared_options.h"
 #include "core/folders.h"
 #include "core/output.h"
+#include "jobs/contest/outside_method.h"
 #include "metrics/metric.h"
 #include "metrics/signal_metric.h"
 #include "plan/plan.h"
@@ -114,6 +115,16 @@ void list_experiment_definitions() {
     }
 }
 
+void list_contestants() {
+    for (const auto& [id, folder] : outside_folders()) {
+        const OutsideMethod outside = load_outside_method(folder);
+        std::vector<std::string> presets;
+        for (const auto& [preset, values] : outside.method.presets) presets.push_back(preset);
+        print_result("{:<20} {}; presets {}; {}\n", id, outside.method.label, fmt::join(presets, ", "),
+                     outside.command ? "by a command, " + outside.command->version : "images of views");
+    }
+}
+
 void print_device(const std::string& gl, const std::string& name) {
     try {
         choose_gl(gl);
@@ -147,6 +158,7 @@ ExitCode run(const ListOptions& options, const CLI::App& app) {
         {"methods", [&] { list_methods(options.methods_dir); }},
         {"metrics", list_metrics},
         {"experiments", list_experiment_definitions},
+        {"contestants", list_contestants},
         {"devices", list_devices},
     };
     lists.at(options.what)();
@@ -158,9 +170,11 @@ ExitCode run(const ListOptions& options, const CLI::App& app) {
 CommandEntry add_list_command(CLI::App& program, const GlobalOptions&) {
     CLI::App* app = program.add_subcommand("list", "List what there is");
     const auto options = std::make_shared<ListOptions>();
-    app->add_option("what", options->what,
-                    "scenes, views, methods, metrics, experiments or devices, which draw (see --gl)")
-        ->check(one_of({"scenes", "views", "methods", "metrics", "experiments", "devices"}))
+    app->add_option(
+           "what", options->what,
+           "scenes, views, methods, metrics, experiments, contestants (of other programs) or devices, which "
+           "draw (see --gl)")
+        ->check(one_of({"scenes", "views", "methods", "metrics", "experiments", "contestants", "devices"}))
         // The earlier name, which scripts use.
         ->transform([](std::string what) { return what == "reports" ? "experiments" : std::move(what); });
     app->add_option("scene", options->scene,

@@ -30,7 +30,7 @@ struct ScoreOptions {
     std::vector<double> radii;
     TruthEffort effort;
     std::filesystem::path methods_dir;
-    std::vector<std::filesystem::path> contestants;
+    std::vector<std::string> contestants;
     bool advise = false;
     std::filesystem::path out;
     OutcomeOptions outcome;
@@ -46,25 +46,30 @@ std::vector<MethodDescriptor> chosen_methods(const ScoreOptions& options,
     return chosen;
 }
 
-void add_folder(ImageFolder folder, ExperimentPlan& plan, ViewPlan& view) {
-    CellPlan cell;
-    cell.method = folder.method.id;
-    cell.own_truth = false;
-    view.cells.push_back(std::move(cell));
-    plan.folders.push_back(std::move(folder));
+/// Adds a cell for each preset of an outside method.
+void add_outside(OutsideMethod outside, ExperimentPlan& plan, ViewPlan& view) {
+    for (const auto& [preset, values] : outside.method.presets) {
+        CellPlan cell;
+        cell.method = outside.method.id;
+        cell.preset = preset;
+        cell.own_truth = false;
+        view.cells.push_back(std::move(cell));
+    }
+    plan.outside.push_back(std::move(outside));
 }
 
-/// Adds a cell for the images of each folder. No two contestants have one id.
-void add_folders(const ScoreOptions& options, ExperimentPlan& plan, ViewPlan& view) {
+/// Adds the outside methods that the user named. No two contestants have one id.
+void add_contestants(const ScoreOptions& options, ExperimentPlan& plan, ViewPlan& view) {
     std::vector<std::string> said;  // warnings given for the chosen methods
     std::vector<std::string> ids = ids_of(load_asked_methods(options.methods_dir, {}, said));
-    for (const std::filesystem::path& path : options.contestants) {
-        ImageFolder folder = load_image_folder(path);
-        if (std::ranges::find(ids, folder.method.id) != ids.end())
-            throw file_error("is " + folder.method.id + ", as another contestant's",
-                             (path / "contestant.json").string() + ": id", "an id of its own");
-        ids.push_back(folder.method.id);
-        add_folder(std::move(folder), plan, view);
+    for (const std::string& named : options.contestants) {
+        const std::filesystem::path folder = outside_folder(named);
+        OutsideMethod outside = load_outside_method(folder);
+        if (std::ranges::find(ids, outside.method.id) != ids.end())
+            throw file_error("is " + outside.method.id + ", as another contestant's",
+                             (folder / "contestant.json").string() + ": id", "an id of its own");
+        ids.push_back(outside.method.id);
+        add_outside(std::move(outside), plan, view);
     }
 }
 
@@ -79,7 +84,7 @@ void take_frame(const ScoreOptions& options, const std::vector<MethodDescriptor>
     view.score_goal.reset();
     view.extras = {};
     leave_out_cells(*view.recorded, methods, view.cells, plan.warnings);
-    if (!options.frame.own.empty()) add_folder(own_contestant(options.frame), plan, view);
+    if (!options.frame.own.empty()) add_outside(own_contestant(options.frame), plan, view);
 }
 
 /// The methods and filters that the plan may name, with its presets.
@@ -120,7 +125,7 @@ ExitCode run(ScoreOptions options, const GlobalOptions& global) {
     view.cells = plan_cells(methods, load_filters(), options.method_options, plan.warnings);
     view.extras |= extras_for(options.method_options.signals);
     if (options.frame.given()) take_frame(options, methods, plan, view);
-    if (!options.contestants.empty()) add_folders(options, plan, view);
+    if (!options.contestants.empty()) add_contestants(options, plan, view);
     for (const std::string& id :
          options.frame.given() ? std::vector<std::string>{"frame"} : planned_views(options.choice.view)) {
         view.view = id;
@@ -149,8 +154,10 @@ CommandEntry add_score_command(CLI::App& program, const GlobalOptions& global) {
     add_score_truth_options(*app, options->effort);
     app->add_option("--methods-dir", options->methods_dir, "A folder of methods of your own");
     app->add_option("--contestant", options->contestants,
-                    "A folder of images that another program has made of the views, with contestant.json: "
-                    "ranked among the methods")
+                    "A method of another program, ranked among the methods: a folder with contestant.json, "
+                    "which has images of the views or a command that makes them, or an id (see list "
+                    "contestants)")
+        ->delimiter(',')
         ->allow_extra_args(false);
     app->add_flag(
         "--advise", options->advise,

@@ -46,6 +46,14 @@ bool is_source_tree(const fs::path& data) {
     return fs::exists(data / "CMakeLists.txt");
 }
 
+std::vector<fs::path> of_user_and_program(const char* name) {
+    std::vector<fs::path> folders;
+    if (named_by("HOME") || named_by("XDG_DATA_HOME"))
+        folders.push_back(user_folder("XDG_DATA_HOME", ".local/share") / name);
+    folders.push_back(data_dir() / name);
+    return folders;
+}
+
 }  // namespace
 
 fs::path data_dir() {
@@ -67,11 +75,11 @@ fs::path results_dir() {
 }
 
 std::vector<fs::path> scene_folders() {
-    std::vector<fs::path> folders;
-    if (named_by("HOME") || named_by("XDG_DATA_HOME"))
-        folders.push_back(user_folder("XDG_DATA_HOME", ".local/share") / "scenes");
-    folders.push_back(data_dir() / "scenes");
-    return folders;
+    return of_user_and_program("scenes");
+}
+
+std::vector<fs::path> contestant_folders() {
+    return of_user_and_program("contestants");
 }
 
 }  // namespace aoscore

@@ -121,7 +121,7 @@ CellWork cell_work(const ResolvedCell& cell, const ExperimentPlan& plan, const P
                    const Registry& registry, std::optional<double> drawn_for_m) {
     CellWork work;
     work.id = fmt::format("{}/{}", view.key, cell_name(cell.plan));
-    work.contestant = contestant_on(view.view.id, cell, registry);
+    work.contestant = contestant_on(view.view.id, view.radius.metres, cell, registry);
     work.timed = cell.request;
     if (cell.plan.own_truth && !plan.first_answer) work.own = cell.own;
     work.keep_image = cell.plan.keep_image;
@@ -204,7 +204,7 @@ PlannedRuns::PlannedRuns(const ExperimentPlan& plan, const ArtifactStore& store)
     std::vector<std::string> left_out;  // unused: the plan names none of them
     registry_ = load_registry(plan.methods_dir, {}, left_out);
     for (const auto& file : plan.preset_files) add_presets(registry_.methods, file);
-    registry_.folders = plan.folders;
+    registry_.outside = plan.outside;
     prepared_ = prepare(plan, registry_, store);
     name_views(prepared_);
 }

@@ -169,6 +169,10 @@ class Assembly {
             record.raw = score->raw;
             record.signals = score->signals;
             record.light = score->light;
+            if (score->reported_ms) {
+                record.parameters["reported_ms"] = *score->reported_ms;
+                record.parameters["reported_on"] = score->reported_on;
+            }
         }
         if (const OwnScore* own = own_score(i)) record.own = sure_metrics(*own, run_.plan.score_goal);
         if (keys.fetches && maker_.fetches(*keys.fetches) != nullptr)

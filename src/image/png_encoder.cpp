@@ -1,5 +1,6 @@
 #include "core/error.h"
 #include "image/image_file.h"
+#include "image/png_with_alpha.h"
 
 #include <fmt/format.h>
 #include <png.h>
@@ -99,11 +100,25 @@ std::string encode_png_gray(const Image<std::uint8_t>& gray) {
     return encode({gray, gray.width, PNG_COLOR_TYPE_GRAY, {}, 8, {}, {}});
 }
 
-std::string encode_png_rgb(const Image<std::array<std::uint8_t, 3>>& colours) {
-    Image<std::uint8_t> rows(3 * colours.width, colours.height);
+namespace {
+
+/// Rows of neighbouring components, as libpng takes them.
+template <std::size_t Components>
+Image<std::uint8_t> rows_of(const Image<std::array<std::uint8_t, Components>>& colours) {
+    Image<std::uint8_t> rows(static_cast<int>(Components) * colours.width, colours.height);
     auto next = rows.pixels.begin();
     for (const auto& colour : colours.pixels) next = std::ranges::copy(colour, next).out;
-    return encode({rows, colours.width, PNG_COLOR_TYPE_RGB, {}, 8, {}, {}});
+    return rows;
+}
+
+}  // namespace
+
+std::string encode_png_rgb(const Image<std::array<std::uint8_t, 3>>& colours) {
+    return encode({rows_of(colours), colours.width, PNG_COLOR_TYPE_RGB, {}, 8, {}, {}});
+}
+
+std::string encode_png_rgba(const Image<std::array<std::uint8_t, 4>>& colours) {
+    return encode({rows_of(colours), colours.width, PNG_COLOR_TYPE_RGB_ALPHA, {}, 8, {}, {}});
 }
 
 }  // namespace aoscore

@@ -24,6 +24,8 @@ struct Score {
     MetricMap raw;                               ///< metrics before the filter; empty without one
     std::map<std::string, MetricMap> signals;    ///< metrics of the image's signals beside visibility, by id
     std::map<std::string, MeasureRecord> light;  ///< see light_errors(); empty where it was not asked for
+    std::optional<double> reported_ms;           ///< the cost that the contestant reports of itself
+    std::string reported_on;                     ///< what that was measured on
 
     /// Says why there are no numbers; empty where there are.
     std::string error() const;
@@ -37,6 +39,8 @@ void visit_members(Visit& visit, Record& score) {
     visit("raw", score.raw);
     visit("signals", score.signals);
     visit("light", score.light);
+    visit("reported_ms", score.reported_ms);
+    visit("reported_on", score.reported_on);
 }
 
 /// Settings of a score.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "image/image_file.h"
+#include "jobs/contest/contestant.h"
 #include "jobs/ground.h"
 #include "jobs/view_work.h"
 #include "store/truth/truth_cache.h"
@@ -14,7 +16,9 @@ void write_truth_file(const ViewWork& work, const CachedTruth& traced, const Gro
 void write_gbuffer_file(const ViewWork& work, const GBufferImages& gbuffer,
                         std::span<const SurfaceLayer> surfaces);
 /// Writes the output as `Y`, the image before the filter, where there is one, as `raw.Y`, and the channels of
-/// its signals (see core/signal.h).
-void write_image_file(const ViewWork& work, const CellWork& cell, const MethodOutput& image);
+/// its signals (see core/signal.h); its header keeps the cost that was reported.
+void write_image_file(const ViewWork& work, const CellWork& cell, const ContestantImage& image);
+/// The cost that write_image_file() has kept in a file.
+std::optional<ReportedCost> reported_cost(const ImageFile& file);
 
 }  // namespace aoscore

@@ -139,7 +139,7 @@ bool ViewMaker::take_input(const Job& job) {
     const ImageFile kept = read_image(*file);
     const ImageF *visibility = kept.channel("Y"), *raw = kept.channel("raw.Y");
     if (visibility == nullptr) return false;
-    MethodOutput output{raw != nullptr ? *raw : *visibility, *visibility, {}, {}};
+    ContestantImage output{{raw != nullptr ? *raw : *visibility, *visibility, {}, {}}, reported_cost(kept)};
     for (const std::string& id : cell(job).contestant->signals()) {
         for (const std::string_view channel : signal(id).channels) {
             const ImageF* plane = kept.channel(std::string(channel));
@@ -232,7 +232,8 @@ CachedTruth ViewMaker::trace(TruthRequest request, const std::string& what) {
 void ViewMaker::make_image(const Job& job) {
     const CellWork& work = cell(job);
     const Truth* truth = truth_ ? &truth_->truth : nullptr;
-    image_.emplace(job.key, work.contestant->image({work_.tools, frame_, truth}));
+    image_.emplace(job.key,
+                   work.contestant->image({work_.tools, frame_, truth, &work_.scene, work_.view.id}));
     if (!pictured_.contains(job.key)) return;
     write_image_file(work_, work, image_->second);
     store_.put_file(job.key.hex, work_.folder / work_.image_file(work));
@@ -246,6 +247,10 @@ void ViewMaker::make_score(const Job& job) {
         score_image(truth_->truth, *ground_, *truth_side_, image_->second, settings);
     if (!score.error().empty()) throw internal_error(score.error());
     if (cell(job).lit_by_sky) light_by_sky(score);
+    if (const std::optional<ReportedCost>& cost = image_->second.cost) {
+        score.reported_ms = cost->ms;
+        score.reported_on = cost->on;
+    }
     keep(job, to_json(score));
 }
 

@@ -81,7 +81,7 @@ class ViewMaker final : public Maker {
     std::optional<GBufferImages> gbuffer_;
     std::optional<CachedTruth> truth_, own_truth_;
     std::optional<Ground> ground_;
-    std::optional<std::pair<Key, MethodOutput>> image_;
+    std::optional<std::pair<Key, ContestantImage>> image_;
     std::optional<Irradiance> irradiance_;  ///< under the generated sky
     std::optional<TruthSide> truth_side_;   ///< side of the ranking's truth on the ground
     std::uint64_t rays_ = 0;

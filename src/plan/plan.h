@@ -1,6 +1,6 @@
 #pragma once
 
-#include "jobs/contest/folder_image.h"
+#include "jobs/contest/outside_method.h"
 #include "jobs/timing.h"
 #include "plan/run_modes.h"
 #include "reference/truth.h"
@@ -149,7 +149,7 @@ struct ExperimentPlan {
     std::uint64_t seed = 1;
     std::filesystem::path methods_dir;                ///< folder of the user's own methods; empty: none
     std::vector<std::filesystem::path> preset_files;  ///< presets beside the descriptors', see add_presets()
-    std::vector<ImageFolder> folders;                 ///< images of other programs that cells name
+    std::vector<OutsideMethod> outside;               ///< methods of other programs that cells name
     std::filesystem::path truth_cache;  ///< folder for truths and measurements; empty: none are kept
     bool keep_gbuffer = true;           ///< write the G-buffer beside the results
     /// Only the first answer is measured: goals are without ScoreGoal::every_metric, nothing is timed, and no

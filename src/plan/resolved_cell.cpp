@@ -1,7 +1,9 @@
 #include "plan/resolved_cell.h"
 
 #include "core/known_names.h"
+#include "jobs/contest/command_image.h"
 #include "jobs/contest/few_rays.h"
+#include "jobs/contest/folder_image.h"
 #include "jobs/own_truth.h"
 #include "screen/method/lengths.h"
 
@@ -86,23 +88,25 @@ void light(MethodRequest& request, const MethodDescriptor& lighting, std::option
 
 namespace {
 
-const ImageFolder* find_folder(const Registry& registry, const std::string& id) {
-    return find_row(registry.folders, id,
-                    [](const ImageFolder& folder) { return std::string_view(folder.method.id); });
+const OutsideMethod* find_outside(const Registry& registry, const std::string& id) {
+    return find_row(registry.outside, id,
+                    [](const OutsideMethod& outside) { return std::string_view(outside.method.id); });
 }
 
 const MethodDescriptor& described(const std::string& id, const Registry& registry) {
     if (id == kFewRays) return registry.few_rays;
-    const ImageFolder* folder = find_folder(registry, id);
-    return folder != nullptr ? folder->method : find_method(registry.methods, id);
+    const OutsideMethod* outside = find_outside(registry, id);
+    return outside != nullptr ? outside->method : find_method(registry.methods, id);
 }
 
 }  // namespace
 
-std::shared_ptr<const Contestant> contestant_on(const std::string& view, const ResolvedCell& cell,
-                                                const Registry& registry) {
-    const ImageFolder* folder = find_folder(registry, cell.plan.method);
-    return folder != nullptr ? folder_image(*folder, view) : contestant_of(cell.request);
+std::shared_ptr<const Contestant> contestant_on(const std::string& view, double radius_m,
+                                                const ResolvedCell& cell, const Registry& registry) {
+    const OutsideMethod* outside = find_outside(registry, cell.plan.method);
+    if (outside == nullptr) return contestant_of(cell.request);
+    if (outside->command) return command_image(*outside, {cell.plan.preset, radius_m, cell.request.seed});
+    return folder_image(*outside, view);
 }
 
 ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64_t seed,
@@ -120,8 +124,8 @@ ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64
     const std::optional<double> method_for_m =
         drawn_for_m ? std::optional(*drawn_for_m * plan.radius_factor) : std::nullopt;
     cell.request.parameters = drawn_values(method, plan.preset, plan.overrides, method_for_m);
-    if (const ImageFolder* folder = find_folder(registry, plan.method))
-        cell.request.parameters = folder->stated;
+    if (const OutsideMethod* outside = find_outside(registry, plan.method))
+        cell.request.parameters = outside->shown_values(plan.preset);
     cell.request.seed = seed + static_cast<std::uint64_t>(plan.draw);
     cell.request.signals = plan.signals;
     plan.modes.apply_to(cell.request);

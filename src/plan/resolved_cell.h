@@ -19,7 +19,7 @@ struct Registry {
     MethodDescriptor fixed_pass;
     MethodDescriptor lighting;
     MethodDescriptor few_rays;
-    std::vector<ImageFolder> folders = {};
+    std::vector<OutsideMethod> outside = {};
 };
 /// Loads the methods as load_asked_methods() does, and all filters.
 Registry load_registry(const std::filesystem::path& methods_dir, const std::vector<std::string>& asked,
@@ -61,8 +61,8 @@ PresetFilter filter_of(const CellPlan& plan, const MethodDescriptor& method);
 ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64_t seed,
                      std::optional<double> drawn_for_m);
 
-/// The contestant that the cell scores on the view of this id.
-std::shared_ptr<const Contestant> contestant_on(const std::string& view, const ResolvedCell& cell,
-                                                const Registry& registry);
+/// The contestant that the cell scores on the view of this id, which is ranked at this radius.
+std::shared_ptr<const Contestant> contestant_on(const std::string& view, double radius_m,
+                                                const ResolvedCell& cell, const Registry& registry);
 
 }  // namespace aoscore

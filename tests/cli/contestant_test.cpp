@@ -145,7 +145,7 @@ TEST(ContestantFolder, ThatIsNotUnderstoodIsRefusedWithItsPlace) {
         EXPECT_THAT(run.err, HasSubstr(said)) << text;
         EXPECT_THAT(run.err, HasSubstr("contestant.json")) << text;
     }
-    EXPECT_EQ(run_aoscore(std::string(kScore) + " --contestant absent --out page", folder).exit_code, 4);
+    EXPECT_EQ(run_aoscore(std::string(kScore) + " --contestant absent --out page", folder).exit_code, 64);
     EXPECT_FALSE(fs::exists(folder / "page"));
 }
 

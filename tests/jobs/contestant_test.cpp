@@ -77,7 +77,7 @@ class Contestants : public ::testing::Test {
     const std::vector<MethodDescriptor> methods = load_methods();
     const MethodDescriptor few_rays_method = few_rays_descriptor();
     MethodRequest shaders, few_rays;
-    ImageFolder folder;
+    OutsideMethod folder;
     SceneTools tools;
 };
 

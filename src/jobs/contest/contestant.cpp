@@ -44,8 +44,8 @@ class ShaderMethod final : public Requested {
     }
     std::vector<std::string> signals() const override { return request().signals; }
     const MethodRequest* timed_request() const override { return &request(); }
-    MethodOutput image(const ContestantSources& sources) const override {
-        return draw_image(sources.tools.ready_renderer(), request());
+    ContestantImage image(const ContestantSources& sources) const override {
+        return {draw_image(sources.tools.ready_renderer(), request()), {}};
     }
 };
 
@@ -55,11 +55,11 @@ class FewRays final : public Requested {
     using Requested::Requested;
 
     std::string_view code() const override { return "few_rays"; }
-    MethodOutput image(const ContestantSources& sources) const override {
+    ContestantImage image(const ContestantSources& sources) const override {
         MethodOutput output;
         output.raw = trace_few_rays(sources.tools.reference(), sources.frame, request());
         output.visibility = sources.tools.ready_renderer().filter(output.raw, request());
-        return output;
+        return {std::move(output), {}};
     }
 };
 
@@ -80,9 +80,9 @@ class TrueImage final : public OfTruth {
     using OfTruth::OfTruth;
 
     std::string digest(bool) const override { return "true"; }
-    MethodOutput image(const ContestantSources& sources) const override {
+    ContestantImage image(const ContestantSources& sources) const override {
         const ImageF& visibility = true_visibility(*sources.truth, *truth_query());
-        return {visibility, visibility, {}, {}};
+        return {{visibility, visibility, {}, {}}, {}};
     }
 };
 
@@ -91,9 +91,9 @@ class OneLayerBound final : public OfTruth {
     using OfTruth::OfTruth;
 
     std::string digest(bool) const override { return "one layer"; }
-    MethodOutput image(const ContestantSources& sources) const override {
+    ContestantImage image(const ContestantSources& sources) const override {
         const ImageF visibility = one_layer_visibility(*sources.truth);
-        return {visibility, visibility, {}, {}};
+        return {{visibility, visibility, {}, {}}, {}};
     }
 };
 

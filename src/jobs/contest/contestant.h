@@ -18,6 +18,19 @@ struct ContestantSources {
     SceneTools& tools;             ///< their renderer holds the G-buffer, where that is read
     const CameraFrame& frame;      ///< the view's frame
     const Truth* truth = nullptr;  ///< null where no truth is read
+    const Scene* scene = nullptr;  ///< where it is read
+    std::string view = {};         ///< the view's id
+};
+
+/// The cost that another program reports of itself. It never stands beside times that were measured here.
+struct ReportedCost {
+    double ms = 0;
+    std::string on;  ///< what it was measured on
+};
+
+/// A contestant's image, raw and filtered.
+struct ContestantImage : MethodOutput {
+    std::optional<ReportedCost> cost;
 };
 
 /// Anything that can be scored on a view: it gives an image of visibility, and may have a cost.
@@ -26,6 +39,7 @@ struct ContestantSources {
 ///   computed by a Processor (screen/passes/processors.h), the line sweep among them;
 /// - FewRays, the ray tracer with as few rays as a frame has time for (jobs/contest/few_rays.h);
 /// - FolderImage, an image that another program has left in a folder (jobs/contest/folder_image.h);
+/// - CommandImage, an image that another program makes when it is asked (jobs/contest/command_image.h);
 /// - TrueImage, the truth itself;
 /// - OneLayerBound, the most occlusion that any method could find which knows one depth layer.
 class Contestant {
@@ -48,7 +62,7 @@ class Contestant {
     virtual bool is_filtered() const { return false; }
 
     /// Its image, raw and filtered. Throws where there is none, or one that does not fit the view.
-    virtual MethodOutput image(const ContestantSources& sources) const = 0;
+    virtual ContestantImage image(const ContestantSources& sources) const = 0;
 };
 
 /// Makes the contestant of a request: a method, or few rays.
