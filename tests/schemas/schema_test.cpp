@@ -4,6 +4,7 @@
 #include "core/files.h"
 #include "core/folders.h"
 #include "core/strict_json.h"
+#include "jobs/contest/outside_method.h"
 #include "jobs/recorded/frame_camera.h"
 #include "plan/claims/claim.h"
 #include "plan/plan.h"
@@ -151,6 +152,14 @@ std::vector<Kind> kinds(const fs::path& folder) {
     all.push_back({"camera", folder / "camera.json", [](const json& content, const fs::path& to) {
                        write_json(to / "changed.json", content);
                        read_frame_camera(to / "changed.json", 16.0 / 9);
+                   }});
+    const fs::path outside = data / "contestants" / "threejs-gtao";
+    all.push_back({"contestant", outside / "contestant.json", [](const json& content, const fs::path& to) {
+                       const fs::path copies = to / "contestants";
+                       if (!fs::exists(copies))
+                           fs::copy(data_dir() / "contestants", copies, fs::copy_options::recursive);
+                       write_json(copies / "threejs-gtao" / "contestant.json", content);
+                       load_outside_method(copies / "threejs-gtao");
                    }});
     for (const char* experiment : {"hussain-table-3", "today", "vermeer-table-9-1"})
         all.push_back(

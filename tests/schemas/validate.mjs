@@ -21,6 +21,7 @@ const files = {
     views: below('scenes', /views\.json$/),
     claims: below('reports/claims', /\.json$/),
     tuning: below('reports/tunings', /\.json$/),
+    contestant: below('contestants', /contestant\.json$/),
     experiment: below('reports', /\.json$/, false),
     results: [path.join(folder, 'score/results.json')],
 };
