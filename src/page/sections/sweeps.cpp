@@ -176,7 +176,7 @@ json rows_model(const Rows& rows, const SweepRecord& sweep) {
     const bool has_layers =
         std::ranges::any_of(rows, [](const SweepRow* row) { return row->cell->layer_bytes.has_value(); });
     model["has_layers"] = has_layers;
-    model["columns"] = has_layers ? 9 : 8;  // beside method and setting
+    model["columns"] = has_layers ? "9" : "8";  // beside method and setting
     return model;
 }
 
