@@ -1,0 +1,150 @@
+// The contestants of contestants/: three.js and N8AO in Chromium, Cycles in Blender. Where their program is
+// not installed they are skipped, but for Chromium, which the tests' set-up brings.
+#include "core/files.h"
+#include "image/image_file.h"
+#include "results/results.h"
+#include "support/support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace aoscore {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::output_dir;
+using testing::run_aoscore;
+
+constexpr const char* kView = "atrium --view wide --size 96x54";
+
+std::vector<std::string> shipped() {
+    std::vector<std::string> ids;
+    for (const auto& entry : fs::directory_iterator(testing::source_dir() / "contestants")) {
+        if (fs::exists(entry.path() / "contestant.json")) ids.push_back(entry.path().filename().string());
+    }
+    std::ranges::sort(ids);
+    return ids;
+}
+
+nlohmann::json description_of(const std::string& id) {
+    return nlohmann::json::parse(read_file(testing::source_dir() / "contestants" / id / "contestant.json"));
+}
+
+bool installed(const std::string& program) {
+    return testing::run_shell("command -v " + program).status == 0;
+}
+
+bool in_ci() {
+    const char* ci = std::getenv("CI");
+    return ci != nullptr && std::string(ci) == "true";
+}
+
+const CellRecord& row_of(const Results& results, const std::string& method, const std::string& preset) {
+    return *std::ranges::find_if(results.cells, [&](const CellRecord& cell) {
+        return cell.method == method && cell.preset == preset;
+    });
+}
+
+class ShippedContestant : public ::testing::TestWithParam<std::string> {
+  protected:
+    void SetUp() override {
+        const std::string program = description_of(GetParam()).at("command").at("words").at(0);
+        const std::string needed = program == "node" ? "chromium" : program;
+        if (installed(needed)) return;
+        if (needed == "chromium" && in_ci()) FAIL() << needed << " is not installed";
+        GTEST_SKIP() << needed << " is not installed";
+    }
+
+    const fs::path folder = output_dir();
+};
+
+// Its own depth, through the same importer and camera, is the G-buffer's.
+TEST_P(ShippedContestant, SeesTheSurfacesThatTheViewShows) {
+    nlohmann::json description = description_of(GetParam());
+    nlohmann::json& command = description.at("command");
+    nlohmann::json parameters = command.at("presets").at("default");
+    const bool blender = command.at("words").at(0) == "blender";
+    parameters["picture"] = "depth";
+    if (blender) {
+        description["channel"] = "ViewLayer.Depth.Z";
+        parameters["samples"] = 1;
+    }
+    command["presets"] = {{"default", parameters}};
+    command["version"] = "depth";
+    fs::create_directories(folder / "contestants");
+    fs::copy(testing::source_dir() / "contestants", folder / "contestants", fs::copy_options::recursive);
+    write_atomically(folder / "contestants" / GetParam() / "contestant.json", description.dump());
+    const auto drawn = run_aoscore("gbuffer " + std::string(kView) + " --out gbuffer.exr", folder);
+    ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+    // Depths are no visibility, but an image like any other; an infinite one would fail the row.
+    const auto run = run_aoscore("score " + std::string(kView) +
+                                     " --samples 2 --methods alchemy --contestant contestants/" + GetParam() +
+                                     " --out page",
+                                 folder);
+    const Results results = read_results(folder / "page");
+    const CellRecord& row = row_of(results, GetParam(), "default");
+    ASSERT_FALSE(row.image_file.empty()) << row.error << "\n" << run.err;
+    const ImageFile file = read_image(folder / "page" / row.image_file),
+                    gbuffer = read_image(folder / "gbuffer.exr");
+    const ImageF &theirs = *file.channel("Y"), &ours = *gbuffer.channel("Z"),
+                 &mask = *gbuffer.channel("mask.Y");
+    const auto differing = [&](int dx, int dy) {
+        std::size_t count = 0;
+        for (int y = 1; y + 1 < ours.height; ++y) {
+            for (int x = 1; x + 1 < ours.width; ++x) {
+                const double here = ours.at(x, y), there = theirs.at(x + dx, y + dy);
+                const bool surface = mask.at(x, y) > 0.5F;
+                // Far away there is no surface for either.
+                count += surface ? !(std::abs(there / here - 1) < 5e-3) : there < results.views[0].far_m;
+            }
+        }
+        return count;
+    };
+    // Edges may fall to either side; a shift by a pixel, a flip or another angle of view loses far more.
+    const std::size_t unshifted = differing(0, 0);
+    EXPECT_LT(unshifted, 0.05 * static_cast<double>(ours.size()));
+    for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)})
+        EXPECT_GT(differing(dx, dy), 2 * unshifted) << dx << ", " << dy;
+}
+
+TEST_P(ShippedContestant, IsDarkWhereTheTruthIs) {
+    const auto run =
+        run_aoscore("score " + std::string(kView) + " --samples 32 --methods alchemy --contestant " +
+                        GetParam() + " --out page",
+                    folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Results results = read_results(folder / "page");
+    const ImageFile truth = read_image(folder / "page" / results.views[0].truth_file);
+    const ImageF &visibility = *truth.channel("V0.Y"), &mask = *truth.channel("mask.Y");
+    const nlohmann::json presets = description_of(GetParam()).at("command").at("presets");
+    for (const auto& [preset, values] : presets.items()) {
+        const CellRecord& row = row_of(results, GetParam(), preset);
+        ASSERT_EQ(row.error, "") << preset;
+        const ImageFile file = read_image(folder / "page" / row.image_file);
+        const ImageF& image = *file.channel("Y");
+        double dark = 0, darks = 0, bright = 0, brights = 0;
+        for (std::size_t i = 0; i < image.size(); ++i) {
+            if (mask.pixels[i] < 0.5F) continue;
+            const bool is_dark = visibility.pixels[i]<0.6F, is_bright = visibility.pixels[i]> 0.9F;
+            dark += is_dark ? double{image.pixels[i]} : 0;
+            darks += is_dark;
+            bright += is_bright ? double{image.pixels[i]} : 0;
+            brights += is_bright;
+        }
+        EXPECT_LT(dark / darks, bright / brights - 0.01) << preset;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Contestants, ShippedContestant, ::testing::ValuesIn(shipped()),
+                         [](const auto& parameter) {
+                             std::string name = parameter.param;
+                             std::ranges::replace(name, '-', '_');
+                             return name;
+                         });
+
+}  // namespace
+}  // namespace aoscore
