@@ -113,6 +113,7 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     cell.lighting = {{8}, 8.0, 0.0};
     cell.gbuffer = {{5}, 5.0, 0.0};
     cell.gbuffer_bytes = 4096;
+    cell.layer_bytes = 8192;
     cell.frame = frame_of(10, 8, 2, 0);
     cell.frame_at_once = {{19}, 19.0, 0.0};
     cell.frame_by_pass = {{21}, 21.0, 0.0};
@@ -125,8 +126,9 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     const CellRecord back = results_from_json(to_json(results), "results.json").cells.at(0);
     const auto& [id, view_key, method, method_label, role, preset, setting, filter, parameters, lengths,
                  error, ao, filter_pass, layers_processor, fixed_pass, lighting, gbuffer, gbuffer_bytes,
-                 frame_ms, frame, frame_at_once, frame_by_pass, fetches_per_pixel, nonfinite, ranked_truth,
-                 own_truth, ranked, own, raw, signals, analysis, repeats, light, image_file] = back;
+                 layer_bytes, frame_ms, frame, frame_at_once, frame_by_pass, fetches_per_pixel, nonfinite,
+                 ranked_truth, own_truth, ranked, own, raw, signals, analysis, repeats, light, image_file] =
+        back;
     EXPECT_EQ(std::tie(id, view_key, method, method_label, role, preset, setting, filter, parameters, error),
               std::tie(cell.id, cell.view_key, cell.method, cell.method_label, cell.role, cell.preset,
                        cell.setting, cell.filter, cell.parameters, cell.error));
@@ -152,6 +154,7 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     EXPECT_EQ(lighting.median_ms, 8.0);
     EXPECT_EQ(gbuffer.median_ms, 5.0);
     EXPECT_EQ(gbuffer_bytes, 4096.0);
+    EXPECT_EQ(layer_bytes, 8192.0);
     ASSERT_TRUE(frame);
     EXPECT_EQ(frame->frame_ms, 20.0);
     EXPECT_EQ(frame_at_once.median_ms, 19.0);
@@ -215,6 +218,9 @@ TEST(Results, ListOfMembersForgetsNone) {
     EXPECT_EQ(listed<MapSums>(), declared<MapSums>());
     EXPECT_EQ(listed<MeasureRecord>(), declared<MeasureRecord>());
     EXPECT_EQ(listed<BlockErrors>(), declared<BlockErrors>());
+    EXPECT_EQ(listed<BinBlocks>(), declared<BinBlocks>());
+    EXPECT_EQ(listed<AngleBlocks>(), declared<AngleBlocks>());
+    EXPECT_EQ(listed<TunedRowRecord>(), declared<TunedRowRecord>());
     EXPECT_EQ(listed<ErrorAnalysis>(), declared<ErrorAnalysis>());
     EXPECT_EQ(listed<TruthRecord>(), declared<TruthRecord>());
     EXPECT_EQ(listed<ViewRecord>(), declared<ViewRecord>());
