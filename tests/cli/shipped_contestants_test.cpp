@@ -133,10 +133,10 @@ double correlation(const ImageF& a, const ImageF& b, const ImageF& mask, bool mi
 // Estimators differ in strength, so that no error tells a right one from a wrong one; where they are dark
 // does.
 TEST_P(ShippedContestant, IsDarkWhereTheTruthIs) {
-    const auto run = run_aoscore("score " + std::string(kView) +
-                                     " --radius 1 --samples 64 --methods alchemy --contestant " + GetParam() +
-                                     " --out page",
-                                 folder);
+    const auto run =
+        run_aoscore("score pillar --view moved --size 160x90 --samples 64 --methods alchemy --contestant " +
+                        GetParam() + " --out page",
+                    folder);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const Results results = read_results(folder / "page");
     const ImageFile truth = read_image(folder / "page" / results.views[0].truth_file);

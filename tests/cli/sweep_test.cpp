@@ -115,7 +115,7 @@ TEST(Sweep, DoesNotMixScenesThatAreRankedAtDifferentRadii) {
     for (const SweepRowsOverViews& group : rows_over_views(sweep_rows(results, results.sweeps.at(0)))) {
         for (const ViewRecord* view : group.views) EXPECT_EQ(view->scene, group.views.front()->scene);
     }
-    EXPECT_THAT(read_file(folder / "out/index.html"), HasSubstr("are ranked at different radii"));
+    EXPECT_THAT(read_file(folder / "out/index.html"), HasSubstr("different radii or sizes"));
 }
 
 TEST(Claims, AreJudgedFromWhatWasMeasuredForThem) {

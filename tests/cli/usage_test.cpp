@@ -102,7 +102,7 @@ TEST(Usage, HelpIsThereInEveryWayThatItIsAskedFor) {
         EXPECT_THAT(run_aoscore(arguments, folder).out, HasSubstr("--mask-threshold")) << arguments;
     const ProgramRun list = run_aoscore("list", folder), nothing = run_aoscore("", folder);
     EXPECT_EQ(list.exit_code, 0);
-    EXPECT_THAT(list.out, HasSubstr("scenes, views, methods, metrics, experiments or devices"));
+    EXPECT_THAT(list.out, HasSubstr("scenes, views, methods, metrics, experiments, contestants"));
     // A script whose variable is empty must not succeed.
     EXPECT_EQ(nothing.exit_code, 64);
     EXPECT_THAT(nothing.err, HasSubstr("compare"));

@@ -23,6 +23,7 @@ class Plan : public ::testing::Test {
     void SetUp() override {
         home_ = testing::output_dir();
         std::filesystem::create_directories(home_ / "reports");
+        std::filesystem::create_directory_symlink(data_dir() / "shaders", home_ / "shaders");
         setenv("AOSCORE_DATA", home_.c_str(), 1);
     }
     void TearDown() override { unsetenv("AOSCORE_DATA"); }

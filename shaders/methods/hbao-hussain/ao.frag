@@ -48,5 +48,6 @@ float visibility(vec2 image_px, vec3 position) {
         float rise = tangent < kHalfPi ? max(sin_horizon - sin(tangent), 0.0) : 0.0;
         sum += 1.0 - p_darkness * clamp(attenuation * rise, 0.0, 1.0);
     }
-    return sum / float(p_directions);
+    float mean = sum / float(p_directions);
+    return mean < 0.0 ? 0.0 : mean;  // max() would make an open pixel of NaN
 }

@@ -15,12 +15,17 @@ const hbao = live.methods.find(({ id }) => id === 'hbao');
 const number = (name) => page.locator(`.live-method-parameters [aria-label^="${name}, exact"]`);
 const choose = (name, content) => page.locator('#live-file').setInputFiles(
   { name, mimeType: 'application/json', buffer: Buffer.from(typeof content === 'string' ? content : JSON.stringify(content)) });
+// A file is read some time after it is chosen.
+const taken = async (name, content) => {
+  await choose(name, content);
+  await page.waitForFunction((file) => document.querySelector('#live-preset').value.endsWith(`(${file})`), name);
+};
 const failure = page.locator('.live-file-failure');
 
 test('a chosen file brings its method, its values and its filter', async () => {
   await page.locator('#live-method').selectOption('alchemy');
   await shown(page);
-  await choose('hbao.tuned.json', { method: 'hbao', presets: { tuned: { bias: 0.1, steps: 7 } }, preset_filters: { tuned: 'gaussian-depth' }, tunings: {} });
+  await taken('hbao.tuned.json', { method: 'hbao', presets: { tuned: { bias: 0.1, steps: 7 } }, preset_filters: { tuned: 'gaussian-depth' }, tunings: {} });
   const { method, parameters, filter } = await shown(page);
   assert.equal(method, 'hbao');
   assert.equal(filter, 'gaussian-depth');
@@ -32,11 +37,11 @@ test('a chosen file brings its method, its values and its filter', async () => {
 test('its lengths follow the radius of the view as those of a preset of the method do', async () => {
   const alchemy = live.methods.find(({ id }) => id === 'alchemy');
   const { radius, sigma } = alchemy.presets.default;
-  await choose('alchemy.tuned.json', { method: 'alchemy', presets: { twice: { radius: 2 * radius, sigma: 2 * sigma } } });
+  await taken('alchemy.tuned.json', { method: 'alchemy', presets: { twice: { radius: 2 * radius, sigma: 2 * sigma } } });
   const { parameters } = await shown(page);
   assert.equal(parameters.radius, radius_m);
   assert.ok(Math.abs(parameters.sigma - sigma * radius_m / radius) < 1e-12, `${parameters.sigma}`);
-  await choose('absolute.json', { method: 'alchemy', presets: { metres: { radius: 0.7, sigma: 0.2 } }, absolute_presets: { metres: 'a source' } });
+  await taken('absolute.json', { method: 'alchemy', presets: { metres: { radius: 0.7, sigma: 0.2 } }, absolute_presets: { metres: 'a source' } });
   const absolute = (await shown(page)).parameters;
   assert.deepEqual([absolute.radius, absolute.sigma], [0.7, 0.2]);
 });
