@@ -136,7 +136,7 @@ void read_method(const fs::path& of, const json& content, const fs::path& folder
 std::vector<Kind> kinds(const fs::path& folder) {
     const fs::path data = data_dir();
     std::vector<Kind> all;
-    for (const char* method : {"sd-hbao", "gtao", "n8ao", "multi-view-hbao"}) {
+    for (const char* method : {"sd-hbao", "gtao", "n8ao", "multi-view-hbao", "xegtao"}) {
         const fs::path of = data / "shaders" / "methods" / method;
         all.push_back({"method", of / "method.json",
                        [of](const json& content, const fs::path& to) { read_method(of, content, to); }});
@@ -174,7 +174,7 @@ std::vector<Kind> kinds(const fs::path& folder) {
     for (const char* experiment : {"hussain-table-3", "today", "vermeer-table-9-1"})
         all.push_back(
             {"experiment", data / "reports" / (std::string(experiment) + ".json"), read_experiment});
-    for (const char* claims : {"hussain", "field"})
+    for (const char* claims : {"hussain", "field", "gravas"})
         all.push_back({"claims", data / "reports/claims" / (std::string(claims) + ".json"),
                        [](const json& content, const fs::path& to) {
                            write_json(to / "claims" / "c.json", content);
