@@ -129,7 +129,8 @@ CommandEntry add_tune_command(CLI::App& program, const GlobalOptions& global) {
                     "Parameters to tune [real numbers that affect visibility; with a budget integers too]")
         ->delimiter(',')
         ->allow_extra_args(false);
-    app->add_option("--metric", options->plan.metric, "The metric that decides")
+    app->add_option("--metric", options->plan.metric,
+                    "The metric that decides; one without a best value is refused")
         ->capture_default_str()
         ->check(one_of(ids_of(metrics())));
     app->add_option("--max-fetches", options->most_fetches,

@@ -28,9 +28,9 @@ std::filesystem::path results_dir();
 /// ~/.local/share/aoscore/scenes, then those of the program. Both folders may be missing.
 std::vector<std::filesystem::path> scene_folders();
 
-/// Where methods of other programs lie, a folder each: first the user's, $XDG_DATA_HOME/aoscore/contestants
-/// or
-/// ~/.local/share/aoscore/contestants, then the program's. Both folders may be missing.
+/// Where methods of other programs lie, a folder each: first those of the user,
+/// $XDG_DATA_HOME/aoscore/contestants or ~/.local/share/aoscore/contestants, then those of the program. Both
+/// folders may be missing.
 std::vector<std::filesystem::path> contestant_folders();
 
 }  // namespace aoscore
