@@ -3,10 +3,12 @@
 #include "core/sampling.h"
 #include "reference/test_scenes.h"
 #include "reference/truth.h"
+#include "scene/scene.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -128,6 +130,38 @@ INSTANTIATE_TEST_SUITE_P(Projections, LeftOut,
                              return tested.param == Camera::Projection::perspective ? "perspective"
                                                                                     : "orthographic";
                          });
+
+class EveryView : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(EveryView, HasTheSameBitsWithoutWhatIsOutOfItsReach) {
+    const Scene scene = load_scene(GetParam());
+    const ReferenceScene whole(scene);
+    TruthSettings settings;
+    settings.samples = 32;
+    settings.extras = {true, true, true};
+    for (const View& view : scene.views) {
+        const CameraFrame frame(view.camera, 80, 45);
+        const double radius_m = view.radius_m.value_or(0.5);
+        for (const double times : {0.2, 1.0, 4.0}) {
+            const std::vector<TruthQuery> queries = {{Falloff::binary, times * radius_m, 0}};
+            const std::vector<char> within = Reach(scene).instances(frame, times * radius_m);
+            if (std::ranges::count(within, 0) == 0) continue;
+            const Truth part =
+                ReferenceScene::built_when_needed(scene).trace(frame, queries, settings, "part");
+            expect_same_bits(whole.trace(frame, queries, settings, "whole"), part,
+                             view.id + ", radius " + std::to_string(times * radius_m));
+        }
+    }
+}
+
+std::vector<std::string> ids_of_builtin_scenes() {
+    std::vector<std::string> ids;
+    for (const BuiltinScene& scene : builtin_scenes()) ids.emplace_back(scene.id);
+    return ids;
+}
+
+INSTANTIATE_TEST_SUITE_P(BuiltInScenes, EveryView, ::testing::ValuesIn(ids_of_builtin_scenes()),
+                         [](const auto& tested) { return tested.param; });
 
 /// A floor that ends below the lower edge of the picture, where it is cut at z = 0, and boxes of 0.2 m that
 /// stand behind it in steps of 0.5 m, towards and beyond the camera.

@@ -54,13 +54,17 @@ class RayTracer : public Occluders {
     virtual std::size_t peak_bytes() const = 0;
 
     /// Finds the first hit of the ray (scene space, unnormalised: t is view depth) with t in [near, far].
+    /// Where float32 cannot tell which of several surfaces comes first, as where they meet, it is the one
+    /// that double precision finds nearest: the same one however the scene is laid out in trees.
     virtual bool first_hit(const CameraFrame::Ray& ray, double near, double far, SurfaceHit& hit) const = 0;
 
     virtual bool occluded(const TraceRay& ray) const = 0;
     /// Finds the ray's first hit; false where it meets nothing.
     virtual bool nearest(const TraceRay& ray, TraceHit& hit) const = 0;
 
-    /// Finds the first hits of the first `lanes` rays: one bit for each that meets something.
+    /// Finds the first hits of the first `lanes` rays: one bit for each that meets something. Their distances
+    /// do not depend on how the scene is laid out in trees; which triangle a ray names of two at the very
+    /// same float32 distance may.
     virtual std::uint32_t nearest(const RayPacket& packet, std::size_t lanes, HitPacket& hits) const = 0;
     /// The unit normal, trace space, of a lane that met something; 0 of a degenerate triangle. Not made for
     /// every lane, because most truths need none.

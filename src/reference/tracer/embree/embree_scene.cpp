@@ -6,25 +6,15 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 
 namespace aoscore {
 namespace {
 
-/// Rounding units (2^-24 of the largest coordinate) by which a ray's start is lifted off its surface, and how
-/// much more where an instance's transform is applied to the ray in float32. Eight times what tilted planes
-/// of any orientation needed in experiments.
-constexpr double kOffsetUnits = 32;
-constexpr double kInstanceOffsetFactor = 4;
 /// How much farther than asked for triangles are searched, of the scene's diagonal: boxes in trees are
 /// float32, and where triangles are split between them rounded.
 constexpr double kSearchMarginPart = 1e-6;
-
-double largest(const glm::dvec3& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
 
 glm::dvec3 transformed(const glm::dmat4& m, const glm::dvec3& p) {
     return glm::dvec3(m * glm::dvec4(p, 1));
@@ -285,63 +275,6 @@ bool EmbreeScene::triangles_near(const glm::dvec3& centre, double radius_m, std:
     };
     rtcPointQuery(scene_.get(), &query, &context, visit, &search);
     return search.complete;
-}
-
-bool EmbreeScene::first_hit(const CameraFrame::Ray& ray, double near, double far, SurfaceHit& hit) const {
-    const glm::dvec3 origin = ray.origin - centre_;
-    const glm::vec3 o(origin), d(ray.direction);
-    RTCRayHit query{};
-    query.ray = {o.x, o.y, o.z, static_cast<float>(near), d.x, d.y, d.z, 0, static_cast<float>(far),
-                 ~0u, 0,   0};
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(scene_.get(), &context, &query);
-    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
-
-    const unsigned id =
-        query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID ? query.hit.instID[0] : query.hit.geomID;
-    const Placement& placement = placements_[id];
-    const TraceGeometry& geometry = *placement.geometry;
-    const glm::uvec3 corner = geometry.triangles[query.hit.primID];
-    const auto [a, b, c] = triangle(placement, query.hit.primID).corners;
-    const double u = query.hit.u, v = query.hit.v;
-
-    hit.normal = triangle_normal(a, b, c);
-    if (hit.normal == glm::dvec3(0)) hit.normal = -glm::normalize(ray.direction);
-    const double facing = glm::dot(hit.normal, ray.direction);
-    if (facing > 0) hit.normal = -hit.normal;
-    hit.front = (facing > 0) == placement.mirrors;
-
-    // The plane of the triangle in double precision puts the point exactly under the pixel; at grazing
-    // angles, where that is ill-conditioned, the barycentric point stays inside the triangle.
-    const double t = glm::dot(hit.normal, a - origin) / glm::dot(hit.normal, ray.direction);
-    if (std::abs(t - query.ray.tfar) <= 1e-4 * query.ray.tfar) {
-        hit.position = origin + t * ray.direction;
-        hit.depth = t;
-    } else {
-        hit.position = (1 - u - v) * a + u * b + v * c;
-        hit.depth = query.ray.tfar;
-    }
-    const double extent =
-        std::max({largest(a - hit.position), largest(b - hit.position), largest(c - hit.position)});
-    hit.offset_m = kOffsetUnits * 0x1p-24 * (largest(hit.position) + extent);
-    if (placement.is_instance) hit.offset_m *= kInstanceOffsetFactor;
-
-    hit.shading_normal = hit.normal;
-    if (!geometry.normals.empty()) {
-        const glm::dvec3 smooth = (1 - u - v) * glm::dvec3(geometry.normals[corner.x]) +
-                                  u * glm::dvec3(geometry.normals[corner.y]) +
-                                  v * glm::dvec3(geometry.normals[corner.z]);
-        glm::dvec3 turned = cofactors(glm::dmat3(placement.trace_from_geometry)) * smooth;
-        const double length = glm::length(turned);
-        if (length > 0) {
-            turned /= length;
-            hit.shading_normal = glm::dot(turned, hit.normal) < 0 ? -turned : turned;
-        }
-    }
-    return true;
 }
 
 }  // namespace aoscore

@@ -2,6 +2,7 @@
 
 #include "reference/tracer/embree/embree_handles.h"
 #include "reference/tracer/embree/embree_packets.h"
+#include "reference/tracer/embree/first_triangles.h"
 #include "reference/tracer/embree/large_triangles.h"
 #include "reference/tracer/ray_tracer.h"
 #include "scene/scene.h"
@@ -67,6 +68,9 @@ class EmbreeScene final : public RayTracer {
         bool mirrors = false;    ///< that instance turns the winding round (glTF 2.0, "Instantiation")
     };
     TraceTriangle triangle(const Placement& placement, unsigned index) const;
+    /// The one that a ray (trace space) meets first, by double precision; there must be one.
+    MetTriangle nearest_of(const std::vector<MetTriangle>& tied, const glm::dvec3& origin,
+                           const glm::dvec3& direction) const;
     /// Those that are solid, in trace space and no instance's: they can be asked for by themselves.
     std::vector<TraceTriangle> largest_triangles(std::size_t count) const;
     struct Memory {
