@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ranges>
+#include <set>
 
 namespace aoscore::testing {
 namespace {
@@ -24,7 +25,7 @@ DepthLayers layers_of(const std::string& sampling, int samples, double alpha, st
 std::vector<std::string> random_samplings() {
     std::vector<std::string> ids;
     for (const DepthSampling& sampling : depth_samplings()) {
-        if (sampling.id != "peeled" && is_rasterised(sampling.id)) ids.emplace_back(sampling.id);
+        if (sampling.tosses_coins) ids.emplace_back(sampling.id);
     }
     return ids;
 }
@@ -70,6 +71,7 @@ class Walls : public ::testing::Test {
     }
 
     ScreenRenderer renderer_;
+    std::vector<ImageF> peeled_;
 
   private:
     Held held_at(const std::vector<ImageF>& samples, int x, int y) const {
@@ -86,8 +88,6 @@ class Walls : public ::testing::Test {
         }
         return held;
     }
-
-    std::vector<ImageF> peeled_;
 };
 
 double choose(int n, int k) {
@@ -261,9 +261,34 @@ TEST(DepthLayers, AreTheFirstLayerBitForBitWhereEverySurfaceIsKept) {
                 const std::vector<ImageF> layers = renderer.read_depth_layers();
                 ASSERT_EQ(layers.size(), static_cast<std::size_t>(samples));
                 EXPECT_EQ(layers.front().pixels, first.pixels) << stage.name << " " << sampling.id;
-                if (sampling.id == "peeled") continue;
+                if (!sampling.tosses_coins) continue;
                 for (const ImageF& layer : layers)
                     ASSERT_EQ(layer.pixels, first.pixels) << stage.name << " " << sampling.id << samples;
+            }
+        }
+    }
+}
+
+// Some walls move: the nearest of these, and the nearest of the others, wherever they stand.
+TEST_F(Walls, ThatStandStillAndThatMoveHaveALayerEach) {
+    constexpr float kFar = 100;
+    for (const std::set<std::size_t>& moving : std::vector<std::set<std::size_t>>{
+             {}, {0}, {1, 3}, {0, 1, 4}, {4}, {0, 1, 2, 3, 4}}) {
+        Scene scene = walls();
+        for (const std::size_t wall : moving) scene.instances[wall].is_dynamic = true;
+        renderer_.set_scene(scene);
+        renderer_.draw_gbuffer(CameraFrame(front_camera(), kSide, kSide), {});
+        renderer_.draw_depth_layers({.samples = 2, .sampling = "static_and_dynamic"});
+        const std::vector<ImageF> layers = renderer_.read_depth_layers();
+        ASSERT_EQ(layers.size(), 2U);
+        for (const bool moves : {false, true}) {
+            std::size_t nearest = 0;
+            while (nearest < kWalls && moving.contains(nearest) != moves) ++nearest;
+            const ImageF& layer = layers[moves ? 1 : 0];
+            if (nearest < kWalls) {
+                EXPECT_EQ(layer.pixels, peeled_[nearest].pixels) << moves << " " << nearest;
+            } else {
+                EXPECT_TRUE(std::ranges::all_of(layer.pixels, [](float z) { return z == kFar; })) << moves;
             }
         }
     }

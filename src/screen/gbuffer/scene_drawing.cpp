@@ -56,6 +56,7 @@ void draw_mesh(const MeshPlace& place, const ShaderProgram& p) {
                          glm::value_ptr(normal_matrix(view_from_mesh)));
     gl::Uniform1i(p.location("u_first_triangle"), range.first_triangle);
     gl::Uniform1i(p.location("u_instance"), place.draw.instance);
+    gl::Uniform1i(p.location("u_is_dynamic"), place.draw.is_dynamic ? 1 : 0);
     gl::Uniform1f(p.location("u_alpha_cutoff"), material.alpha_cutoff);
     gl::Uniform4fv(p.location("u_base_color_factor"), 1, glm::value_ptr(material.base_color));
     const bool textured = material.texture >= 0 && geometry.texture(material.texture) != 0;

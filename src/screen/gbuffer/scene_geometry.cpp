@@ -126,7 +126,8 @@ SceneGeometry::SceneGeometry(const Scene& scene) : materials_(scene.materials) {
     }
 
     for (const Instance& instance : scene.instances)
-        draws_.push_back({instance.mesh, static_cast<int>(draws_.size()), instance.scene_from_mesh});
+        draws_.push_back({instance.mesh, static_cast<int>(draws_.size()), instance.scene_from_mesh,
+                          instance.is_dynamic});
     std::stable_partition(draws_.begin(), draws_.end(), [&](const Draw& draw) {
         const int material = ranges_[static_cast<std::size_t>(draw.range)].material;
         return !materials_[static_cast<std::size_t>(material)].is_cutout();

@@ -23,6 +23,7 @@ class SceneGeometry {
         int range = 0;
         int instance = 0;  ///< index into the scene's instances
         glm::dmat4 scene_from_mesh{1.0};
+        bool is_dynamic = false;  ///< as the instance
     };
     const std::vector<Range>& ranges() const { return ranges_; }
     /// All instances, those of solid materials first, since cut-outs need another program.
