@@ -81,12 +81,12 @@ TEST(GltfMovement, IsThatOfASkinWithAJointThatMoves) {
     GltfFile file;
     file.add_box({0, 0, 0}, {1, 1, 1});
     json& attributes = file.document["meshes"][0]["primitives"][0]["attributes"];
-    const std::size_t vertices = file.document["accessors"][attributes["POSITION"]]["count"];
+    const std::size_t vertices = file.document["accessors"][attributes["POSITION"].get<std::size_t>()]["count"];
     attributes["JOINTS_0"] = file.add_accessor(std::vector<std::uint8_t>(4 * vertices, 0), "VEC4", 4);
     std::vector<float> weights(4 * vertices, 0.0F);
     for (std::size_t i = 0; i < vertices; ++i) weights[4 * i] = 1;
     attributes["WEIGHTS_0"] = file.add_accessor(weights, "VEC4", 4);
-    file.document["skins"] = {{{"joints", {1}}}};
+    file.document["skins"] = json::array({json{{"joints", json::array({1})}}});
     file.add_node({{"mesh", 0}, {"skin", 0}});
     file.add_node({{"translation", {0, 2, 0}}});
     EXPECT_EQ(moving(file.load(output_dir())), std::vector<bool>{false});
