@@ -12,31 +12,10 @@ vec3 side_point(int camera, vec3 view_point) { return (u_side_from_view[camera] 
 vec3 side_direction(int camera, vec3 direction) { return mat3(u_side_from_view[camera]) * direction; }
 
 // The rest is in the space of a side camera, whichever it is, since all have one size and projection.
-float side_pixels_per_metre(float depth) {
-#if ORTHOGRAPHIC
-    return 1.0 / u_side_pixel_size.y;
-#else
-    return 1.0 / (u_side_pixel_size.y * depth);
-#endif
-}
-
-vec3 side_position(vec2 side_px, float depth) {
-    vec2 offset = (side_px - 0.5 * u_side_size_px) * vec2(u_side_pixel_size.x, -u_side_pixel_size.y);
-#if ORTHOGRAPHIC
-    return vec3(offset, -depth);
-#else
-    return vec3(offset * depth, -depth);
-#endif
-}
-
-vec2 side_image_of(vec3 point) {
-#if ORTHOGRAPHIC
-    vec2 offset = point.xy;
-#else
-    vec2 offset = point.xy / -point.z;
-#endif
-    return 0.5 * u_side_size_px + offset / vec2(u_side_pixel_size.x, -u_side_pixel_size.y);
-}
+CameraPicture side_picture() { return CameraPicture(u_side_size_px, u_side_pixel_size); }
+float side_pixels_per_metre(float depth) { return 1.0 / footprint_in(side_picture(), depth); }
+vec3 side_position(vec2 side_px, float depth) { return position_in(side_picture(), side_px, depth); }
+vec2 side_image_of(vec3 point) { return image_in(side_picture(), point); }
 
 // Whether the camera's picture holds the point's place: it lies behind the near plane and within the edges.
 bool is_in_side_picture(vec3 point) {

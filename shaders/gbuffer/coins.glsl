@@ -37,6 +37,17 @@ bvec4[kOutputs] accepted_samples() {
     return accepted;
 }
 
+#elif defined(SAMPLING_STATIC_AND_DYNAMIC)
+// The first sample takes what stands still, the second what moves.
+uniform int u_is_dynamic;
+
+bvec4[kOutputs] accepted_samples() {
+    bvec4 accepted[kOutputs];
+    for (int i = 0; i < kOutputs; ++i) accepted[i] = bvec4(false);
+    accepted[0].xy = bvec2(u_is_dynamic == 0, u_is_dynamic != 0);
+    return accepted;
+}
+
 #elif defined(SAMPLING_STRATIFIED)
 // R = floor(alpha S + xi) of the S samples, every such subset equally likely: drawn once a fragment. As printed, inside the
 // loop over samples, each would have a subset of its own, and the method would be the plain coins. By selection in order

@@ -49,7 +49,7 @@ void add_cost(ScreenRenderer& renderer, const DepthLayers& layers, RatioTable& t
 void add_costs(ScreenRenderer& renderer, const View& view, RatioTable& table) {
     renderer.draw_gbuffer(CameraFrame(view.camera, kTimedWidth, kTimedHeight), {});
     for (const DepthSampling& sampling : depth_samplings()) {
-        if (sampling.id == "peeled" || !is_rasterised(sampling.id)) continue;
+        if (!sampling.tosses_coins) continue;
         for (const int samples : kSampleCounts) {
             DepthLayers layers;
             layers.samples = samples;

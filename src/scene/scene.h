@@ -50,6 +50,7 @@ struct Instance {
     int mesh = 0;
     /// The transform is affine; in double precision, so that a scene far from its origin keeps its details.
     glm::dmat4 scene_from_mesh{1.0};
+    bool is_dynamic = false;  ///< it moves, as its file or generator says; here it is drawn at rest
 };
 
 struct Bounds {

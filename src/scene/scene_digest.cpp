@@ -39,6 +39,7 @@ std::string scene_digest(const Scene& scene) {
     for (const Instance& instance : scene.instances) {
         digest.value(instance.mesh);
         digest.value(instance.scene_from_mesh);
+        if (instance.is_dynamic) digest.text("dynamic");
     }
     return digest.hex();
 }

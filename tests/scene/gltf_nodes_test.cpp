@@ -40,6 +40,73 @@ TEST(GltfVisibility, ASceneOfWhichAllIsHiddenIsRefused) {
     EXPECT_NE(file.refusal(output_dir()).find("no usable geometry"), std::string::npos);
 }
 
+json target(int node) {
+    return {{"channels", {{{"sampler", 0}, {"target", {{"node", node}, {"path", "translation"}}}}}}};
+}
+
+std::vector<bool> moving(const Scene& scene) {
+    std::vector<bool> moves;
+    for (const aoscore::Instance& instance : scene.instances) moves.push_back(instance.is_dynamic);
+    return moves;
+}
+
+TEST(GltfMovement, IsThatOfNodesThatAnAnimationTargetsAndOfAllBelowThem) {
+    GltfFile file;
+    file.add_box({0, 0, 0}, {1, 1, 1});
+    file.add_node({{"mesh", 0}});
+    file.add_node({{"mesh", 0}, {"translation", {5, 0, 0}}, {"children", {2}}});
+    file.document["nodes"].push_back({{"mesh", 0}, {"translation", {0, 3, 0}}});
+    EXPECT_EQ(moving(file.load(output_dir())), (std::vector<bool>{false, false, false}));
+    const std::string still = file.load(output_dir()).digest;
+    file.document["animations"] = {target(1)};
+    const Scene scene = file.load(output_dir());
+    EXPECT_EQ(moving(scene), (std::vector<bool>{false, true, true}));
+    EXPECT_NE(scene.digest, still) << "what is drawn by it would be taken from the cache";
+    EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST(GltfMovement, IsWhatTheExtrasOfANodeSay) {
+    GltfFile file;
+    file.add_box({0, 0, 0}, {1, 1, 1});
+    file.add_node({{"mesh", 0}, {"extras", {{"dynamic", true}}}});
+    file.add_node({{"mesh", 0}, {"translation", {5, 0, 0}}, {"children", {2}}});
+    file.document["nodes"].push_back(
+        {{"mesh", 0}, {"translation", {0, 3, 0}}, {"extras", {{"dynamic", false}}}});
+    file.add_node({{"mesh", 0}, {"translation", {9, 0, 0}}, {"extras", {{"dynamic", "perhaps"}}}});
+    file.document["animations"] = {target(1)};
+    EXPECT_EQ(moving(file.load(output_dir())), (std::vector<bool>{true, true, false, false}));
+}
+
+TEST(GltfMovement, IsThatOfASkinWithAJointThatMoves) {
+    GltfFile file;
+    file.add_box({0, 0, 0}, {1, 1, 1});
+    json& attributes = file.document["meshes"][0]["primitives"][0]["attributes"];
+    const std::size_t vertices = file.document["accessors"][attributes["POSITION"].get<std::size_t>()]["count"];
+    attributes["JOINTS_0"] = file.add_accessor(std::vector<std::uint8_t>(4 * vertices, 0), "VEC4", 4);
+    std::vector<float> weights(4 * vertices, 0.0F);
+    for (std::size_t i = 0; i < vertices; ++i) weights[4 * i] = 1;
+    attributes["WEIGHTS_0"] = file.add_accessor(weights, "VEC4", 4);
+    file.document["skins"] = json::array({json{{"joints", json::array({1})}}});
+    file.add_node({{"mesh", 0}, {"skin", 0}});
+    file.add_node({{"translation", {0, 2, 0}}});
+    EXPECT_EQ(moving(file.load(output_dir())), std::vector<bool>{false});
+    file.document["animations"] = {target(1)};
+    EXPECT_EQ(moving(file.load(output_dir())), std::vector<bool>{true});
+}
+
+// Nothing of an animation is drawn: one that makes no sense is no reason to refuse a file.
+TEST(GltfMovement, IsNotRefusedForWhatAnAnimationHolds) {
+    GltfFile file;
+    file.add_box({0, 0, 0}, {1, 1, 1});
+    file.add_node({{"mesh", 0}});
+    for (const char* broken :
+         {R"([{}])", R"([{"channels": 3}])", R"([{"channels": [7, {"target": []}, {"target": {"node": 99}}]}])",
+          R"([{"channels": [{"target": {"node": "0"}}, {"target": {"node": -1}}, {"target": null}]}])"}) {
+        file.document["animations"] = json::parse(broken);
+        EXPECT_EQ(moving(file.load(output_dir())), std::vector<bool>{false}) << broken;
+    }
+}
+
 /// A box at a node moved by (10, 0, 0) and doubled, with these instances.
 GltfFile instanced(const std::vector<float>& translations, const std::vector<float>& rotations,
                    const std::vector<float>& scales) {

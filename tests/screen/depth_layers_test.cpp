@@ -2,6 +2,7 @@
 // change a bit.
 #include "hand_made.h"
 #include "screen/gbuffer/depth_layer_buffer.h"
+#include "screen/gbuffer/draw_parts.h"
 #include "screen/gl/context.h"
 #include "screen/method/layer_bytes.h"
 #include "support/support.h"
@@ -9,8 +10,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <ranges>
+#include <set>
 
 namespace aoscore::testing {
 namespace {
@@ -24,7 +28,7 @@ DepthLayers layers_of(const std::string& sampling, int samples, double alpha, st
 std::vector<std::string> random_samplings() {
     std::vector<std::string> ids;
     for (const DepthSampling& sampling : depth_samplings()) {
-        if (sampling.id != "peeled" && is_rasterised(sampling.id)) ids.emplace_back(sampling.id);
+        if (sampling.tosses_coins) ids.emplace_back(sampling.id);
     }
     return ids;
 }
@@ -70,6 +74,7 @@ class Walls : public ::testing::Test {
     }
 
     ScreenRenderer renderer_;
+    std::vector<ImageF> peeled_;
 
   private:
     Held held_at(const std::vector<ImageF>& samples, int x, int y) const {
@@ -86,8 +91,6 @@ class Walls : public ::testing::Test {
         }
         return held;
     }
-
-    std::vector<ImageF> peeled_;
 };
 
 double choose(int n, int k) {
@@ -261,9 +264,34 @@ TEST(DepthLayers, AreTheFirstLayerBitForBitWhereEverySurfaceIsKept) {
                 const std::vector<ImageF> layers = renderer.read_depth_layers();
                 ASSERT_EQ(layers.size(), static_cast<std::size_t>(samples));
                 EXPECT_EQ(layers.front().pixels, first.pixels) << stage.name << " " << sampling.id;
-                if (sampling.id == "peeled") continue;
+                if (!sampling.tosses_coins) continue;
                 for (const ImageF& layer : layers)
                     ASSERT_EQ(layer.pixels, first.pixels) << stage.name << " " << sampling.id << samples;
+            }
+        }
+    }
+}
+
+// Some walls move: the nearest of these, and the nearest of the others, wherever they stand.
+TEST_F(Walls, ThatStandStillAndThatMoveHaveALayerEach) {
+    constexpr float kFar = 100;
+    for (const std::set<std::size_t>& moving : std::vector<std::set<std::size_t>>{
+             {}, {0}, {1, 3}, {0, 1, 4}, {4}, {0, 1, 2, 3, 4}}) {
+        Scene scene = walls();
+        for (const std::size_t wall : moving) scene.instances[wall].is_dynamic = true;
+        renderer_.set_scene(scene);
+        renderer_.draw_gbuffer(CameraFrame(front_camera(), kSide, kSide), {});
+        renderer_.draw_depth_layers({.samples = 2, .sampling = "static_and_dynamic"});
+        const std::vector<ImageF> layers = renderer_.read_depth_layers();
+        ASSERT_EQ(layers.size(), 2U);
+        for (const bool moves : {false, true}) {
+            std::size_t nearest = 0;
+            while (nearest < kWalls && moving.contains(nearest) != moves) ++nearest;
+            const ImageF& layer = layers[moves ? 1 : 0];
+            if (nearest < kWalls) {
+                EXPECT_EQ(layer.pixels, peeled_[nearest].pixels) << moves << " " << nearest;
+            } else {
+                EXPECT_TRUE(std::ranges::all_of(layer.pixels, [](float z) { return z == kFar; })) << moves;
             }
         }
     }
@@ -421,6 +449,44 @@ TEST(LayerBytes, AreFourASampleInWholeTexelsAndAPictureForEachCamera) {
     EXPECT_EQ(bytes("hbao", {}), std::nullopt);
 }
 
+TEST(DrawParts, HoldEveryTriangleOnceFromTheNearest) {
+    const std::unique_ptr<GlContext> context = new_gl_context();
+    constexpr std::array kShares = {0.1, 0.3, 0.6};
+    for (const Stage& stage : stages()) {
+        const SceneGeometry geometry(stage.scene);
+        const std::vector<SceneGeometry::Draw> sorted = from_the_nearest(geometry, stage.frame);
+        double before = -1e9;
+        for (const SceneGeometry::Draw& draw : sorted) {
+            const glm::dvec3 centre = geometry.ranges()[static_cast<std::size_t>(draw.range)].centre;
+            const double depth =
+                -(stage.frame.view_from_world() * (draw.scene_from_mesh * glm::dvec4(centre, 1))).z;
+            EXPECT_GE(depth, before) << stage.name;
+            before = depth;
+        }
+        const auto parts = parts_of(geometry, sorted, kShares);
+        ASSERT_EQ(parts.size(), kShares.size()) << stage.name;
+        std::map<int, std::vector<int>> drawn;  // how often each triangle is, by instance
+        std::size_t all = 0;
+        for (const Instance& instance : stage.scene.instances) {
+            const Mesh& mesh = stage.scene.meshes[static_cast<std::size_t>(instance.mesh)];
+            drawn[static_cast<int>(drawn.size())].resize(mesh.triangles.size());
+            all += mesh.triangles.size();
+        }
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            std::size_t count = 0;
+            for (const SceneGeometry::Draw& draw : parts[i]) {
+                for (int t = 0; t < draw.triangles; ++t)
+                    ++drawn.at(draw.instance).at(static_cast<std::size_t>(draw.first_triangle + t));
+                count += static_cast<std::size_t>(draw.triangles);
+            }
+            EXPECT_NEAR(static_cast<double>(count), kShares.at(i) * static_cast<double>(all), 2)
+                << stage.name << " " << i;
+        }
+        for (const auto& [instance, counts] : drawn)
+            EXPECT_TRUE(std::ranges::all_of(counts, [](int n) { return n == 1; })) << stage.name;
+    }
+}
+
 TEST(DepthLayers, DoNotDependOnTheOrderOfDrawing) {
     for (const Stage& stage : stages()) {
         const std::unique_ptr<GlContext> context = new_gl_context();
@@ -435,8 +501,12 @@ TEST(DepthLayers, DoNotDependOnTheOrderOfDrawing) {
             const std::vector<ImageF> forward = buffer.read();
             buffer.draw(geometry, {layers, {stage.frame}}, reversed);
             const std::vector<ImageF> backward = buffer.read();
-            for (std::size_t i = 0; i < forward.size(); ++i)
+            buffer.draw(geometry, {layers, {stage.frame}});
+            const std::vector<ImageF> from_the_nearest = buffer.read();
+            for (std::size_t i = 0; i < forward.size(); ++i) {
                 EXPECT_EQ(forward[i].pixels, backward[i].pixels) << stage.name << " " << sampling;
+                EXPECT_EQ(forward[i].pixels, from_the_nearest[i].pixels) << stage.name << " " << sampling;
+            }
         }
     }
 }

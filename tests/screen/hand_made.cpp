@@ -1,5 +1,7 @@
 #include "hand_made.h"
 
+#include "screen/method/depth_layers.h"
+
 #include <png.h>
 
 #include <algorithm>
@@ -127,6 +129,14 @@ MethodRequest request_for(const MethodDescriptor& method, const std::vector<Meth
         request.filter_parameters = request.filter->values(own.preset);
     }
     return request;
+}
+
+std::vector<std::string> drawn_presets(const MethodDescriptor& method) {
+    std::vector<std::string> drawn;
+    for (const auto& [preset, unused] : method.presets) {
+        if (!reads_ray_layers(method, method.values(preset))) drawn.push_back(preset);
+    }
+    return drawn;
 }
 
 double mean_over(const ImageF& image, const Mask& mask) {

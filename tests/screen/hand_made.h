@@ -41,6 +41,9 @@ std::string test_name(std::string id);
 MethodRequest request_for(const MethodDescriptor& method, const std::vector<MethodDescriptor>& filters,
                           const std::string& preset, const ParameterValues& overrides = {});
 
+/// The presets that a renderer draws without a ray tracer.
+std::vector<std::string> drawn_presets(const MethodDescriptor& method);
+
 double mean_over(const ImageF& image, const Mask& mask);
 
 }  // namespace aoscore::testing

@@ -72,7 +72,7 @@ TEST_F(Signals, ChangeNoBitOfTheVisibilityAndAreZeroOnBackground) {
     renderer_.draw_gbuffer(CameraFrame(corner_camera(), 160, 90), gbuffer_inputs());
     const Mask surface = renderer_.read_gbuffer().surface;
     for (const MethodDescriptor* method : giving()) {
-        for (const auto& [preset, unused] : method->presets) {
+        for (const std::string& preset : drawn_presets(*method)) {
             MethodRequest asked = request(method->id);
             asked.parameters = method->values(preset);
             MethodRequest plain = asked;

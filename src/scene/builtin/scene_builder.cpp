@@ -32,6 +32,12 @@ int SceneBuilder::place(int mesh, const glm::dmat4& scene_from_mesh) {
     return mesh;
 }
 
+int SceneBuilder::place_dynamic(int mesh, const glm::dmat4& scene_from_mesh) {
+    place(mesh, scene_from_mesh);
+    scene_.instances.back().is_dynamic = true;
+    return mesh;
+}
+
 glm::dmat4 translation(double x, double y, double z) {
     glm::dmat4 m(1.0);
     m[3] = glm::dvec4(x, y, z, 1);

@@ -23,6 +23,8 @@ class SceneBuilder {
     /// Adds a mesh and returns its index.
     int mesh(const MeshBuilder& shape, int material, double crease_rad = kCrease_rad);
     int place(int mesh, const glm::dmat4& scene_from_mesh = glm::dmat4(1.0));
+    /// Places a mesh that moves in the scene.
+    int place_dynamic(int mesh, const glm::dmat4& scene_from_mesh);
 
     Scene take() { return std::move(scene_); }
 

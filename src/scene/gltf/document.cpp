@@ -38,6 +38,20 @@ void take_skins(json& root, Document& document) {
     }
 }
 
+/// The nodes that animations target. Nothing else of an animation is read: a broken one is no error.
+std::set<int> animated_nodes(const json& root) {
+    const json::json_pointer target("/target/node");
+    std::set<int> nodes;
+    for (const json& animation : root.value("animations", json::array())) {
+        const json channels = animation.value("channels", json());
+        for (const json& channel : channels.is_array() ? channels : json::array()) {
+            if (channel.is_object() && channel.contains(target) && channel.at(target).is_number_integer())
+                nodes.insert(channel.at(target).get<int>());
+        }
+    }
+    return nodes;
+}
+
 /// Runs tinygltf on the rest of the JSON, and clears that. It has no file to open, and could not open one.
 std::unique_ptr<tinygltf::Model> map_to_model(json& root, const std::string& where) {
     for (const char* unread : {"buffers", "images", "skins", "animations", "extensions", "extras"})
@@ -120,6 +134,7 @@ std::unique_ptr<Document> open_document(const std::filesystem::path& file) {
     load_buffers(root, *document);
     take_images(root, *document);
     take_skins(root, *document);
+    document->animated_nodes = animated_nodes(root);
     document->compressed = compressed_views(root);
     document->model = map_to_model(root, document->where);
     return document;

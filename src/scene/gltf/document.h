@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -47,8 +48,9 @@ struct Document {
     std::map<int, std::pair<std::string, std::size_t>> fallbacks;  ///< buffers not read: URI, stated size
     std::vector<ImageSource> images;
     std::vector<SkinSource> skins;
+    std::set<int> animated_nodes;  ///< those that an animation targets
     std::map<int, CompressedView> compressed;  ///< by index of the buffer view
-    std::unique_ptr<tinygltf::Model> model;    ///< without buffers, images and skins
+    std::unique_ptr<tinygltf::Model> model;    ///< without buffers, images, skins, animations
     MemoryBudget budget;
     std::vector<std::string> warnings;
 

@@ -34,24 +34,26 @@ bool flattens(const glm::dmat4& m) {
 /// Places decoded meshes in the scene.
 class InstanceBuilder {
   public:
-    InstanceBuilder(Document& document, MeshReader& reader, Scene& scene)
-        : document_(document), reader_(reader), scene_(scene) {}
+    InstanceBuilder(Document& document, const Skins& skins, MeshReader& reader, Scene& scene)
+        : document_(document), skins_(skins), reader_(reader), scene_(scene) {}
 
     void add(const PlacedNode& placed) {
         const tinygltf::Node& node = document_.model->nodes[static_cast<std::size_t>(placed.node)];
         if (node.mesh < 0 || !placed.is_visible) return;
         const Pose pose = pose_of(document_, node);
         const std::vector<PlacedMesh>& meshes = decoded(node.mesh, pose);
+        const bool is_dynamic = placed.is_dynamic || (pose.skin >= 0 && skins_.is_dynamic(pose.skin));
         const std::string place = fmt::format("{}: nodes[{}]", document_.where, placed.node);
         const std::vector<glm::dmat4> instances = node_from_instances(document_, node, place);
         if (pose.skin >= 0) {
             if (instances.size() > 1)
                 document_.warn("instances of skinned meshes (not defined by glTF) are drawn once");
-            for (const PlacedMesh& mesh : meshes) add(mesh, glm::dmat4(1.0));
+            for (const PlacedMesh& mesh : meshes) add({mesh.mesh, glm::dmat4(1.0), is_dynamic}, mesh.centre);
             return;
         }
         for (const glm::dmat4& node_from_instance : instances) {
-            for (const PlacedMesh& mesh : meshes) add(mesh, placed.world_from_node * node_from_instance);
+            const glm::dmat4 world_from_node = placed.world_from_node * node_from_instance;
+            for (const PlacedMesh& mesh : meshes) add({mesh.mesh, world_from_node, is_dynamic}, mesh.centre);
         }
     }
 
@@ -72,21 +74,23 @@ class InstanceBuilder {
         return known->second;
     }
 
-    void add(const PlacedMesh& placed, const glm::dmat4& world_from_node) {
-        const glm::dmat4 world_from_mesh = glm::translate(world_from_node, placed.centre);
-        if (flattens(world_from_mesh)) {
-            add_flattened(placed.mesh, world_from_mesh);
+    /// Adds an instance of a mesh whose positions are relative to `centre`.
+    void add(Instance instance, const glm::dvec3& centre) {
+        instance.scene_from_mesh = glm::translate(instance.scene_from_mesh, centre);
+        if (flattens(instance.scene_from_mesh)) {
+            add_flattened(instance);
         } else {
-            scene_.instances.push_back({placed.mesh, world_from_mesh});
+            scene_.instances.push_back(instance);
         }
     }
 
     /// Adds a flattened mesh as a mesh of its own, with the triangles that keep an area and no normals.
-    void add_flattened(int mesh_index, const glm::dmat4& world_from_mesh) {
+    void add_flattened(const Instance& instance) {
         document_.warn(
             "nodes with a scale of 0 flatten their meshes: drawn with flat normals where any area is left");
+        const glm::dmat4& world_from_mesh = instance.scene_from_mesh;
         if (glm::dmat3(world_from_mesh) == glm::dmat3(0.0)) return;
-        const Mesh& source = scene_.meshes[static_cast<std::size_t>(mesh_index)];
+        const Mesh& source = scene_.meshes[static_cast<std::size_t>(instance.mesh)];
         document_.budget.take(
             source.positions.size() * sizeof(glm::vec3) + source.triangles.size() * sizeof(glm::uvec3),
             document_.where + ": nodes");
@@ -101,12 +105,13 @@ class InstanceBuilder {
         }
         drop_degenerate_triangles(flat);
         if (flat.triangles.empty()) return;
-        scene_.instances.push_back(
-            {static_cast<int>(scene_.meshes.size()), glm::translate(glm::dmat4(1.0), place)});
+        scene_.instances.push_back({static_cast<int>(scene_.meshes.size()),
+                                    glm::translate(glm::dmat4(1.0), place), instance.is_dynamic});
         scene_.meshes.push_back(std::move(flat));
     }
 
     Document& document_;
+    const Skins& skins_;
     MeshReader& reader_;
     Scene& scene_;
     std::map<std::pair<int, Pose>, std::vector<PlacedMesh>> decoded_;
@@ -123,7 +128,7 @@ Scene load_gltf(const std::filesystem::path& file, const LoadOptions& options) {
     scene.file = file;
     Skins skins(*document, nodes);
     MeshReader reader(*document, materials, skins);
-    InstanceBuilder instances(*document, reader, scene);
+    InstanceBuilder instances(*document, skins, reader, scene);
     for (const PlacedNode& placed : nodes) instances.add(placed);
     if (reader.degenerate_triangles() > 0) {
         document->warn(fmt::format("{} triangles without area are left out", reader.degenerate_triangles()));

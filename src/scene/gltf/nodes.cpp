@@ -60,6 +60,12 @@ bool is_visible(const tinygltf::Node& node) {
            found->second.Get("visible").Get<bool>();
 }
 
+bool is_dynamic(const Document& document, int index, bool parent_is_dynamic) {
+    const tinygltf::Value& extras = document.model->nodes[static_cast<std::size_t>(index)].extras;
+    if (extras.Has("dynamic") && extras.Get("dynamic").IsBool()) return extras.Get("dynamic").Get<bool>();
+    return parent_is_dynamic || document.animated_nodes.contains(index);
+}
+
 std::vector<int> root_nodes(Document& document) {
     const tinygltf::Model& model = *document.model;
     if (model.nodes.empty()) throw file_error("has no nodes: the scene is empty", document.where);
@@ -95,21 +101,22 @@ std::vector<PlacedNode> place_nodes(Document& document) {
     const std::vector<tinygltf::Node>& nodes = document.model->nodes;
     std::vector<bool> reached(nodes.size(), false);
     std::vector<PlacedNode> placed;
-    const auto reach = [&](int node, const glm::dmat4& world_from_parent, bool parent_is_visible) {
+    const auto reach = [&](int node, const PlacedNode& parent) {
         const std::string place = fmt::format("{}: nodes[{}]", document.where, node);
         const auto i = static_cast<std::size_t>(node);
         if (reached[i]) throw file_error("is reached twice: a cycle, or a second parent", place);
         reached[i] = true;
-        const glm::dmat4 world = world_from_parent * parent_from_node(nodes[i], place, document);
+        const glm::dmat4 world = parent.world_from_node * parent_from_node(nodes[i], place, document);
         if (!is_finite(world)) throw file_error("its transform is not finite", place);
-        placed.push_back({node, world, parent_is_visible && is_visible(nodes[i])});
+        placed.push_back({node, world, parent.is_visible && is_visible(nodes[i]),
+                          is_dynamic(document, node, parent.is_dynamic)});
     };
-    for (const int root : root_nodes(document)) reach(root, glm::dmat4(1.0), true);
+    for (const int root : root_nodes(document)) reach(root, {});
     // `placed` is the queue as well: breadth first.
     for (std::size_t i = 0; i < placed.size(); ++i) {
         const PlacedNode parent = placed[i];
         for (const int child : nodes[static_cast<std::size_t>(parent.node)].children) {
-            reach(child, parent.world_from_node, parent.is_visible);
+            reach(child, parent);
         }
     }
     return placed;

@@ -13,6 +13,9 @@ struct PlacedNode {
     int node = 0;  ///< index into the document's nodes
     glm::dmat4 world_from_node{1.0};
     bool is_visible = true;  ///< false where KHR_node_visibility of it or a parent hides its mesh
+    /// It moves: an animation targets it or a parent. Where "extras" of one of them has a boolean "dynamic",
+    /// that of the nearest counts.
+    bool is_dynamic = false;
 };
 
 /// All nodes below the default scene (scene 0 when none is named, the root nodes when there are no scenes),

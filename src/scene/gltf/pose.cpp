@@ -59,7 +59,15 @@ Pose pose_of(Document& document, const tinygltf::Node& node) {
 
 Skins::Skins(Document& document, const std::vector<PlacedNode>& nodes) : document_(document) {
     if (document.skins.empty()) return;
-    for (const PlacedNode& placed : nodes) world_from_node_.emplace(placed.node, placed.world_from_node);
+    for (const PlacedNode& placed : nodes) {
+        world_from_node_.emplace(placed.node, placed.world_from_node);
+        if (placed.is_dynamic) dynamic_nodes_.insert(placed.node);
+    }
+}
+
+bool Skins::is_dynamic(int skin) const {
+    return std::ranges::any_of(document_.skins[static_cast<std::size_t>(skin)].joints,
+                               [&](int joint) { return dynamic_nodes_.contains(joint); });
 }
 
 const JointMatrices& Skins::joints(int skin) {

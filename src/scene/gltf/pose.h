@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include <map>
+#include <set>
 #include <vector>
 
 namespace tinygltf {
@@ -43,6 +44,8 @@ class Skins {
     Skins(Document& document, const std::vector<PlacedNode>& nodes);
     /// Throws file_error for inverse bind matrices that are too few or no matrices.
     const JointMatrices& joints(int skin);
+    /// Whether some joint of the skin moves.
+    bool is_dynamic(int skin) const;
 
   private:
     JointMatrices read(int skin);
@@ -50,6 +53,7 @@ class Skins {
 
     Document& document_;
     std::map<int, glm::dmat4> world_from_node_;
+    std::set<int> dynamic_nodes_;
     std::map<int, JointMatrices> read_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/image.h"
 #include "scene/camera.h"
+#include "screen/gbuffer/farthest_samples.h"
 #include "screen/gbuffer/scene_drawing.h"
 #include "screen/gbuffer/scene_geometry.h"
 #include "screen/gl/gl_objects.h"
@@ -37,10 +38,12 @@ class DepthLayerBuffer {
     /// since sixteen samples of 1920x1080 pixels take 133 MB.
     GLuint texture(const SceneGeometry& geometry, const LayeredPictures& wanted);
 
-    /// Draws the scene's surfaces in this order, which does not affect the result. A sample holds the
-    /// nearest of the surfaces that it accepts, by blending with the minimum: in one pass without sorting.
+    /// Draws the scene's surfaces once each. A sample holds the nearest of the surfaces that
+    /// it accepts, by blending with the minimum. Between parts of the scene the farthest samples become a
+    /// depth buffer, so that what lies behind all samples of its texel is not shaded.
+    /// `order`: of drawing, which does not affect the result; empty: about from the nearest to the farthest.
     void draw(const SceneGeometry& geometry, const LayeredPictures& wanted,
-              std::span<const SceneGeometry::Draw> draws);
+              std::span<const SceneGeometry::Draw> order = {});
 
     /// Reads the last drawing: a picture for each sample, row 0 at the top; those of one camera after those
     /// of another.
@@ -67,8 +70,8 @@ class DepthLayerBuffer {
     void allocate(const LayeredPictures& wanted);
     /// Draws one camera's pictures, which begin at this texture of the array.
     void draw_camera(const SceneGeometry& geometry, const CameraFrame& camera, int first_texture,
-                     std::span<const SceneGeometry::Draw> draws);
-    void blend(const SceneDrawing::Look& look, int first_texture);
+                     std::span<const SceneGeometry::Draw> order);
+    void blend(SceneDrawing::Look look, int first_texture);
     void peel(SceneDrawing::Look look, int first_texture);
     /// Puts layers that rays have met into the pictures.
     void upload(const std::vector<ImageF>& samples, int first_texture);
@@ -80,6 +83,7 @@ class DepthLayerBuffer {
     std::uint64_t drawings_ = 0;
     gl::Texture array_;
     SceneDrawing drawing_{"depth layers", "depth_layers.frag"};
+    FarthestSamples farthest_;
 };
 
 }  // namespace aoscore

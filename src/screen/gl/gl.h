@@ -29,6 +29,7 @@
     X(DELETETEXTURES, DeleteTextures)                   \
     X(DELETEVERTEXARRAYS, DeleteVertexArrays)           \
     X(DEPTHFUNC, DepthFunc)                             \
+    X(DEPTHMASK, DepthMask)                             \
     X(DISABLE, Disable)                                 \
     X(DRAWARRAYS, DrawArrays)                           \
     X(DRAWBUFFERS, DrawBuffers)                         \

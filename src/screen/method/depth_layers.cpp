@@ -4,22 +4,33 @@
 #include "core/known_names.h"
 #include "screen/method/input_members.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 
 namespace aoscore {
+namespace {
+
+constexpr std::string_view kStaticAndDynamic = "static_and_dynamic";
+
+}  // namespace
 
 const std::vector<DepthSampling>& depth_samplings() {
     static const std::vector<DepthSampling> table = {
         {"stratified", "SAMPLING_STRATIFIED",
-         "a surface takes alpha S samples, rounded up or down at random, in any of their combinations", true},
-        {"simple_hash", "SAMPLING_SIMPLE_HASH", "a coin for each sample, from pixel, triangle and sample",
+         "a surface takes alpha S samples, rounded up or down at random, in any of their combinations", true,
          true},
-        {"hash_4d", "SAMPLING_HASH_4D", "the same, hashed one after the other, four samples at a time", true},
-        {"isotropic", "SAMPLING_ISOTROPIC", "a coin for each sample, from a place in the scene"},
-        {"anisotropic", "SAMPLING_ANISOTROPIC", "the same, with a scale of its own along each axis"},
-        {"peeled", "SAMPLING_PEELED", "no coins: the layers from front to back", true},
+        {"simple_hash", "SAMPLING_SIMPLE_HASH", "a coin for each sample, from pixel, triangle and sample",
+         true, true},
+        {"hash_4d", "SAMPLING_HASH_4D", "the same, hashed one after the other, four samples at a time", true,
+         true},
+        {"isotropic", "SAMPLING_ISOTROPIC", "a coin for each sample, from a place in the scene", true},
+        {"anisotropic", "SAMPLING_ANISOTROPIC", "the same, with a scale of its own along each axis", true},
+        {"peeled", "SAMPLING_PEELED", "no coins: the layers from front to back", false, true},
         {"rays", "",
          "of a ray through the pixel: the first surface, and of those behind it any, with one probability"},
+        {kStaticAndDynamic, "SAMPLING_STATIC_AND_DYNAMIC",
+         "no coins: two samples, the nearest of what stands still and the nearest of what moves"},
     };
     return table;
 }
@@ -66,6 +77,10 @@ DepthLayers asked_depth_layers(const InputMembers& input, const ParameterValues&
     if (layers.facing && layers.sampling != "peeled") {
         throw usage_error("front and back faces are told apart in peeled layers alone", "depth layers",
                           "sampling peeled");
+    }
+    if (layers.sampling == kStaticAndDynamic && layers.samples != 2) {
+        throw usage_error(fmt::format("what stands still and what moves are 2 layers, not {}", layers.samples),
+                          "depth layers", "2 samples");
     }
     return layers;
 }

@@ -16,8 +16,9 @@ struct DepthSampling {
     std::string_view id;     ///< its name in descriptors
     std::string_view macro;  ///< its macro in shaders/gbuffer/depth_layers.frag; empty: no pass draws it
     std::string_view meaning;
-    /// Its coins depend on pixel and triangle alone, so that layers can be gathered from surfaces that were
-    /// kept (screen/gbuffer/surface_layer.h).
+    bool tosses_coins = false;  ///< which surfaces a sample keeps is drawn at random, with alpha
+    /// It depends on pixel and triangle alone, so that layers can be gathered from surfaces that were kept
+    /// (screen/gbuffer/surface_layer.h).
     bool of_kept_surfaces = false;
 };
 const std::vector<DepthSampling>& depth_samplings();
@@ -27,8 +28,10 @@ bool is_rasterised(std::string_view sampling);
 
 /// Several depths a texel for a method: a stochastic-depth buffer (Vermeer, Stochastic-Depth Ambient
 /// Occlusion, 2020, chapter 5 and section 6.1; after Enderton et al., Stochastic Transparency, 2010), or
-/// layers that were peeled off (Everitt, Interactive Order-Independent Transparency, 2001) or met by rays
-/// (Brüll, Kern and Grosch, Ray Traced Stochastic Depth Map for Ambient Occlusion, 2024).
+/// layers that were peeled off (Everitt, Interactive Order-Independent Transparency, 2001), met by rays
+/// (Brüll, Kern and Grosch, Ray Traced Stochastic Depth Map for Ambient Occlusion, 2024), or drawn of what
+/// stands still and of what moves (Tatarinov and Panteleev, Advanced Ambient Occlusion Methods for Modern
+/// Games, 2016, as Vermeer tells it in chapter 3).
 struct DepthLayers {
     static constexpr int kMost = 16;
     int samples = 1;   ///< depths a texel, 1 to kMost
