@@ -160,6 +160,62 @@ TEST_P(ShippedContestant, IsDarkWhereTheTruthIs) {
     }
 }
 
+// Another program's ray tracer, with its own scene, camera, sampling and random numbers: only the noise of
+// its 64 samples is left, which is known to be unbiased.
+TEST(Cycles, AboutTheNormalsOfTrianglesIsTheTruthUpToItsNoise) {
+    if (!installed("blender")) GTEST_SKIP() << "blender is not installed";
+    const fs::path folder = output_dir();
+    for (const char* view : {"atrium --view wide", "pillar --view moved"}) {
+        const auto run = run_aoscore("score " + std::string(view) +
+                                         " --size 160x90 --samples 256 --methods alchemy --contestant "
+                                         "blender-cycles --out page",
+                                     folder);
+        ASSERT_EQ(run.exit_code, 0) << run.err;
+        const Results results = read_results(folder / "page");
+        const CellRecord &same = row_of(results, "blender-cycles", "triangle-normals"),
+                         &few = row_of(results, "blender-cycles", "few-rays");
+        EXPECT_LT(*same.ranked.at("rmse_debiased").value, 0.025) << view;
+        EXPECT_LT(std::abs(*same.ranked.at("bias").value), 0.002) << view;
+        // A sixteenth of the samples has four times the noise, or twice where their pattern is even.
+        EXPECT_GT(*few.ranked.at("rmse_debiased").value, 2 * *same.ranked.at("rmse_debiased").value) << view;
+    }
+}
+
+/// What the program reads, by links, with only those npm packages that its own pages need.
+fs::path installed_data(const fs::path& folder) {
+    const fs::path data = folder / "data";
+    fs::create_directories(data / "node_modules");
+    for (const char* part : {"shaders", "scenes", "reports", "contestants"})
+        fs::create_symlink(testing::source_dir() / part, data / part);
+    for (const char* package : {"uplot", "sortable-tablesort"})
+        fs::create_symlink(testing::source_dir() / "node_modules" / package, data / "node_modules" / package);
+    return data;
+}
+
+// As the installed package does, it has the page's own packages alone.
+TEST(ThreeJs, WithoutItsPackagesSaysWhatToInstallAndWhereAndFindsItThere) {
+    const fs::path folder = output_dir(), user = folder / "home/.local/share/aoscore";
+    const std::string as_installed = "env -u XDG_DATA_HOME HOME='" + (folder / "home").string() +
+                                     "' AOSCORE_DATA='" + installed_data(folder).string() + "'";
+    const auto row = [&] {
+        run_aoscore(
+            "score plane --view facing --size 32x18 --samples 4 --methods alchemy --contestant threejs-n8ao "
+            "--out page",
+            folder, as_installed);
+        return row_of(read_results(folder / "page"), "threejs-n8ao", "default");
+    };
+    EXPECT_THAT(row().error, ::testing::AllOf(::testing::HasSubstr("the npm package n8ao is not installed"),
+                                              ::testing::HasSubstr("npm install --prefix " + user.string() +
+                                                                   " n8ao@2.1.0"),
+                                              ::testing::HasSubstr("playwright-core@")));
+    const fs::path modules = user / "node_modules";
+    write_atomically(modules / "n8ao/package.json", R"({"version": "9.9.9"})");
+    EXPECT_THAT(row().error, ::testing::HasSubstr("not installed in version 2.1.0, only in 9.9.9"));
+    fs::remove_all(modules);
+    fs::create_symlink(testing::source_dir() / "node_modules", modules);
+    EXPECT_EQ(row().error, "");
+}
+
 INSTANTIATE_TEST_SUITE_P(Contestants, ShippedContestant, ::testing::ValuesIn(shipped()),
                          [](const auto& parameter) {
                              std::string name = parameter.param;
