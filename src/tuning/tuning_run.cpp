@@ -67,8 +67,8 @@ void require_several(const TuningPlan& plan, std::size_t views) {
                       "tune", "several views or scenes, or --in-sample");
 }
 
-/// Refuses lengths in metres, which a preset that is found could not hold, since a preset's follow the radius;
-/// says what else it cannot hold: parameters of filters, and modes.
+/// Refuses lengths in metres, which a preset that is found could not hold, since a preset's follow the
+/// radius; says what else it cannot hold: parameters of filters, and modes.
 void require_preset_holds(const CellPlan& cell, const MethodDescriptor& method) {
     for (const auto& [id, value] : cell.overrides) {
         const Parameter* p = method.find_parameter(id);
@@ -81,8 +81,8 @@ void require_preset_holds(const CellPlan& cell, const MethodDescriptor& method) 
         log_warning(method.id +
                     ": the preset cannot hold parameters of its filter; set them where it is used");
     for (const auto& [mode, choice] : unusual_modes(cell.modes))
-        log_warning(fmt::format("{}: the preset cannot hold --{} {}; give it where it is used", method.id, mode,
-                                choice));
+        log_warning(fmt::format("{}: the preset cannot hold --{} {}; give it where it is used", method.id,
+                                mode, choice));
 }
 
 /// The parameters to tune, without those that were set.
