@@ -96,7 +96,9 @@ bool ChosenJobs::any_in(const JobGraph& graph) const {
 
 void ChosenJobs::make(const JobGraph& graph, Maker& maker) {
     const JobGraph part = only(graph, left_);
-    const Execution done = execute(part, maker, {.times = takes_times()});
+    ExecutionOptions options;
+    options.times = takes_times();
+    const Execution done = execute(part, maker, options);
     if (!done.left_out.empty()) log_info(times_left_out_text(done.left_out.size()));
     for (const Key& key : part.wanted()) {
         const Job& job = part.at(key);

@@ -181,6 +181,65 @@ TEST(Cycles, AboutTheNormalsOfTrianglesIsTheTruthUpToItsNoise) {
     }
 }
 
+/// Blender's own file of a view, with all of its passes, and the camera file that it needs: blender.exr and
+/// camera.json in the folder. Its world has z up: x, y, z there are x, -z, y of the request's scene.
+void render_with_blender(const std::string& view, const fs::path& folder) {
+    fs::create_directories(folder / "keeper");
+    fs::copy(testing::source_dir() / "contestants/blender", folder / "blender");
+    nlohmann::json description = description_of("blender-cycles");
+    nlohmann::json& command = description.at("command");
+    description["id"] = "keeper";
+    command["words"] = {"sh", "{folder}/keep.sh", "{folder}/../blender/render.py", "{request}", "{output}"};
+    command["files"] = {"keep.sh"};
+    command["presets"] = {{"default", {{"samples", 64}, {"triangle_normals", true}}}};
+    write_atomically(folder / "keeper/contestant.json", description.dump());
+    write_atomically(folder / "keeper/keep.sh",
+                     "blender --background --factory-startup --python-exit-code 1 --python \"$1\" -- cycles "
+                     "\"$2\" && cp \"$3\" '" +
+                         (folder / "blender.exr").string() + "' && cp \"$2\" '" +
+                         (folder / "request.json").string() + "'");
+    const auto run = run_aoscore(
+        "score " + view + " --samples 2 --methods alchemy --contestant keeper --out kept", folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const nlohmann::json camera = nlohmann::json::parse(read_file(folder / "request.json")).at("camera");
+    const nlohmann::json& to_camera = camera.at("world_to_camera");
+    nlohmann::json from_blender = nlohmann::json::array();
+    for (std::size_t row = 0; row < 16; row += 4) {
+        const double x = to_camera[row], y = to_camera[row + 1], z = to_camera[row + 2];
+        for (const double number : {x, -z, y, to_camera[row + 3].get<double>()})
+            from_blender.push_back(number);
+    }
+    write_atomically(folder / "camera.json", nlohmann::json({{"fovy_deg", camera.at("fovy_deg")},
+                                                             {"near_m", camera.at("near_m")},
+                                                             {"far_m", camera.at("far_m")},
+                                                             {"normals", "world"},
+                                                             {"world_to_camera", from_blender}})
+                                                 .dump());
+}
+
+TEST(Blender, AFrameThatItWroteScoresMethodsAsItsSceneDoes) {
+    if (!installed("blender")) GTEST_SKIP() << "blender is not installed";
+    const fs::path folder = output_dir();
+    const std::string view = "pillar --view moved --size 160x90", methods = " --methods gtao,hbao,alchemy";
+    render_with_blender(view, folder);
+    const auto frame = run_aoscore(
+        "score --gbuffer blender.exr --camera camera.json --truth blender.exr "
+        "--truth-channel ViewLayer.AO.R --radius 0.5 --out frame" +
+            methods,
+        folder);
+    ASSERT_EQ(frame.exit_code, 0) << frame.err;
+    const auto scene =
+        run_aoscore("score " + view + " --samples 256 --radius 0.5 --out scene" + methods, folder);
+    ASSERT_EQ(scene.exit_code, 0) << scene.err;
+    const Results of_frame = read_results(folder / "frame"), of_scene = read_results(folder / "scene");
+    EXPECT_THAT(of_frame.views.at(0).view_note, ::testing::HasSubstr("layout blender"));
+    for (const CellRecord& cell : of_scene.cells) {
+        const CellRecord& same = row_of(of_frame, cell.method, cell.preset);
+        // The frame's truth is one of 64 samples, whose noise nobody knows.
+        EXPECT_NEAR(*same.ranked.at("rmse").value, *cell.ranked.at("rmse").value, 0.01) << cell.method;
+    }
+}
+
 /// What the program reads, by links, with only those npm packages that its own pages need.
 fs::path installed_data(const fs::path& folder) {
     const fs::path data = folder / "data";

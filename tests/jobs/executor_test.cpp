@@ -113,7 +113,9 @@ TEST(Executor, LeavesTimesOutWhereNoneMayBeTakenAndTakesThoseThatAreThere) {
     for (const Job& timed : {kept, missing, gbuffer}) graph.want(timed);
     MockMaker maker;
     maker.kept = {"times of a"};
-    const Execution done = execute(graph, maker, {.times = false});
+    ExecutionOptions options;
+    options.times = false;
+    const Execution done = execute(graph, maker, options);
     EXPECT_THAT(maker.made, IsEmpty());
     EXPECT_THAT(done.taken, ElementsAre(Key{"times of a"}));
     EXPECT_THAT(done.left_out, ElementsAre(Key{"times of b"}, Key{"times of the gbuffer"}));
