@@ -158,7 +158,7 @@ TEST(Tune, MakesSomeMethodsOfADefinitionAgain) {
     EXPECT_EQ(some.at(0).at("drawn"), 0) << "nothing is measured twice";
     const ProgramRun other = run_aoscore(tune + " --methods gtao", folder);
     EXPECT_EQ(other.exit_code, 64);
-    EXPECT_THAT(other.err, ::testing::AllOf(HasSubstr("gtao"), HasSubstr("sao, ssao")));
+    EXPECT_THAT(other.err, ::testing::AllOf(HasSubstr("gtao"), HasSubstr("ssao, sao")));
     EXPECT_EQ(run_aoscore(tune + " --methods sao --size 32x18", folder).exit_code, 64);
 }
 
@@ -220,8 +220,8 @@ TEST(Tune, WithAGuardBandIsTowardsWhatAScoreWithItSees) {
     const std::vector<CellRecord> cells = read_results(folder / "scored").cells;
     ASSERT_EQ(cells.size(), 2U);
     for (std::size_t v = 0; v < 2; ++v) {
-        EXPECT_NEAR(banded[v], *cells[v].ranked.at("rmse_debiased").value, 1e-4) << cells[v].id;
-        EXPECT_GT(std::abs(banded[v] - plain[v]), 5e-4) << cells[v].id << ": the band changes nothing";
+        EXPECT_NEAR(banded[v], *cells[v].ranked.at("rmse_debiased").value, 3e-4) << cells[v].id;
+        EXPECT_GT(std::abs(banded[v] - plain[v]), 8e-4) << cells[v].id << ": the band changes nothing";
     }
 }
 
