@@ -57,9 +57,21 @@ def choose_cycles(scene, request):
     cycles.use_adaptive_sampling = False
     cycles.use_denoising = False
     cycles.max_bounces = 0
-    # The narrowest box that there is: no ray leaves the neighbourhood of the pixel's centre.
-    cycles.pixel_filter_type = "BOX"
+    # No ray leaves the neighbourhood of the pixel's centre. A box would be a pixel wide, whatever its width says.
+    cycles.pixel_filter_type = "BLACKMAN_HARRIS"
     cycles.filter_width = 0.01
+    if request["parameters"]["triangle_normals"]:
+        shade_flat()
+
+
+def shade_flat():
+    """Gives every surface the normals of its triangles, as the truth has them."""
+    for thing in bpy.data.objects:
+        if thing.type != "MESH":
+            continue
+        mesh = thing.data
+        mesh.use_auto_smooth = False  # else the file's own normals count
+        mesh.polygons.foreach_set("use_smooth", [False] * len(mesh.polygons))
 
 
 def choose_eevee(scene, request):

@@ -2,12 +2,15 @@
 //   node run.mjs REQUEST.json PASS PACKAGE@VERSION...
 // It serves page.mjs, the scene and the packages to the page, and writes what the page returns as PFM.
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { homedir } from 'node:os';
 import { delimiter, dirname, join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
 const [requestFile, pass, ...packages] = process.argv.slice(2);
 const request = JSON.parse(readFileSync(requestFile, 'utf8'));
-const modules = join(request.data, 'node_modules');
+// Where npm packages may lie: with the program in its source tree, and in the user's folder where it is installed.
+const userFolder = join(process.env.XDG_DATA_HOME || join(homedir(), '.local', 'share'), 'aoscore');
+const folders = [request.data, userFolder].map((folder) => join(folder, 'node_modules'));
 
 // Ends with a sentence, which becomes the reason of the failed row.
 function refuse(reason) {
@@ -17,20 +20,23 @@ function refuse(reason) {
 
 function chromiumPath() {
   if (process.env.AOSCORE_CHROMIUM) return process.env.AOSCORE_CHROMIUM;
-  const folders = process.env.PATH.split(delimiter);
-  const found = folders.flatMap((folder) => ['chromium', 'google-chrome'].map((name) => join(folder, name)))
+  const places = process.env.PATH.split(delimiter);
+  const found = places.flatMap((folder) => ['chromium', 'google-chrome'].map((name) => join(folder, name)))
     .find((path) => existsSync(path));
-  return found ?? refuse('Chromium is not installed (AOSCORE_CHROMIUM names another place)');
+  return found ?? refuse('Chromium is not installed: install it, or let AOSCORE_CHROMIUM name the program');
 }
 
-// The images were made by one version of a package; another would need another descriptor.
-for (const wanted of packages) {
+// The images are made by one version of a package; another would need another descriptor.
+function folderOf(wanted) {
   const [name, version] = wanted.split('@');
-  const file = join(modules, name, 'package.json');
-  if (!existsSync(file)) refuse(`the npm package ${wanted} is not installed (npm ci in the source tree)`);
-  const found = JSON.parse(readFileSync(file, 'utf8')).version;
-  if (found !== version) refuse(`the npm package ${name} is of version ${found}, not ${version}`);
+  const found = folders.map((folder) => join(folder, name)).filter((folder) => existsSync(join(folder, 'package.json')));
+  const versions = found.map((folder) => JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')).version);
+  if (versions.includes(version)) return found[versions.indexOf(version)];
+  const other = versions.length ? ` in version ${version}, only in ${versions.join(', ')}` : '';
+  return refuse(`the npm package ${name} is not installed${other}; `
+    + `install what this needs by: npm install --prefix ${userFolder} ${packages.join(' ')}`);
 }
+const packageFolders = Object.fromEntries(packages.map((wanted) => [wanted.split('@')[0], folderOf(wanted)]));
 
 const types = { html: 'text/html', js: 'text/javascript', mjs: 'text/javascript', glb: 'model/gltf-binary' };
 const here = dirname(fileURLToPath(import.meta.url));
@@ -46,7 +52,8 @@ function served(path) {
   if (path === '/') return { body: document, contentType: types.html };
   let file = join(here, path);
   if (path === '/scene.glb') file = request.scene;
-  if (path.startsWith('/modules/')) file = join(modules, path.slice('/modules/'.length));
+  const [, modules, name, ...rest] = path.split('/');
+  if (modules === 'modules' && name in packageFolders) file = join(packageFolders[name], ...rest);
   if (!existsSync(file)) return { status: 404 };
   return { body: readFileSync(file), contentType: types[file.split('.').pop()] };
 }
@@ -57,9 +64,7 @@ function pfm({ width, height, values }) {
   return Buffer.concat([Buffer.from(`Pf\n${width} ${height}\n-1.0\n`), pixels]);
 }
 
-const playwright = join(modules, 'playwright-core', 'index.mjs');
-if (!existsSync(playwright)) refuse('the npm package playwright-core is not installed (npm ci in the source tree)');
-const { chromium } = await import(pathToFileURL(playwright));
+const { chromium } = await import(pathToFileURL(join(packageFolders['playwright-core'], 'index.mjs')));
 const browser = await chromium.launch({
   executablePath: chromiumPath(),
   args: ['--no-sandbox', '--disable-background-networking', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',

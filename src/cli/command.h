@@ -17,6 +17,7 @@ struct GlobalOptions {
     int threads = 0;  ///< 0: all cores
     bool quiet = false;
     std::string gl;                  ///< empty: what AOSCORE_GL says
+    std::string node_kind;           ///< whose times count; empty: this machine's own
     std::string command_line;        ///< as the user gave it, quoted for a shell
     std::vector<std::string> words;  ///< its words, without the program's name
 };

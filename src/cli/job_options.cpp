@@ -2,6 +2,7 @@
 
 #include "cli/program.h"
 #include "core/log.h"
+#include "core/node_kind.h"
 #include "core/output.h"
 #include "core/shell.h"
 #include "jobs/work_parts.h"
@@ -9,12 +10,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace aoscore {
 namespace {
 
 constexpr const char* kPartsFile = "--parts-file";
 constexpr const char* kParts = "--parts";
+constexpr const char* kNodeKind = "--node-kind";
 
 std::vector<std::string> words_for_parts(const std::filesystem::path& file, std::size_t parts) {
     return {kPartsFile, file.string(), kParts, std::to_string(parts)};
@@ -27,9 +30,18 @@ std::string command_line_of(const std::vector<std::string>& words) {
     return line;
 }
 
+/// The words, with the kind of node whose times count: whoever makes a job on another machine finds it under
+/// the same key.
+std::vector<std::string> naming_node_kind(std::vector<std::string> words) {
+    const auto names_it = [](const std::string& word) { return word.starts_with(kNodeKind); };
+    if (std::ranges::none_of(words, names_it)) words.insert(words.end(), {kNodeKind, node_kind()});
+    return words;
+}
+
 void divide(const JobOptions& options, const nlohmann::json& listing,
             const std::vector<std::string>& arguments) {
-    const WorkParts work{.arguments = arguments, .parts = even_parts(listing, options.parts)};
+    const WorkParts work{
+        .arguments = arguments, .times_on = node_kind(), .parts = even_parts(listing, options.parts)};
     write_parts(work, options.parts_file);
     double most_s = 0, all_s = 0;
     std::size_t jobs = 0;
@@ -46,6 +58,7 @@ void divide(const JobOptions& options, const nlohmann::json& listing,
     log_info(fmt::format("{} jobs in {} parts; the largest has {:.1f} times the mean cost", jobs,
                          work.parts.size(),
                          all_s > 0 ? most_s * static_cast<double>(work.parts.size()) / all_s : 1));
+    log_info(fmt::format("Times are taken on nodes of kind \"{}\" alone", work.times_on));
 }
 
 }  // namespace
@@ -67,9 +80,11 @@ std::optional<ExitCode> list_or_make_some(
     const std::function<std::size_t(const std::vector<std::string>& keys)>& make) {
     if (options.list) {
         std::erase(words, "--jobs");
+        words = naming_node_kind(std::move(words));
         print_result("{}\n", list(words).dump(2));
     } else if (!options.parts_file.empty()) {
         words.resize(words.size() - words_for_parts(options.parts_file, options.parts).size());
+        words = naming_node_kind(std::move(words));
         divide(options, list(words), words);
     } else if (!options.only.empty()) {
         return make(options.only) == 0 ? ExitCode::ok : ExitCode::cells_failed;

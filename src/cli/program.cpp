@@ -6,6 +6,7 @@
 #include "core/files.h"
 #include "core/interrupt.h"
 #include "core/log.h"
+#include "core/node_kind.h"
 #include "core/output.h"
 #include "core/threads.h"
 #include "screen/gl/context.h"
@@ -68,6 +69,13 @@ ExitCode run_words(const std::vector<std::string>& words, const std::string& com
         "--gl", global.gl,
         "What draws: osmesa, a software renderer, or egl, or egl:DEVICE by number or a part of its name (see "
         "list devices) [what AOSCORE_GL says, else osmesa]");
+    program
+        .add_option(
+            "--node-kind", global.node_kind,
+            "The kind of node whose times count: elsewhere none are taken, and those that are kept are "
+            "shown. A machine is of the kind that AOSCORE_NODE_KIND names [this machine's own kind, by "
+            "default its processor's name and cores]")
+        ->check([](const std::string& kind) { return kind.empty() ? "must not be empty" : ""; });
     program.add_flag("--quiet", global.quiet, "Say nothing but errors and results");
 
     std::vector<CommandEntry> commands;
@@ -92,6 +100,7 @@ ExitCode run_words(const std::vector<std::string>& words, const std::string& com
     set_quiet(global.quiet);
     set_thread_count(global.threads);
     if (!global.gl.empty()) choose_gl(global.gl);
+    choose_node_kind(global.node_kind);
     catch_interrupts();
     for (const CommandEntry& command : commands) {
         if (command.app->parsed()) return command.run();

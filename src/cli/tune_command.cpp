@@ -66,6 +66,11 @@ void read_options(const TuneOptions& options, TuningPlan& plan) {
         plan.methods.push_back({std::move(cell), options.parameters});
 }
 
+void read_definition(const TuneOptions& options, TuningPlan& plan) {
+    read_tuning_definition(tuning_definition_file(options.definition), options.scenes_dir, plan);
+    if (!options.methods.empty()) keep_methods(options.methods, plan);
+}
+
 /// The name of the folder of results where the user names none.
 std::string folder_name(const TuningPlan& plan) {
     if (!plan.definition.empty()) return "tune-" + plan.definition;
@@ -82,7 +87,7 @@ ExitCode run(const TuneOptions& options, const GlobalOptions& global) {
     if (options.definition.empty())
         read_options(options, plan);
     else
-        read_tuning_definition(tuning_definition_file(options.definition), options.scenes_dir, plan);
+        read_definition(options, plan);
     const std::filesystem::path folder = results_folder(options.out, folder_name(plan));
     const TuningResults results = tune(plan);
     write_tuning(results, plan, folder);
@@ -93,16 +98,17 @@ ExitCode run(const TuneOptions& options, const GlobalOptions& global) {
     return ExitCode::ok;
 }
 
-/// A definition says all that decides the result: no other option may.
-void add_definition_options(CLI::App& app, TuneOptions& options) {
+/// A definition says all that decides the result: of the other options only `methods` may be given too, since
+/// no method's result depends on another's.
+void add_definition_options(CLI::App& app, const CLI::Option* methods, TuneOptions& options) {
     std::vector<CLI::Option*> others;
     for (CLI::Option* option : app.get_options()) {
-        if (option != app.get_help_ptr()) others.push_back(option);
+        if (option != app.get_help_ptr() && option != methods) others.push_back(option);
     }
     CLI::Option* definition = app.add_option(
         "--definition", options.definition,
         "A tuning that is written down: the name of a file in reports/tunings/, or the path of "
-        "one; it says scenes, views, methods and effort");
+        "one; it says scenes, views, methods and effort, and --methods tunes some of its methods alone");
     for (CLI::Option* option : others) definition->excludes(option);
     app.add_option("--scenes-dir", options.scenes_dir,
                    "Folder of the definition's scenes that the program does not generate [this folder]")
@@ -122,9 +128,10 @@ CommandEntry add_tune_command(CLI::App& program, const GlobalOptions& global) {
     const auto options = std::make_shared<TuneOptions>();
     app->add_option("scene", options->scenes, "Built-in scenes (see list scenes), or files of scenes");
     add_view_options(*app, options->view);
-    app->add_option("--methods", options->methods, "Methods to tune (see list methods)")
-        ->delimiter(',')
-        ->allow_extra_args(false);
+    const CLI::Option* methods =
+        app->add_option("--methods", options->methods, "Methods to tune (see list methods)")
+            ->delimiter(',')
+            ->allow_extra_args(false);
     app->add_option("--parameters", options->parameters,
                     "Parameters to tune [real numbers that affect visibility; with a budget integers too]")
         ->delimiter(',')
@@ -159,7 +166,7 @@ CommandEntry add_tune_command(CLI::App& program, const GlobalOptions& global) {
         ->capture_default_str()
         ->check(even_count());
     app->add_option("--methods-dir", options->plan.methods_dir, "A folder of methods of your own");
-    add_definition_options(*app, *options);
+    add_definition_options(*app, methods, *options);
     add_cache_option(*app, options->plan.truth_cache);
     app->add_option(
         "--out", options->out,

@@ -23,7 +23,15 @@ void set_thread_count(int count) {
 }
 
 int thread_count() {
-    return g_thread_count > 0 ? g_thread_count : std::max(1, tbb::info::default_concurrency());
+    return g_thread_count > 0 ? g_thread_count : core_count();
+}
+
+int chosen_thread_count() {
+    return g_thread_count;
+}
+
+int core_count() {
+    return std::max(1, tbb::info::default_concurrency());
 }
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {

@@ -4,6 +4,7 @@
 #include "core/files.h"
 #include "core/log.h"
 #include "core/machine.h"
+#include "core/node_kind.h"
 #include "core/staged_folder.h"
 #include "core/stopwatch.h"
 #include "core/threads.h"
@@ -81,7 +82,7 @@ class ExperimentRun {
         results_.command = plan_.command;
         results_.warnings = plan_.warnings;
         for (const std::string& warning : plan_.warnings) log_warning(warning);
-        results_.cpu = cpu_name();
+        results_.cpu = machine_name();
         results_.threads = thread_count();
         results_.seed = plan_.seed;
         results_.gl_renderer = planned_.tools().renderer().renderer();

@@ -1,6 +1,7 @@
 #include "experiment/view_run.h"
 
 #include "core/log.h"
+#include "core/node_kind.h"
 #include "core/progress.h"
 #include "experiment/score_goal.h"
 #include "jobs/executor.h"
@@ -258,6 +259,7 @@ ViewOutcome run_view(const ViewRun& run, const ArtifactStore& store) {
     ViewMaker maker(run.work, run.jobs, store, described);
     ScoreProgress progress(run, store);
     ExecutionOptions options;
+    options.times = takes_times();
     // A sweep has many cells; those of a table are all timed in turns.
     if (run.plan.timing_goal) options.first_group = kFirstGroup;
     options.on_begin = [&](const Job& job) { progress.begin(job); };
@@ -266,6 +268,7 @@ ViewOutcome run_view(const ViewRun& run, const ArtifactStore& store) {
     ViewOutcome outcome;
     const Assembly assembly(run, maker, done);
     outcome.view = assembly.view(described);
+    if (!done.left_out.empty()) outcome.view.warnings.push_back(times_left_out_text(done.left_out.size()));
     for (std::size_t i = 0; i < run.cells.size(); ++i) {
         outcome.cells.push_back(assembly.cell(i, outcome.view));
         const Key& score = run.jobs.cells[i].score;

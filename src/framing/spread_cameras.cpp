@@ -3,6 +3,7 @@
 #include "framing/outline_fit.h"
 #include "framing/room_survey.h"
 
+#include <fmt/format.h>
 #include <glm/glm.hpp>
 
 #include <algorithm>
@@ -128,6 +129,15 @@ SpreadCameras spread_cameras(const Trial& trial, std::size_t count, std::optiona
         if (!inside.cameras.empty() || height_m) return inside;
     }
     return spread_outside(trial, count);
+}
+
+Error no_camera_to_judge(const SpreadCameras& spread, const std::string& scene_id) {
+    return Error(
+        ExitCode::gate_failed,
+        fmt::format("none of the {} cameras that were tried can be judged: on every picture surfaces "
+                    "cover less than {:.0f} %, or most are too near or show their backs",
+                    spread.tried, 100 * kLeastCoverage),
+        scene_id, "another --height, --unit or --up, or a scene with room for a camera");
 }
 
 bool are_neighbours(const Camera& a, const Camera& b, double apart_m) {

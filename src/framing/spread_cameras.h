@@ -1,9 +1,11 @@
 #pragma once
 
+#include "core/error.h"
 #include "framing/candidate.h"
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace aoscore {
@@ -24,6 +26,9 @@ struct SpreadCameras {
 /// of them are nearer than a fifth of the median sight: the others stand in or against something. It is
 /// deterministic.
 SpreadCameras spread_cameras(const Trial& trial, std::size_t count, std::optional<double> height_m);
+
+/// The error of a scene none of whose cameras can be judged: gate_failed.
+Error no_camera_to_judge(const SpreadCameras& spread, const std::string& scene_id);
 
 /// Whether two cameras stand nearer to each other than `apart_m` and look the same way.
 bool are_neighbours(const Camera& a, const Camera& b, double apart_m);

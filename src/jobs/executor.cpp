@@ -22,6 +22,8 @@ class Executor {
             const Job& job = graph_.at(key);
             if (maker_.take(job)) {
                 done_.taken.push_back(key);
+            } else if (is_of_times(job.kind) && !options_.times) {
+                done_.left_out.push_back(key);
             } else {
                 (job.in_turns ? in_turns : pending).push_back(&job);
             }

@@ -30,11 +30,14 @@ class Maker {
 struct Execution {
     std::map<Key, std::string> failed;  ///< reasons, for failed jobs and for jobs that needed them
     std::vector<Key> taken, made;       ///< in order of time
+    std::vector<Key> left_out;          ///< times that were not to be taken
 
     bool has_failed(const Key& key) const { return failed.contains(key); }
 };
 
 struct ExecutionOptions {
+    /// Whether times may be taken here; else only those that are there count.
+    bool times = true;
     /// The number of jobs in the first group that is made in turns; the size of later ones follows the time
     /// it took (next_group()). Empty: all jobs are one group.
     std::optional<std::size_t> first_group;

@@ -42,6 +42,10 @@ inline constexpr std::array<std::string_view, kArtifactKinds> kArtifactKindIds{
 constexpr std::string_view id_of(ArtifactKind kind) {
     return kArtifactKindIds[static_cast<std::size_t>(kind)];
 }
+/// Whether it holds times alone, without which the others are whole.
+constexpr bool is_of_times(ArtifactKind kind) {
+    return kind == ArtifactKind::times || kind == ArtifactKind::gbuffer_times;
+}
 
 /// Makes one artifact, which is a function of its inputs and of the parts of its key, and of nothing else.
 struct Job {

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/log.h"
+#include "core/node_kind.h"
 
 #include <fmt/format.h>
 
@@ -95,7 +96,10 @@ bool ChosenJobs::any_in(const JobGraph& graph) const {
 
 void ChosenJobs::make(const JobGraph& graph, Maker& maker) {
     const JobGraph part = only(graph, left_);
-    const Execution done = execute(part, maker);
+    ExecutionOptions options;
+    options.times = takes_times();
+    const Execution done = execute(part, maker, options);
+    if (!done.left_out.empty()) log_info(times_left_out_text(done.left_out.size()));
     for (const Key& key : part.wanted()) {
         const Job& job = part.at(key);
         left_.erase(key.hex);
@@ -104,6 +108,7 @@ void ChosenJobs::make(const JobGraph& graph, Maker& maker) {
             log_warning(fmt::format("{} of {} failed: {}", id_of(job.kind), job.about, done.failed.at(key)));
             continue;
         }
+        if (std::ranges::find(done.left_out, key) != done.left_out.end()) continue;
         const bool was_there = std::ranges::find(done.taken, key) != done.taken.end();
         log_info(fmt::format("{} of {}: {}", id_of(job.kind), job.about, was_there ? "was there" : "made"));
     }

@@ -1,7 +1,6 @@
 #include "jobs/view_keys.h"
 
-#include "core/machine.h"
-#include "core/threads.h"
+#include "core/node_kind.h"
 #include "metrics/analysis/repeats.h"
 #include "screen/method/request_digest.h"
 #include "store/code_digest.h"
@@ -62,7 +61,7 @@ Key ViewKeys::gbuffer(const std::set<std::string>& inputs) const {
 // Begins the key of an artifact with times, which depend on the machine.
 KeyBuilder ViewKeys::timed(std::string_view kind) const {
     KeyBuilder key(kind, "times");
-    key.text(cpu_name()).value(thread_count());
+    key.text(timed_on());
     return key;
 }
 

@@ -89,7 +89,7 @@ struct ScreenRenderer::Impl {
     };
     std::vector<Kept> kept;                ///< the current one's place is empty
     std::optional<std::size_t> place;      ///< of the current G-buffer among the kept ones
-    std::shared_ptr<SceneGeometry> shown;  ///< the geometry of the current G-buffer
+    std::shared_ptr<SceneGeometry> shown;  ///< the geometry of the current G-buffer; null for pictures
 
     /// Leaves the current G-buffer, which stays where it is kept.
     void leave_gbuffer() {
@@ -111,12 +111,12 @@ struct ScreenRenderer::Impl {
         const GBuffer& gbuffer = ready_stage().gbuffer;
         const glm::ivec2 band_px = request.guard_band.pixels(gbuffer.width(), gbuffer.height());
         if (band_px == glm::ivec2(0)) return stage;
-        if (!shows_scene)
+        if (!shown)
             throw internal_error("a guard band needs the scene that the G-buffer shows", "ScreenRenderer");
         if (!wide) wide.emplace().runner.set_ray_layers(&ray_layers);
         if (wide->band_px != band_px) {
             wide->runner.forget_derived();
-            wide->gbuffer.draw(*geometry, widened(gbuffer.capture(), band_px));
+            wide->gbuffer.draw(*shown, widened(gbuffer.capture(), band_px));
             wide->band_px = band_px;
             ++gbuffers_drawn;
         }
@@ -187,6 +187,7 @@ void ScreenRenderer::take_gbuffer(const CameraFrame& frame, const GBufferImages&
     impl_->context->make_current();
     impl_->leave_gbuffer();
     impl_->stage.gbuffer.take(images, Capture(frame, channels));
+    impl_->shown.reset();
     impl_->shows_scene = false;
 }
 

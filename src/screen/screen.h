@@ -151,8 +151,8 @@ class ScreenRenderer {
     /// them; row 0 at the top.
     Image<glm::vec3> read_normals_from_depth();
     /// Keeps the current G-buffer, with the depth layers drawn of it, beside those that are drawn after it;
-    /// returns a number for use_gbuffer(). It serves requests without a guard band, also after set_scene();
-    /// only layers by rays are then of the scene that is set.
+    /// returns a number for use_gbuffer(). It serves requests also after set_scene(); only layers by rays are
+    /// then of the scene that is set. With a guard band the scene is drawn again.
     std::size_t keep_gbuffer();
     /// Makes a G-buffer that was kept the current one again, without drawing it. Throws internal_error for
     /// another number.

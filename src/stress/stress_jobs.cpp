@@ -1,7 +1,6 @@
 #include "stress/stress_jobs.h"
 
-#include "core/machine.h"
-#include "core/threads.h"
+#include "core/node_kind.h"
 #include "jobs/view_jobs.h"
 #include "store/code_digest.h"
 
@@ -30,7 +29,7 @@ Job cell_job(const StressWork& work, Key key, ArtifactKind kind, std::vector<Key
 // Begins the key of a setting or a cell, which hold times.
 KeyBuilder timed(std::string_view kind) {
     KeyBuilder key(kind, "stress");
-    key.text(code_digest("times")).text(cpu_name()).value(thread_count());
+    key.text(code_digest("times")).text(timed_on());
     return key;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/log.h"
+#include "core/node_kind.h"
 #include "stress/stress_thumbnails.h"
 
 #include <fmt/format.h>
@@ -92,6 +93,7 @@ void StressMaker::time_cell(const StressRequest& request, StressCell& cell) {
 }
 
 void StressMaker::make_cell(const Job& job) {
+    require_times_here("a cell of a stress test");
     const StressRequest& request = work_.requests[job.cell];
     StressedCell made;
     StressCell& cell = made.cell;

@@ -42,7 +42,7 @@ std::vector<View> chosen_views(const TrainingPlan& plan, const Scene& scene, dou
         view.radius_m = radius_m;
         views.push_back(std::move(view));
     }
-    if (views.empty()) throw Error(ExitCode::gate_failed, "no camera of this scene can be judged", scene.id);
+    if (views.empty()) throw no_camera_to_judge(spread, scene.id);
     if (views.size() < plan.views) {
         log_warning(
             fmt::format("{}: {} distinct views were found, not {}", scene.id, views.size(), plan.views));

@@ -2,8 +2,7 @@
 
 #include "core/error.h"
 #include "core/interrupt.h"
-#include "core/machine.h"
-#include "core/threads.h"
+#include "core/node_kind.h"
 #include "jobs/draw_image.h"
 #include "jobs/time_requests.h"
 #include "metrics/evaluate.h"
@@ -180,12 +179,12 @@ double Objective::timed_in_passes(const std::vector<double>& settings) {
     const std::string key = KeyBuilder("tuning times", "times")
                                 .input(on.made_of)
                                 .text(request_digest(request_on(settings, 0), on.orthographic))
-                                .text(cpu_name())
-                                .value(thread_count())
+                                .text(timed_on())
                                 .key()
                                 .hex;
     auto stored = store_.find(key);
     if (!stored) {
+        require_times_here("--budget-ms");
         const auto [ms, fixed_ms] = timed(settings);
         stored = nlohmann::json{ms / fixed_ms, fixed_ms};
         store_.put(key, *stored);

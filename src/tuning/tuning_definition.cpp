@@ -110,4 +110,16 @@ void read_tuning_definition(const fs::path& file, const fs::path& scenes_dir, Tu
     object.finish();
 }
 
+void keep_methods(const std::vector<std::string>& methods, TuningPlan& plan) {
+    std::vector<std::string> tuned;
+    for (const TuningPlan::Method& method : plan.methods) tuned.push_back(method.cell.method);
+    for (const std::string& method : methods) {
+        if (std::ranges::find(tuned, method) == tuned.end())
+            throw unknown_name("no method of the definition", method, tuned, "--methods");
+    }
+    std::erase_if(plan.methods, [&](const TuningPlan::Method& method) {
+        return std::ranges::find(methods, method.cell.method) == methods.end();
+    });
+}
+
 }  // namespace aoscore

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace aoscore {
 
@@ -18,5 +19,9 @@ std::filesystem::path tuning_definition_file(const std::string& name);
 /// file that is not there. reports/README.md describes the form.
 void read_tuning_definition(const std::filesystem::path& file, const std::filesystem::path& scenes_dir,
                             TuningPlan& plan);
+
+/// Takes all methods but these out of a plan that a definition was read into. Throws usage_error, which lists
+/// the plan's, for one that it does not tune.
+void keep_methods(const std::vector<std::string>& methods, TuningPlan& plan);
 
 }  // namespace aoscore

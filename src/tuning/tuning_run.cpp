@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/log.h"
 #include "metrics/evaluate.h"
+#include "plan/run_modes.h"
 #include "plan/scene_views.h"
 #include "screen/method/depth_layers.h"
 #include "store/artifact_store.h"
@@ -26,9 +27,6 @@ std::set<std::string> inputs_of(const std::vector<TuningPlan::Method>& methods, 
             throw usage_error(cell.method + " reads layers that rays meet, and a search keeps no ray tracer",
                               "tune --methods", "another sampling of layers");
         }
-        if (resolved.request.guard_band != GuardBand())
-            throw usage_error("a search keeps its G-buffers, which have no guard band", "tune --guard-band",
-                              "0");
         inputs.merge(needed_gbuffer_inputs(resolved.request));
     }
     return inputs;
@@ -69,8 +67,8 @@ void require_several(const TuningPlan& plan, std::size_t views) {
                       "tune", "several views or scenes, or --in-sample");
 }
 
-/// Refuses what a preset that is found could not hold: parameters of filters, modes, and lengths in metres,
-/// since a preset's follow the radius.
+/// Refuses lengths in metres, which a preset that is found could not hold, since a preset's follow the
+/// radius; says what else it cannot hold: parameters of filters, and modes.
 void require_preset_holds(const CellPlan& cell, const MethodDescriptor& method) {
     for (const auto& [id, value] : cell.overrides) {
         const Parameter* p = method.find_parameter(id);
@@ -82,6 +80,9 @@ void require_preset_holds(const CellPlan& cell, const MethodDescriptor& method) 
     if (!cell.filter_overrides.empty())
         log_warning(method.id +
                     ": the preset cannot hold parameters of its filter; set them where it is used");
+    for (const auto& [mode, choice] : unusual_modes(cell.modes))
+        log_warning(fmt::format("{}: the preset cannot hold --{} {}; give it where it is used", method.id,
+                                mode, choice));
 }
 
 /// The parameters to tune, without those that were set.

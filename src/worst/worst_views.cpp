@@ -106,7 +106,7 @@ WorstViews find_worst_views(const WorstPlan& plan, const Scene& scene) {
     const SpreadCameras spread = spread_cameras(trial, plan.cameras, plan.height_m);
     Judge judge(plan, scene, result.radius_m);
     std::vector<FoundView> judged = judged_coarsely(spread, plan, judge);
-    if (judged.empty()) throw Error(ExitCode::gate_failed, "no camera of this scene can be judged", scene.id);
+    if (judged.empty()) throw no_camera_to_judge(spread, scene.id);
     std::ranges::sort(judged, std::ranges::greater(), &FoundView::coarse);
     result.tried = spread.tried;
     result.judged = judged.size();

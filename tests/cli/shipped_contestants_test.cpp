@@ -160,6 +160,121 @@ TEST_P(ShippedContestant, IsDarkWhereTheTruthIs) {
     }
 }
 
+// Another program's ray tracer, with its own scene, camera, sampling and random numbers: only the noise of
+// its 64 samples is left, which is known to be unbiased.
+TEST(Cycles, AboutTheNormalsOfTrianglesIsTheTruthUpToItsNoise) {
+    if (!installed("blender")) GTEST_SKIP() << "blender is not installed";
+    const fs::path folder = output_dir();
+    for (const char* view : {"atrium --view wide", "pillar --view moved"}) {
+        const auto run = run_aoscore("score " + std::string(view) +
+                                         " --size 160x90 --samples 256 --methods alchemy --contestant "
+                                         "blender-cycles --out page",
+                                     folder);
+        ASSERT_EQ(run.exit_code, 0) << run.err;
+        const Results results = read_results(folder / "page");
+        const CellRecord &same = row_of(results, "blender-cycles", "triangle-normals"),
+                         &few = row_of(results, "blender-cycles", "few-rays");
+        EXPECT_LT(*same.ranked.at("rmse_debiased").value, 0.025) << view;
+        EXPECT_LT(std::abs(*same.ranked.at("bias").value), 0.002) << view;
+        // A sixteenth of the samples has four times the noise, or twice where their pattern is even.
+        EXPECT_GT(*few.ranked.at("rmse_debiased").value, 2 * *same.ranked.at("rmse_debiased").value) << view;
+    }
+}
+
+/// Blender's own file of a view, with all of its passes, and the camera file that it needs: blender.exr and
+/// camera.json in the folder. Its world has z up: x, y, z there are x, -z, y of the request's scene.
+void render_with_blender(const std::string& view, const fs::path& folder) {
+    fs::create_directories(folder / "keeper");
+    fs::copy(testing::source_dir() / "contestants/blender", folder / "blender");
+    nlohmann::json description = description_of("blender-cycles");
+    nlohmann::json& command = description.at("command");
+    description["id"] = "keeper";
+    command["words"] = {"sh", "{folder}/keep.sh", "{folder}/../blender/render.py", "{request}", "{output}"};
+    command["files"] = {"keep.sh"};
+    command["presets"] = {{"default", {{"samples", 64}, {"triangle_normals", true}}}};
+    write_atomically(folder / "keeper/contestant.json", description.dump());
+    write_atomically(folder / "keeper/keep.sh",
+                     "blender --background --factory-startup --python-exit-code 1 --python \"$1\" -- cycles "
+                     "\"$2\" && cp \"$3\" '" +
+                         (folder / "blender.exr").string() + "' && cp \"$2\" '" +
+                         (folder / "request.json").string() + "'");
+    const auto run = run_aoscore(
+        "score " + view + " --samples 2 --methods alchemy --contestant keeper --out kept", folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const nlohmann::json camera = nlohmann::json::parse(read_file(folder / "request.json")).at("camera");
+    const nlohmann::json& to_camera = camera.at("world_to_camera");
+    nlohmann::json from_blender = nlohmann::json::array();
+    for (std::size_t row = 0; row < 16; row += 4) {
+        const double x = to_camera[row], y = to_camera[row + 1], z = to_camera[row + 2];
+        for (const double number : {x, -z, y, to_camera[row + 3].get<double>()})
+            from_blender.push_back(number);
+    }
+    write_atomically(folder / "camera.json", nlohmann::json({{"fovy_deg", camera.at("fovy_deg")},
+                                                             {"near_m", camera.at("near_m")},
+                                                             {"far_m", camera.at("far_m")},
+                                                             {"normals", "world"},
+                                                             {"world_to_camera", from_blender}})
+                                                 .dump());
+}
+
+TEST(Blender, AFrameThatItWroteScoresMethodsAsItsSceneDoes) {
+    if (!installed("blender")) GTEST_SKIP() << "blender is not installed";
+    const fs::path folder = output_dir();
+    const std::string view = "pillar --view moved --size 160x90", methods = " --methods gtao,hbao,alchemy";
+    render_with_blender(view, folder);
+    const auto frame = run_aoscore(
+        "score --gbuffer blender.exr --camera camera.json --truth blender.exr "
+        "--truth-channel ViewLayer.AO.R --radius 0.5 --out frame" +
+            methods,
+        folder);
+    ASSERT_EQ(frame.exit_code, 0) << frame.err;
+    const auto scene =
+        run_aoscore("score " + view + " --samples 256 --radius 0.5 --out scene" + methods, folder);
+    ASSERT_EQ(scene.exit_code, 0) << scene.err;
+    const Results of_frame = read_results(folder / "frame"), of_scene = read_results(folder / "scene");
+    EXPECT_THAT(of_frame.views.at(0).view_note, ::testing::HasSubstr("layout blender"));
+    for (const CellRecord& cell : of_scene.cells) {
+        const CellRecord& same = row_of(of_frame, cell.method, cell.preset);
+        // The frame's truth is one of 64 samples, whose noise nobody knows.
+        EXPECT_NEAR(*same.ranked.at("rmse").value, *cell.ranked.at("rmse").value, 0.01) << cell.method;
+    }
+}
+
+/// What the program reads, by links, with only those npm packages that its own pages need.
+fs::path installed_data(const fs::path& folder) {
+    const fs::path data = folder / "data";
+    fs::create_directories(data / "node_modules");
+    for (const char* part : {"shaders", "scenes", "reports", "contestants"})
+        fs::create_symlink(testing::source_dir() / part, data / part);
+    for (const char* package : {"uplot", "sortable-tablesort"})
+        fs::create_symlink(testing::source_dir() / "node_modules" / package, data / "node_modules" / package);
+    return data;
+}
+
+// As the installed package does, it has the page's own packages alone.
+TEST(ThreeJs, WithoutItsPackagesSaysWhatToInstallAndWhereAndFindsItThere) {
+    const fs::path folder = output_dir(), user = folder / "home/.local/share/aoscore";
+    const std::string as_installed = "env -u XDG_DATA_HOME HOME='" + (folder / "home").string() +
+                                     "' AOSCORE_DATA='" + installed_data(folder).string() + "'";
+    const auto row = [&] {
+        run_aoscore(
+            "score plane --view facing --size 32x18 --samples 4 --methods alchemy --contestant threejs-n8ao "
+            "--out page",
+            folder, as_installed);
+        return row_of(read_results(folder / "page"), "threejs-n8ao", "default");
+    };
+    EXPECT_THAT(row().error, ::testing::AllOf(::testing::HasSubstr("the npm package n8ao is not installed"),
+                                              ::testing::HasSubstr("npm install --prefix " + user.string() +
+                                                                   " n8ao@2.1.0"),
+                                              ::testing::HasSubstr("playwright-core@")));
+    const fs::path modules = user / "node_modules";
+    write_atomically(modules / "n8ao/package.json", R"({"version": "9.9.9"})");
+    EXPECT_THAT(row().error, ::testing::HasSubstr("not installed in version 2.1.0, only in 9.9.9"));
+    fs::remove_all(modules);
+    fs::create_symlink(testing::source_dir() / "node_modules", modules);
+    EXPECT_EQ(row().error, "");
+}
+
 INSTANTIATE_TEST_SUITE_P(Contestants, ShippedContestant, ::testing::ValuesIn(shipped()),
                          [](const auto& parameter) {
                              std::string name = parameter.param;

@@ -139,6 +139,29 @@ TEST(Tune, InstallsAPresetThatIsListedAndScoredFromThenOn) {
     EXPECT_LE(file.at("tunings").at("tuned").at("fitted").get<double>(), published);
 }
 
+// Without its first method: what is made again of a definition is that method alone.
+TEST(Tune, MakesSomeMethodsOfADefinitionAgain) {
+    const auto folder = output_dir();
+    std::ofstream(folder / "own.json")
+        << R"({"id": "own", "title": "A test's", "size": [64, 36], "samples": 4,
+        "evaluations": 4, "refinements": 2, "scenes": [{"scene": "pillar", "views": ["main", "moved"]}],
+        "methods": [{"method": "ssao", "parameters": ["bias"]}, {"method": "sao", "parameters": ["intensity"]}]})";
+    const std::string tune = "tune --definition own.json --out tuned";
+    ASSERT_EQ(run_aoscore(tune, folder).exit_code, 0);
+    const nlohmann::json whole = tuned_in(folder).at("methods");
+    ASSERT_EQ(whole.size(), 2U);
+    ASSERT_EQ(run_aoscore(tune + " --methods sao", folder).exit_code, 0);
+    const nlohmann::json some = tuned_in(folder).at("methods");
+    ASSERT_EQ(some.size(), 1U);
+    EXPECT_EQ(some.at(0).at("method"), "sao");
+    EXPECT_EQ(some.at(0).at("budgets"), whole.at(1).at("budgets"));
+    EXPECT_EQ(some.at(0).at("drawn"), 0) << "nothing is measured twice";
+    const ProgramRun other = run_aoscore(tune + " --methods gtao", folder);
+    EXPECT_EQ(other.exit_code, 64);
+    EXPECT_THAT(other.err, ::testing::AllOf(HasSubstr("gtao"), HasSubstr("ssao, sao")));
+    EXPECT_EQ(run_aoscore(tune + " --methods sao --size 32x18", folder).exit_code, 64);
+}
+
 TEST(Tune, RefusesWhatItCannotDoInWords) {
     const auto folder = output_dir();
     const std::pair<const char*, const char*> refused[] = {
@@ -152,7 +175,6 @@ TEST(Tune, RefusesWhatItCannotDoInWords) {
         {"tune pillar --methods gtao --set steps=3 --parameters steps --size 64x36",
          "both set and to be tuned"},
         {"tune pillar --methods hbao --set radius=0.3 --size 64x36", "a preset's follow the radius"},
-        {"tune pillar --methods gtao --guard-band 10% --size 64x36", "no guard band"},
         {"tune pillar --methods sd-gtao --set sampling=rays --size 64x36", "layers that rays meet"}};
     for (const auto& [arguments, words] : refused) {
         const ProgramRun run = run_aoscore(std::string(arguments) + " --samples 4 --out o", folder);
@@ -171,6 +193,36 @@ TEST(Tune, SaysOnWhichViewNothingCanBeCompared) {
     EXPECT_EQ(run.exit_code, 2) << run.err;
     EXPECT_THAT(run.err, HasSubstr("plane/eye: the camera sees no surface"));
     EXPECT_FALSE(std::filesystem::exists(folder / "o"));
+}
+
+/// The losses of the published preset by view, tuned with these further words.
+std::vector<double> published_losses(const std::string& more, const std::filesystem::path& folder) {
+    const ProgramRun run = run_aoscore(
+        "tune pillar --methods hbao-plus --parameters strength --size 96x54 --samples 64 --evaluations 1 "
+        "--refinements 0 --out tuned " +
+            more,
+        folder);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return tuned_in(folder).at("methods").at(0).at("budgets").at(0).at("published").at("loss_by_view");
+}
+
+// Every view is left for another and taken up again, and its band is drawn of its own scene each time.
+TEST(Tune, WithAGuardBandIsTowardsWhatAScoreWithItSees) {
+    const auto folder = output_dir();
+    const std::vector<double> plain = published_losses("", folder),
+                              banded = published_losses("--guard-band 25%", folder);
+    ASSERT_EQ(banded.size(), 2U);
+    const ProgramRun score = run_aoscore(
+        "score pillar --methods hbao-plus --preset default --guard-band 25% --size 96x54 --samples 64 --out "
+        "scored",
+        folder);
+    ASSERT_EQ(score.exit_code, 0) << score.err;
+    const std::vector<CellRecord> cells = read_results(folder / "scored").cells;
+    ASSERT_EQ(cells.size(), 2U);
+    for (std::size_t v = 0; v < 2; ++v) {
+        EXPECT_NEAR(banded[v], *cells[v].ranked.at("rmse_debiased").value, 3e-4) << cells[v].id;
+        EXPECT_GT(std::abs(banded[v] - plain[v]), 8e-4) << cells[v].id << ": the band changes nothing";
+    }
 }
 
 TEST(Tune, WritesWhatWasSetIntoThePresetToo) {

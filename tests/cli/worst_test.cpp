@@ -80,6 +80,15 @@ TEST(Worst, SaysWhatItNeeds) {
                                   "worst pillar --between hbao", "worst pillar --methods nonsense"}) {
         EXPECT_EQ(run_aoscore(arguments, folder).exit_code, 64) << arguments;
     }
+    // Far above the building no camera sees a surface.
+    for (const char* command :
+         {"worst pillar --methods hbao --cameras 10", "export-training pillar --views 1"}) {
+        const ProgramRun run =
+            run_aoscore(std::string(command) + " --height 50 --size 64x36 --out o", folder);
+        EXPECT_EQ(run.exit_code, 2) << command << run.err;
+        EXPECT_THAT(run.err, ::testing::AllOf(HasSubstr("pillar: none of the 10"), HasSubstr("--height")));
+        EXPECT_FALSE(std::filesystem::exists(folder / "o"));
+    }
 }
 
 }  // namespace

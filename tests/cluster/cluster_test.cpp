@@ -92,6 +92,73 @@ TEST(Plan, RefusesWhatPartsCannotDecideAndPlansOfAnotherVersion) {
     EXPECT_EQ(run_aoscore("work other.json --part 1", folder).exit_code, 64);
 }
 
+/// How often each cell's AO pass was timed and shown, by cell.
+std::map<std::string, std::vector<double>> times_in(const fs::path& folder) {
+    std::map<std::string, std::vector<double>> times;
+    for (const CellRecord& cell : read_results(folder).cells) {
+        EXPECT_EQ(cell.error, "");
+        times[cell.id] = cell.ao.runs_ms;
+    }
+    return times;
+}
+
+// Two processes, each on a node of another kind; only one of the kinds has a clock that counts.
+TEST(Times, AreTakenOnNodesOfTheNamedKindAlone) {
+    const fs::path folder = output_dir();
+    const std::string quick =
+                          "score pillar --view main --methods gtao,ssao --size 96x54 --samples 4 --out out",
+                      named = quick + " --node-kind timing", timing = "env AOSCORE_NODE_KIND=timing",
+                      other = "env AOSCORE_NODE_KIND=other";
+    const auto plan = run_aoscore("plan --parts 1 --out plan.json " + named, folder, other);
+    ASSERT_EQ(plan.exit_code, 0) << plan.err;
+    EXPECT_THAT(plan.err, HasSubstr("Times are taken on nodes of kind \"timing\" alone"));
+    EXPECT_THAT(read_file(folder / "plan.json"), HasSubstr(R"("times_on": "timing")"));
+
+    const auto work = run_aoscore("work plan.json --part 1", folder, other);
+    EXPECT_EQ(work.exit_code, 0) << work.err;
+    EXPECT_THAT(work.err,
+                ::testing::AllOf(HasSubstr("left out"), HasSubstr("\"timing\""), HasSubstr("\"other\"")));
+    ASSERT_EQ(run_aoscore(named, folder, other).exit_code, 0);
+    for (const auto& [cell, runs] : times_in(folder / "out")) EXPECT_TRUE(runs.empty()) << cell;
+    Results results = read_results(folder / "out");
+    EXPECT_EQ(results.work.passes, 0u) << "all but the times was there";
+    EXPECT_THAT(results.views.at(0).warnings, ::testing::Contains(HasSubstr("left out")));
+
+    ASSERT_EQ(run_aoscore("work plan.json --part 1", folder, timing).exit_code, 0);
+    ASSERT_EQ(run_aoscore(named, folder, other).exit_code, 0);
+    const auto shown = times_in(folder / "out");
+    results = read_results(folder / "out");
+    for (const auto& [cell, runs] : shown) EXPECT_FALSE(runs.empty()) << cell;
+    EXPECT_EQ(results.work.passes, 0u);
+    EXPECT_THAT(results.cpu, HasSubstr("times: nodes of kind \"timing\""));
+    EXPECT_THAT(results.views.at(0).warnings, ::testing::Not(::testing::Contains(HasSubstr("left out"))));
+    EXPECT_THAT(read_file(folder / "out/index.html"), HasSubstr("nodes of kind"));
+    // On the kind of node that took them they are the same ones; one of another kind takes its own.
+    ASSERT_EQ(run_aoscore(quick, folder, timing).exit_code, 0);
+    EXPECT_EQ(times_in(folder / "out"), shown);
+    ASSERT_EQ(run_aoscore(quick, folder, other).exit_code, 0);
+    EXPECT_NE(times_in(folder / "out"), shown);
+}
+
+// What a plan divides it names the kind for: a node of another kind knows its jobs, and takes no times.
+TEST(Times, OfAPlanWithoutANamedKindAreThoseOfThePlanningNode) {
+    const fs::path folder = output_dir();
+    const std::string quick = "score pillar --view main --methods ssao --size 64x36 --samples 4 --out out";
+    ASSERT_EQ(
+        run_aoscore("plan --parts 1 --out plan.json " + quick, folder, "env AOSCORE_NODE_KIND=a").exit_code,
+        0);
+    const auto work = run_aoscore("work plan.json --part 1", folder, "env AOSCORE_NODE_KIND=b");
+    EXPECT_EQ(work.exit_code, 0) << work.err;
+    EXPECT_THAT(work.err, HasSubstr("left out"));
+    const auto refused = run_aoscore(
+        "tune pillar --methods gtao --parameters steps --budget-ms 100 --size 64x36 --samples 4 --node-kind "
+        "a",
+        folder, "env AOSCORE_NODE_KIND=b");
+    EXPECT_EQ(refused.exit_code, 64);
+    EXPECT_THAT(refused.err, HasSubstr("--budget-ms takes times"));
+    EXPECT_EQ(run_aoscore(quick + " --node-kind ''", folder).exit_code, 64);
+}
+
 TEST(Snakemake, MakesTheResultOfOneProcess) {
     const fs::path folder = output_dir(), many = folder / "many";
     const auto one = measured_by_one(folder / "one");

@@ -102,6 +102,26 @@ TEST(Executor, AFailureReachesWhatStandsOnItAndNothingElse) {
                                          Pair(Key{"times of a"}, "broken bad")));
 }
 
+TEST(Executor, LeavesTimesOutWhereNoneMayBeTakenAndTakesThoseThatAreThere) {
+    JobGraph graph;
+    graph.add(job("image"));
+    Job kept = job("times of a", {{"image"}}), missing = job("times of b", {{"image"}}),
+        gbuffer = job("times of the gbuffer");
+    kept.kind = missing.kind = ArtifactKind::times;
+    kept.in_turns = missing.in_turns = true;
+    gbuffer.kind = ArtifactKind::gbuffer_times;
+    for (const Job& timed : {kept, missing, gbuffer}) graph.want(timed);
+    MockMaker maker;
+    maker.kept = {"times of a"};
+    ExecutionOptions options;
+    options.times = false;
+    const Execution done = execute(graph, maker, options);
+    EXPECT_THAT(maker.made, IsEmpty());
+    EXPECT_THAT(done.taken, ElementsAre(Key{"times of a"}));
+    EXPECT_THAT(done.left_out, ElementsAre(Key{"times of b"}, Key{"times of the gbuffer"}));
+    EXPECT_THAT(done.failed, IsEmpty());
+}
+
 TEST(Executor, AFailureOfAnEssentialJobEndsAll) {
     JobGraph graph;
     Job truth = job("truth");
