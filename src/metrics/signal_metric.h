@@ -42,4 +42,7 @@ std::map<std::string, MetricValue> evaluate_signal(std::string_view signal, cons
 /// test - truth. Without blocks where a pixel that counts is NaN or infinite. Throws sizes_differ.
 AngleBlocks angle_blocks(const SignalInput& input);
 
+/// The same errors pixel by pixel, degrees; NaN where a pixel does not count. Throws sizes_differ.
+ImageF angle_error_image(const SignalInput& input);
+
 }  // namespace aoscore

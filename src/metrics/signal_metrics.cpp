@@ -22,6 +22,10 @@ void require_one_size(const SignalInput& input) {
     }
 }
 
+std::vector<double> angle_errors_deg(const SignalInput& input) {
+    return input.truth.size() == 1 ? angle_differences_deg(input) : direction_errors_deg(input);
+}
+
 }  // namespace
 
 const std::vector<SignalMetric>& signal_metrics() {
@@ -79,8 +83,12 @@ std::map<std::string, MetricValue> evaluate_signal(std::string_view signal, cons
 
 AngleBlocks angle_blocks(const SignalInput& input) {
     require_one_size(input);
-    return blocks_of(input.truth.size() == 1 ? angle_differences_deg(input) : direction_errors_deg(input),
-                     input);
+    return blocks_of(angle_errors_deg(input), input);
+}
+
+ImageF angle_error_image(const SignalInput& input) {
+    require_one_size(input);
+    return image_of(angle_errors_deg(input), input);
 }
 
 }  // namespace aoscore

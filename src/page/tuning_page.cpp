@@ -8,6 +8,7 @@
 #include "page/document/number_text.h"
 #include "page/document/page_parts.h"
 #include "page/document/page_template.h"
+#include "page/sections/listing.h"
 #include "page/tuning_front.h"
 #include "results/tuning_record.h"
 
@@ -105,16 +106,18 @@ std::string verdict_text(const TuningRecord& tuning) {
     const struct {
         const char* verdict;
         const char* words;
-    } kinds[] = {{"closer", "closer to the truth than the published settings"},
-                 {"tie", "a tie with the published settings"},
-                 {"farther", "farther from the truth than the published settings"}};
-    std::vector<std::string> sentences;
+    } kinds[] = {{"closer", "are closer to the truth than the published ones"},
+                 {"tie", "tie with the published ones"},
+                 {"farther", "are farther from the truth than the published ones"}};
+    std::vector<std::string> parts;
     for (const auto& [verdict, words] : kinds) {
-        const std::vector<std::string> names = with_verdict(tuning, verdict);
-        if (!names.empty()) sentences.push_back(fmt::format("{}: {}.", words, fmt::join(names, ", ")));
+        std::vector<std::string> names = with_verdict(tuning, verdict);
+        if (names.empty()) continue;
+        parts.push_back(fmt::format("{} of {} {}", parts.empty() ? "the tuned settings" : "those",
+                                    listed(std::move(names)), words));
     }
-    if (sentences.empty()) return "Nothing was left out: how these settings do on other views is not known.";
-    return fmt::format("Tuned settings, where they were not tuned: {}", fmt::join(sentences, " "));
+    if (parts.empty()) return "Nothing was left out, so it is not known how these settings do on other views.";
+    return fmt::format("On what was left out, {}.", fmt::join(parts, "; "));
 }
 
 json worth_model(const TuningRecord& tuning) {
@@ -199,7 +202,7 @@ json page_model(const TuningRecord& tuning, const fs::path& folder) {
             {"front", front_model(points)},
             {"chart", tuned_points_svg(points, std::string(decides.label))},
             {"files", files_model(tuning, folder)},
-            {"metric", std::string(decides.label)},
+            {"metric", std::string(decides.in_text)},
             {"higher", decides.better == Metric::Better::higher},
             {"magnitude", decides.better == Metric::Better::nearer_zero},
             {"size", fmt::format("{}×{}", tuning.size[0], tuning.size[1])},

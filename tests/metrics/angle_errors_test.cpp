@@ -84,6 +84,23 @@ TEST(AngleErrors, OfWhatIsNotFiniteOrOfAnotherSizeAreRefused) {
                  Error);
 }
 
+TEST(AngleErrors, AsAnImageHaveTheErrorOfEveryPixelThatCounts) {
+    const SignalImage truth = directions({0, 10, 20, 30}), test = directions({5, 10, 50, 0});
+    Mask valid(4, 1, 1);
+    valid.pixels[1] = 0;
+    ImageF error(4, 1, 0.01F);
+    error.pixels[3] = 0.5F;
+    const ImageF image = angle_error_image({truth, test, valid, error});
+    EXPECT_NEAR(image.pixels[0], 5, 1e-4);
+    EXPECT_NEAR(image.pixels[2], 30, 1e-4);
+    EXPECT_TRUE(std::isnan(image.pixels[1])) << "is not valid";
+    EXPECT_TRUE(std::isnan(image.pixels[3])) << "the truth does not know it";
+    const SignalImage wide = angles({80}), narrow = angles({70});
+    const Mask one(1, 1, 1);
+    const ImageF sure(1, 1, 0.0F);
+    EXPECT_NEAR(angle_error_image({wide, narrow, one, sure}).pixels[0], -10, 1e-4);
+}
+
 TEST(SignalMetrics, EachSignalBesideVisibilityHasSomeAndTheirIdsAreUnique) {
     std::set<std::string_view> ids;
     for (const SignalMetric& metric : signal_metrics()) {

@@ -3,6 +3,7 @@
 #include "page/document/base64.h"
 #include "page/document/number_text.h"
 #include "page/pictures/quantised_image.h"
+#include "page/pictures/signal_picture.h"
 #include "page/pictures/thumbnail.h"
 #include "support/support.h"
 
@@ -12,6 +13,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -159,15 +161,57 @@ TEST(QuantisedImage, HoldsAFlatImage) {
     expect_within_half_a_step(image, quantise(image, 3.5, 3.5, kLevelsOfOneByte));
 }
 
+/// The picture as its PNG file has it.
+ImageFile read_back(const Picture& picture) {
+    const std::filesystem::path path = testing::output_dir() / "picture.png";
+    write_atomically(path, from_base64(picture.uri.substr(picture.uri.find(',') + 1)));
+    return read_image(path);
+}
+
+TEST(SignalErrorPicture, GrowsBrighterWithTheAngleAndIsGrayWherePixelsDoNotCount) {
+    const std::vector<double> degrees{0, 20, 45, 90, 90};
+    SignalImage truth(3, ImageF(5, 1)), test = truth;
+    for (std::size_t i = 0; i < degrees.size(); ++i) {
+        truth[2].pixels[i] = 1;
+        test[0].pixels[i] = static_cast<float>(std::sin(degrees[i] * std::numbers::pi / 180));
+        test[2].pixels[i] = static_cast<float>(std::cos(degrees[i] * std::numbers::pi / 180));
+    }
+    Mask valid(5, 1, 1);
+    valid.pixels[4] = 0;
+    const Signal& bent = signal("bent_normal");
+    const ImageFile picture =
+        read_back(signal_error_picture(bent, {truth, test, valid, ImageF(5, 1, 0.0F)}, 100));
+    std::vector<float> brightness(5);
+    for (const char* channel : {"R", "G", "B"}) {
+        for (std::size_t i = 0; i < 5; ++i) brightness[i] += picture.channel(channel)->pixels[i];
+    }
+    EXPECT_NEAR(brightness[0], 4.0 / 255, 1e-6) << "the first colour of magma";
+    EXPECT_LT(brightness[0], brightness[1]);
+    EXPECT_LT(brightness[1], brightness[2]);
+    EXPECT_NEAR(brightness[2], (252 + 253 + 191) / 255.0, 1e-5) << "the last one";
+    EXPECT_EQ(brightness[3], brightness[2]) << "larger angles share it";
+    EXPECT_NEAR(brightness[4], (0x6f + 0x6f + 0x76) / 255.0, 1e-5);
+}
+
+TEST(SignalErrorPicture, IsBlueWhereAConeIsTooNarrowAndRedWhereItIsTooWide) {
+    const SignalImage truth(1, ImageF(3, 1, 0.8F));
+    SignalImage test = truth;
+    test[0].pixels = {0.3F, 0.8F, 1.3F};
+    const ImageFile picture = read_back(signal_error_picture(
+        signal("cone_angle"), {truth, test, Mask(3, 1, 1), ImageF(3, 1, 0.0F)}, 100));
+    const ImageF &red = *picture.channel("R"), &blue = *picture.channel("B");
+    EXPECT_GT(blue.pixels[0], red.pixels[0]);
+    EXPECT_EQ(blue.pixels[1], red.pixels[1]);
+    EXPECT_GT(red.pixels[2], blue.pixels[2]);
+}
+
 TEST(Thumbnail, IsTheMeanOfTheSquaresItCovers) {
     ImageF visibility(5, 2);
     visibility.pixels = {0, 1, 0.2F, 0.2F, 1, 1, 0, 0.2F, 0.2F, 1};
     const Picture picture = gray_thumbnail(visibility, 3);
     EXPECT_EQ(picture.width, 3);
     EXPECT_EQ(picture.height, 1);
-    const std::filesystem::path path = testing::output_dir() / "picture.png";
-    write_atomically(path, from_base64(picture.uri.substr(picture.uri.find(',') + 1)));
-    const ImageF image = read_image(path).channels.front();
+    const ImageF image = read_back(picture).channels.front();
     EXPECT_NEAR(image.at(0, 0), 128.0 / 255, 1e-6);
     EXPECT_NEAR(image.at(1, 0), 51.0 / 255, 1e-6);
     EXPECT_NEAR(image.at(2, 0), 1, 1e-6);

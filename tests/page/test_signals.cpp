@@ -20,14 +20,14 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Adds to an image file the channels of a signal, the same value everywhere.
-void add_channels(const std::filesystem::path& path, const Signal& signal) {
+/// Adds to an image file these channels, the same value everywhere.
+void add_channels(const std::filesystem::path& path, const std::vector<std::string_view>& names) {
     const ImageFile file = read_image(path);
     std::vector<ChannelView> channels;
     for (std::size_t i = 0; i < file.channels.size(); ++i)
         channels.push_back({file.channel_names[i], &file.channels[i]});
-    const ImageF plane(file.channel("Y")->width, file.channel("Y")->height, 0.5F);
-    for (const std::string_view channel : signal.channels) channels.push_back({std::string(channel), &plane});
+    const ImageF plane(file.channel("Y")->width, file.channel("Y")->height, 0.125F);
+    for (const std::string_view name : names) channels.push_back({std::string(name), &plane});
     write_exr(path, channels, {});
 }
 
@@ -55,13 +55,17 @@ TEST(SignalSection, HasATableAndPicturesOfEverySignal) {
     }
     write_synthetic(results, folder);
     for (const std::string& id : further_signals()) {
-        add_channels(folder / view.truth_file, signal(id));
-        add_channels(folder / cell.image_file, signal(id));
+        const auto& channels = signal(id).channels;
+        add_channels(folder / view.truth_file, {channels.begin(), channels.end()});
+        add_channels(folder / cell.image_file, {channels.begin(), channels.end()});
     }
+    EXPECT_THAT(page_of(folder), Not(HasSubstr("alt=\"Error of the")));
+    for (const std::string& id : further_signals()) add_channels(folder / view.truth_file, {signal(id).error_channel});
     const std::string page = page_of(folder);
     EXPECT_THAT(page, HasSubstr("id=\"signals\""));
     for (const std::string& id : further_signals()) {
         EXPECT_THAT(page, HasSubstr("alt=\"" + std::string(signal(id).label) + ": Truth on"));
+        EXPECT_THAT(page, HasSubstr("alt=\"Error of the " + std::string(signal(id).label)));
     }
     for (const SignalMetric& metric : signal_metrics()) EXPECT_THAT(page, HasSubstr(metric.label));
     EXPECT_THAT(page, HasSubstr("title=\"a note\">12.34<"));

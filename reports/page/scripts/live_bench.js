@@ -21,6 +21,7 @@ class LiveBench {
     this.changed = false;
     this.drawing = false;
     this.loading = null;  // the key of the view that is being unpacked
+    this.unpacking = false;  // surfaces of the view, for methods over depth layers
     this.runner.live.canvas.addEventListener('webglcontextlost', () => {
       this.showFailure('The graphics driver gave up, perhaps for too many samples. Load the page again to go on.');
     });
@@ -64,26 +65,48 @@ class LiveBench {
     const turn = this.turn += 1;
     const view = this.index.views[key];
     const stageView = stageData.views.find((other) => other.key === key);
-    const say = (text) => { if (!this.drawing) this.result.say(text); };
+    const say = (text) => this.sayMeanwhile(text);
     this.loading = key;
     this.result.setBusy(true);
     const preview = previewView(view);
     const few = await unpackedInputs(preview, say);
-    const fewSurfaces = await unpackedSurfaces(preview, preview.surfaces, say);
     if (turn !== this.turn) return;
     this.result.setView(stageView);
     this.result.say('Compiling the shaders …');
-    this.previewRunner.setView(preview, few, fewSurfaces);
+    this.previewRunner.setView(preview, few);
     this.takeView(view);
     const { truth, noise } = stageView.images;
     const [inputs, ...images] = await Promise.all([unpackedInputs(view, say), imageValues(truth), imageValues(noise)]);
-    const surfaces = await unpackedSurfaces(view, view.surfaces, say);
     if (turn !== this.turn) return;
     this.loading = null;
     this.result.setTruth(...images);
-    this.runner.setView(view, inputs, surfaces);
+    this.runner.setView(view, inputs);
     this.elapsed_ms = null;
     this.request(false);
+  }
+
+  // Of work that goes on beside the drawing, which has more to say.
+  sayMeanwhile(text) {
+    if (!this.drawing) this.result.say(text);
+  }
+
+  // Most methods read no surfaces behind one another: they are unpacked when one is chosen that does, and previews are drawn
+  // meanwhile.
+  async unpackSurfaces() {
+    if (this.unpacking) return;
+    this.unpacking = true;
+    try {
+      await this.runner.layers.unpack((text) => this.sayMeanwhile(text));
+      this.unpacking = false;
+      this.request(false);
+    } catch (error) {
+      this.unpacking = false;
+      this.showFailure(error.message);
+    }
+  }
+
+  isWaiting() {
+    return this.loading !== null || (this.unpacking && !this.runner.holdsInputsOf(this.setting.method));
   }
 
   takeView(view) {
@@ -180,17 +203,20 @@ class LiveBench {
       }
     }
     this.drawing = false;
-    this.result.setBusy(this.loading !== null);
+    this.result.setBusy(this.isWaiting());
   }
 
   // The preview comes first where the full picture takes long or cannot be drawn yet.
   async draw() {
     const { parameters, filterParameters } = this.setting;
     const setting = { ...this.setting, parameters: { ...parameters }, filterParameters: { ...filterParameters } };
+    const { method } = setting;
+    const cannotYet = this.loading !== null || !this.runner.holdsInputsOf(method);
     const takesLong = (this.elapsed_ms ?? Infinity) > longestWait_ms;
-    if (!this.isPreviewed && (this.loading || takesLong)) {
+    if (!this.isPreviewed && (cannotYet || takesLong)) {
       this.isPreviewed = true;
       const { view } = this.previewRunner;
+      if (method.depth_layers) await this.previewRunner.layers.unpack(() => {});
       const preview = await this.previewRunner.run(setting);
       if (!preview || setting.view !== this.setting.view) return;
       this.showFailure('');
@@ -198,7 +224,8 @@ class LiveBench {
       await new Promise((resolve) => { requestAnimationFrame(() => setTimeout(resolve)); });
     }
     if (this.changed || this.loading) return;
-    await this.drawFull(setting);
+    if (this.runner.holdsInputsOf(method)) await this.drawFull(setting);
+    else this.unpackSurfaces();
   }
 
   // A change on the way stops it: the next setting is drawn at once.

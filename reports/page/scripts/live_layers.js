@@ -2,9 +2,8 @@
 // tosses the coins that the run tossed for triangles. src/page/live/live_surfaces.h says how surfaces lie here.
 
 // {count, depths, triangles} of a view or a previewView(): depths, negative where a face is seen from behind, and triangles'
-// numbers, one surface after the other. Null where the page holds none. `say(text)` is told how far it is.
-async function unpackedSurfaces({ width, height }, surfaces, say) {
-  if (!surfaces || surfaces === true) return null;
+// numbers, one surface after the other. `say(text)` is told how far it is.
+async function unpackedSurfaces({ width, height, surfaces }, say) {
   const { depths: depthBlocks, triangles: triangleBlocks, numbers: numbersBlock, count: numberCount } = surfaces;
   const size = width * height;
   const count = depthBlocks.length;
@@ -28,6 +27,7 @@ class LiveLayers {
     this.runner = runner;
     this.made = [];
     this.gathered = '';
+    this.surfaces = null;  // of the runner's view, once they are unpacked
   }
 
   make(...array) {
@@ -36,16 +36,22 @@ class LiveLayers {
     return texture;
   }
 
-  // Of the runner's view.
-  setSurfaces(surfaces) {
+  // Forgets those of an earlier view.
+  clear() {
     for (const texture of this.made.splice(0)) this.runner.live.deleteTexture(texture);
     this.gathered = '';
     this.layers = null;
     this.none = null;
     this.surfaces = null;
-    if (!surfaces) return;
-    const { count, depths, triangles } = surfaces;
-    const { width, height } = count > 0 ? this.runner.view : { width: 1, height: 1 };  // an empty picture has arrays, too
+  }
+
+  // Unpacks the surfaces of the runner's view, unless another view has come meanwhile. `say(text)` is told how far it is.
+  async unpack(say) {
+    const { view } = this.runner;
+    if (this.surfaces) return;
+    const { count, depths, triangles } = await unpackedSurfaces(view, say);
+    if (this.surfaces || this.runner.view !== view) return;
+    const { width, height } = count > 0 ? view : { width: 1, height: 1 };  // an empty picture has arrays, too
     const make = (format, data) => this.make(format, width, height, Math.max(count, 1), count > 0 ? data : null);
     this.surfaces = { count, depths: make('R', depths), triangles: make('U', triangles) };
   }

@@ -23,15 +23,20 @@ class LiveRunner {
     this.layers = new LiveLayers(this);
   }
 
-  // `inputs`: {name: {format: 'R' or 'RGBA', data}} of the G-buffer; surfaces as unpackedSurfaces() has them, or null.
-  setView(view, inputs, surfaces) {
+  // `inputs`: {name: {format: 'R' or 'RGBA', data}} of the G-buffer.
+  setView(view, inputs) {
     for (const { texture } of this.textures.values()) this.live.deleteTexture(texture);
     this.textures.clear();
     this.view = view;
-    this.layers.setSurfaces(surfaces);
+    this.layers.clear();
     for (const [name, { format, data }] of Object.entries(inputs)) {
       this.textures.set(name, { texture: this.live.texture(format, view.width, view.height, { data }) });
     }
+  }
+
+  // Whether all that the method reads is here: depth layers are gathered from surfaces, which layers.unpack() brings.
+  holdsInputsOf(method) {
+    return !method.depth_layers || this.layers.surfaces !== null;
   }
 
   target(name, scale) {
@@ -176,9 +181,10 @@ class LiveRunner {
   }
 
   // A promise of a method's visibility, after the filter where there is one; of null where `how.goOn(text)`, which is told how
-  // far it is, says no. Every pass is drawn in `how.strips` strips.
+  // far it is, says no, or inputs are missing. Every pass is drawn in `how.strips` strips.
   async run({ method, parameters, filter, filterParameters, border, resolution }, how = { strips: 1, goOn: () => true }) {
     const { view } = this;
+    if (!this.holdsInputsOf(method)) return null;
     const raw = await this.passes(method, parameters, border, null, resolution === 'half' ? 2 : 1, how);
     if (!raw || this.view !== view) return null;
     const drawn = filter ? await this.passes(filter, filterParameters, border, raw, 1, how) : raw;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace aoscore {
@@ -76,6 +77,15 @@ AngleBlocks blocks_of(const std::vector<double>& errors_deg, const SignalInput& 
         ++at;
     }
     return blocks;
+}
+
+ImageF image_of(const std::vector<double>& errors_deg, const SignalInput& input) {
+    ImageF image(input.valid.width, input.valid.height, std::numeric_limits<float>::quiet_NaN());
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        if (counts(input, i)) image.pixels[i] = static_cast<float>(errors_deg[at++]);
+    }
+    return image;
 }
 
 MetricValue mean_size(const std::vector<double>& errors, const SignalInput& input) {

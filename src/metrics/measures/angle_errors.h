@@ -17,6 +17,9 @@ std::vector<double> angle_differences_deg(const SignalInput& input);
 /// These errors, summed by block.
 AngleBlocks blocks_of(const std::vector<double>& errors_deg, const SignalInput& input);
 
+/// These errors as an image, NaN at pixels that do not count.
+ImageF image_of(const std::vector<double>& errors_deg, const SignalInput& input);
+
 /// The mean size of these errors, and the size that 95 % of them do not exceed (the nearest rank); a note in
 /// both says how many pixels were left out as unknown.
 MetricValue mean_size(const std::vector<double>& errors, const SignalInput& input);

@@ -39,6 +39,19 @@ Palette blue_red_palette(int steps) {
                            steps);
 }
 
+Palette magma_palette(int steps) {
+    return palette_between({{0, 0, 4},
+                            {29, 17, 71},
+                            {81, 18, 124},
+                            {131, 38, 129},
+                            {183, 55, 121},
+                            {231, 82, 99},
+                            {252, 137, 97},
+                            {254, 196, 136},
+                            {252, 253, 191}},
+                           steps);
+}
+
 std::string coloured_picture(const std::vector<const ImageF*>& images, double low, double high,
                              const Palette& palette) {
     const int width = images.front()->width, height = images.front()->height;

@@ -14,7 +14,6 @@ constexpr int kWide_px = 640, kNarrow_px = 320, kIcon_px = 96;
 /// With more views than this their pictures are narrow, so that many views do not make a large page.
 constexpr std::size_t kFewViews = 4;
 constexpr int kGrayShades = 127, kErrorShades = 63;
-constexpr std::uint32_t kNotComparedColour = 0x6f6f76;
 /// A smaller cut-out shows no more than a few large squares.
 constexpr double kLeastCut_px = 32;
 

@@ -140,9 +140,26 @@ void read_gbuffer(const ViewRecord& view, const Mask& valid, const fs::path& fol
     pictures.depth = encode(only_where(depth, valid), nearest, nearest, kLevelsOfTwoBytes);
 }
 
+/// Adds the pictures of what the cell's image holds beside visibility.
+void add_signals(const CellRecord& cell, const ViewRecord& view, const Truth& truth, const ImageFile& file,
+                 const fs::path& folder, CellPictures& pictures) {
+    const fs::path path = stored_path(folder, cell.image_file);
+    const fs::path truth_path = stored_path(folder, view.truth_file);
+    for (const auto& [id, unused] : cell.signals) {
+        const Signal& row = signal(id);
+        pictures.signals[id] = signal_picture(row, file, path, kThumbnailWidth_px);
+        const SignalImage of_truth = signal_planes(row, truth.file, truth_path);
+        const SignalImage of_cell = signal_planes(row, file, path);
+        const ImageF* error = truth.file.channel(std::string(row.error_channel));
+        if (error == nullptr) continue;  // which pixels count is not known
+        pictures.signal_errors[id] =
+            signal_error_picture(row, {of_truth, of_cell, truth.valid, *error}, kThumbnailWidth_px);
+    }
+}
+
 /// Makes them, and shows the image to `use` before it is dropped.
-CellPictures cell_pictures(const CellRecord& cell, const ViewRecord& view, const Encoding& encoding,
-                           const fs::path& folder, const std::function<void(const ImageF&)>& use) {
+CellPictures cell_pictures(const CellRecord& cell, const ViewRecord& view, const Truth& truth,
+                           const Encoding& encoding, const fs::path& folder, const std::function<void(const ImageF&)>& use) {
     const fs::path path = stored_path(folder, cell.image_file);
     const ImageFile file = read_image(path);
     const ImageF& output = channel_of(file, path, "Y");
@@ -156,8 +173,7 @@ CellPictures cell_pictures(const CellRecord& cell, const ViewRecord& view, const
         if (encoding.extras) pictures.raw = quantise(*raw, 0, 1, encoding.visibility_levels);
         pictures.raw_thumbnail = gray_thumbnail(*raw, kThumbnailWidth_px);
     }
-    for (const auto& [id, unused] : cell.signals)
-        pictures.signals[id] = signal_picture(signal(id), file, path, kThumbnailWidth_px);
+    add_signals(cell, view, truth, file, folder, pictures);
     return pictures;
 }
 
@@ -182,7 +198,7 @@ Pictures make_pictures(const Results& results, const fs::path& folder, bool ever
             if (cell.view_key != view.key || !cell.error.empty()) continue;
             CellPictures& of_cell = pictures.cells[cell.id];
             jobs.emplace_back([&] {
-                of_cell = cell_pictures(cell, view, encoding, folder, [&](const ImageF& output) {
+                of_cell = cell_pictures(cell, view, truth, encoding, folder, [&](const ImageF& output) {
                     if (&cell == at_first)
                         show_cell(look, cell, truth.visibility, output, truth.valid, look_px);
                 });

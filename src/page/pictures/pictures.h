@@ -43,7 +43,8 @@ struct CellPictures {
     QuantisedImage output;
     QuantisedImage raw;  ///< the image before the filter; empty without one, and in large pages
     Picture output_thumbnail, raw_thumbnail;
-    std::map<std::string, Picture> signals;  ///< signals beside visibility, by id
+    std::map<std::string, Picture> signals;        ///< signals beside visibility, by id
+    std::map<std::string, Picture> signal_errors;  ///< where the truth's error is known
 };
 
 struct Pictures {

@@ -2,11 +2,13 @@
 #include "core/signal.h"
 #include "metrics/signal_metric.h"
 #include "page/document/number_text.h"
+#include "page/pictures/signal_picture.h"
 #include "page/section.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <utility>
 #include <vector>
 
@@ -60,23 +62,42 @@ json table_of(const PageSource& source, const ViewRecord& view, const SignalReco
     json rows = json::array(), pictures = json::array();
     const auto of_truth = source.pictures.views.find(view.key);
     if (of_truth != source.pictures.views.end())
-        pictures.push_back({{"name", "Truth"}, {"uri", of_truth->second.signals.at(record.id).uri}});
+        pictures.push_back({{"name", "Truth"},
+                            {"has_error", false},
+                            {"uri", of_truth->second.signals.at(record.id).uri}});
     for (const CellRecord* cell : cells_with(source.results, view, record.id, std::string(columns[0]->id))) {
         rows.push_back(
             {{"method", name_of(*cell)}, {"cell", cell->id}, {"numbers", numbers_of(*cell, columns)}});
         const auto shown = source.pictures.cells.find(cell->id);
-        if (shown != source.pictures.cells.end() && shown->second.signals.contains(record.id))
-            pictures.push_back({{"name", name_of(*cell)}, {"uri", shown->second.signals.at(record.id).uri}});
+        if (shown == source.pictures.cells.end() || !shown->second.signals.contains(record.id)) continue;
+        const auto error = shown->second.signal_errors.find(record.id);
+        const bool has_error = error != shown->second.signal_errors.end();
+        pictures.push_back({{"name", name_of(*cell)},
+                            {"uri", shown->second.signals.at(record.id).uri},
+                            {"has_error", has_error},
+                            {"error", has_error ? error->second.uri : ""}});
     }
+    const SignalErrorRange range = signal_error_range(row);
+    const auto degrees = [](double value) { return short_text(value) + "°"; };
     return {{"label", std::string(row.label)},
             {"meaning", std::string(row.meaning)},
             {"noise", fixed_text(record.mean_standard_error_deg, 2)},
             {"known", count_text(record.known_pixels)},
             {"valid", count_text(view.valid_pixels)},
-            {"columns", fmt::format("{}", std::min<std::size_t>(pictures.size(), 4))},
+            {"is_direction", row.channels.size() == 3},
+            {"low", degrees(range.low_deg)},
+            {"middle", degrees((range.low_deg + range.high_deg) / 2)},
+            {"high", degrees(range.high_deg)},
             {"heads", std::move(heads)},
             {"rows", std::move(rows)},
             {"pictures", std::move(pictures)}};
+}
+
+/// A label within a sentence.
+std::string in_text(std::string_view label) {
+    std::string text(label);
+    if (!text.empty()) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+    return text;
 }
 
 /// Names the method that is closest in the first signal of the first view that has one.
@@ -87,9 +108,14 @@ std::string signals_in_short(const Results& results) {
             const auto cells = cells_with(results, view, record.id, std::string(metric->id));
             if (cells.empty()) continue;
             const auto& value = cells[0]->signals.at(record.id).at(std::string(metric->id)).value;
-            return fmt::format("On {} {} is closest of {} in {}: {} {} {}.", view.key, name_of(*cells[0]),
-                               counted(cells.size(), "method", "methods"), signal(record.id).label,
-                               metric->label, fixed_text(value, metric->decimals), metric->unit);
+            if (cells.size() == 1)
+                return fmt::format("On {}, {} is the only method that gives the {}: its {} is {}{}.", view.key,
+                                   name_of(*cells[0]), in_text(signal(record.id).label), in_text(metric->label),
+                                   fixed_text(value, metric->decimals), metric->unit);
+            return fmt::format("On {}, {} is closest of {} to the truth’s {}: its {} is {}{}.", view.key,
+                               name_of(*cells[0]), counted(cells.size(), "method", "methods"),
+                               in_text(signal(record.id).label), in_text(metric->label),
+                               fixed_text(value, metric->decimals), metric->unit);
         }
     }
     return "No method gives a signal beside visibility.";
