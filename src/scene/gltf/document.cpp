@@ -43,7 +43,7 @@ std::set<int> animated_nodes(const json& root) {
     const json::json_pointer target("/target/node");
     std::set<int> nodes;
     for (const json& animation : root.value("animations", json::array())) {
-        const json channels = animation.value("channels", json());
+        const json channels = animation.is_object() ? animation.value("channels", json()) : json();
         for (const json& channel : channels.is_array() ? channels : json::array()) {
             if (channel.is_object() && channel.contains(target) && channel.at(target).is_number_integer())
                 nodes.insert(channel.at(target).get<int>());
