@@ -5,15 +5,14 @@
 #include "metrics/measures/flip_colour.h"
 #include "metrics/measures/image_area.h"
 #include "metrics/measures/mean_error.h"
-#include "metrics/measures/power.h"
 #include "metrics/measures/seen_rows.h"
 #include "metrics/measures/wide_lanes.h"
 #include "metrics/prepared_image.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
-#include <numbers>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -23,16 +22,20 @@
 namespace aoscore {
 namespace {
 
-/// The exponents of FLIP's colour differences, which come nearer to 0 as features of two pixels differ more.
+/// The sum over the pixels that count; the others may be NaN.
 AOSCORE_WIDER_WHERE_POSSIBLE
-void find_exponents(const SeenRow& truth, const SeenRow& test, std::vector<double>& exponents) {
-    double* exponent = exponents.data();
-    const std::size_t count = exponents.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const double feature =
-            std::max(std::abs(truth.edges[i] - test.edges[i]), std::abs(truth.points[i] - test.points[i]));
-        exponent[i] = std::max(1 - std::sqrt(feature / std::numbers::sqrt2), 0.0);
+double sum_where(const std::uint8_t* valid, const double* map, std::size_t count) {
+    Lanes sums{};
+    std::size_t i = 0;
+    for (; i + kLanes <= count; i += kLanes) {
+        Lanes values;
+        load(values, map + i);
+        clear_invalid(values, valid + i);
+        sums += values;
     }
+    double sum = sum_of(sums);
+    for (; i < count; ++i) sum += valid[i] != 0 ? map[i] : 0;
+    return sum;
 }
 
 std::unique_ptr<SeenRows> rows_of(const ImageF& image, const PreparedImage* prepared, ValidRows& valid) {
@@ -46,20 +49,15 @@ void add_area(const MetricInput& input, const ImageArea& area, std::vector<doubl
     ValidRows valid_rows(input.valid, area);
     const auto truth_rows = rows_of(input.truth, input.prepared_truth, valid_rows);
     const auto test_rows = rows_of(input.test, input.prepared_test, valid_rows);
-    std::vector<double> map(static_cast<std::size_t>(area.width)), exponents(map);
+    std::vector<double> map(static_cast<std::size_t>(area.width));
     for (int y = area.top; y < area.top + area.height; ++y) {
-        const SeenRow truth = truth_rows->next(), test = test_rows->next();
-        flip_color_differences(map, truth.lightness, test.lightness);
-        find_exponents(truth, test, exponents);
-        raise(map, exponents);
+        flip_differences(map, truth_rows->next(), test_rows->next());
         const std::uint8_t* valid = &input.valid.at(0, y);
-        grid.for_each_piece(y, area.left, area.left + area.width, 0,
-                            [&](std::size_t block, int from, int to) {
-                                for (int x = from; x < to; ++x) {
-                                    if (valid[x] != 0)
-                                        sums[block] += map[static_cast<std::size_t>(x - area.left)];
-                                }
-                            });
+        grid.for_each_piece(
+            y, area.left, area.left + area.width, 0, [&](std::size_t block, int from, int to) {
+                sums[block] += sum_where(valid + from, &map[static_cast<std::size_t>(from - area.left)],
+                                         static_cast<std::size_t>(to - from));
+            });
     }
 }
 

@@ -1,11 +1,12 @@
 #include "metrics/measures/flip_colour.h"
 
-#include "metrics/measures/power.h"
+#include "metrics/measures/power_of_lanes.h"
+#include "metrics/measures/wide_lanes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
+#include <numbers>
 
 namespace aoscore {
 namespace {
@@ -14,11 +15,10 @@ constexpr double kExponent = 0.7;
 constexpr double kKnee = 0.4, kAtKnee = 0.95;
 
 /// CIELAB's L* of a luminance in [0,1]; `root` is its cube root.
-double lightness(double luminance, double root) {
+[[gnu::always_inline]] inline double lightness(double luminance, double root) {
     constexpr double kDelta = 6.0 / 29;
-    const double curve =
-        luminance > kDelta * kDelta * kDelta ? root : luminance / (3 * kDelta * kDelta) + 4.0 / 29;
-    return 116 * curve - 16;
+    const double line = luminance * (1 / (3 * kDelta * kDelta)) + 4.0 / 29;
+    return 116 * (luminance > kDelta * kDelta * kDelta ? root : line) - 16;
 }
 
 double lightness(double luminance) {
@@ -48,22 +48,31 @@ double largest_color_difference() {
 
 }  // namespace
 
+AOSCORE_WIDER_WHERE_POSSIBLE
 void to_lightness(std::span<double> luminances) {
-    for (double& luminance : luminances) luminance = std::clamp(luminance, 0.0, 1.0);
-    std::vector<double> roots(luminances.begin(), luminances.end());
-    raise(roots, 1.0 / 3);
-    for (std::size_t i = 0; i < roots.size(); ++i) luminances[i] = lightness(luminances[i], roots[i]);
+    double* luminance = luminances.data();
+    for (std::size_t i = 0; i < luminances.size(); ++i) {
+        const double clamped = std::min(std::max(luminance[i], 0.0), 1.0);
+        luminance[i] = lightness(clamped, power(clamped, 1.0 / 3));
+    }
 }
 
-void flip_color_differences(std::span<double> differences, const double* truth, const double* test) {
+AOSCORE_WIDER_WHERE_POSSIBLE
+void flip_differences(std::span<double> differences, const SeenRow& truth, const SeenRow& test) {
     static const double largest = largest_color_difference();
-    static const double knee = kKnee * largest;
-    for (std::size_t i = 0; i < differences.size(); ++i)
-        differences[i] = std::abs(truth[i] - test[i]);  // HyAB for grays
-    raise(differences, kExponent);
-    for (double& difference : differences) {
-        difference = difference < knee ? kAtKnee / knee * difference
-                                       : kAtKnee + (difference - knee) / (largest - knee) * (1 - kAtKnee);
+    const double knee = kKnee * largest;
+    const double below = kAtKnee / knee, above = (1 - kAtKnee) / (largest - knee);
+    double* difference = differences.data();
+    const double *light = truth.lightness, *other_light = test.lightness;
+    const double *edge = truth.edges, *other_edge = test.edges;
+    const double *point = truth.points, *other_point = test.points;
+    for (std::size_t i = 0; i < differences.size(); ++i) {
+        const double hyab = power(std::abs(light[i] - other_light[i]), kExponent);  // of grays
+        const double small = below * hyab, large = kAtKnee + (hyab - knee) * above;
+        const double feature =
+            std::max(std::abs(edge[i] - other_edge[i]), std::abs(point[i] - other_point[i]));
+        const double exponent = std::max(1 - std::sqrt(feature / std::numbers::sqrt2), 0.0);
+        difference[i] = power(hyab < knee ? small : large, exponent);
     }
 }
 

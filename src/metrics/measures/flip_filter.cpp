@@ -13,8 +13,9 @@ namespace {
 // The paper's viewing conditions: 0.7 m from a 4K monitor 0.7 m wide.
 constexpr double kPixelsPerDegree = 67.02;
 // Table 1 for the achromatic channel, the only one of a gray. The paper samples it as far as the widest
-// channel reaches, 10 pixels; beyond the margin the weights are below 1e-16.
+// channel reaches, 10 pixels; beyond 7 the weights are below 2e-13.
 constexpr double kLuminanceSpread = 0.0047;
+constexpr std::size_t kContrastReach_px = 7;
 constexpr double kFeatureWidth_deg = 0.082;
 
 /// The weights of the middle and of the pixels right of it or below; those on the other side are the same, or
@@ -54,6 +55,7 @@ struct Kernels {
     Kernels() {
         contrast = balanced(sampled([](double x) {
             const double degrees = x / kPixelsPerDegree;
+            if (x > double{kContrastReach_px}) return 0.0;
             return std::exp(-std::numbers::pi * std::numbers::pi * degrees * degrees / kLuminanceSpread);
         }));
         const double sigma_px = 0.5 * kFeatureWidth_deg * kPixelsPerDegree;
@@ -84,9 +86,10 @@ std::span<double> FlipFilter::push() {
     return {&kept_[pushed_++ % kRows * with_margins_], with_margins_};
 }
 
-std::array<const double*, FlipFilter::kRows> FlipFilter::around(Down what) {
-    std::array<const double*, kRows> shifted{};
-    for (std::size_t k = 0; k < kRows; ++k) shifted[k] = down(what) + k;
+template <std::size_t reach>
+std::array<const double*, 2 * reach + 1> FlipFilter::around(Down what) {
+    std::array<const double*, 2 * reach + 1> shifted{};
+    for (std::size_t k = 0; k < shifted.size(); ++k) shifted[k] = down(what) + kMargin_px - reach + k;
     return shifted;
 }
 
@@ -101,10 +104,11 @@ void FlipFilter::respond() {
                       {{down(kContrast), half(k.contrast)},
                        {down(kSmooth), half(k.smooth)},
                        {down(kPoint), half(k.point)}});
-    even_sums(around(kContrast), width_, {to(kSeen), half(k.contrast)});
-    odd_and_even_sums(around(kSmooth), width_, {to(kEdgeX), half(k.edge)}, {to(kPointX), half(k.point)});
-    even_sums(around(kEdge), width_, {to(kEdgeY), half(k.smooth)});
-    even_sums(around(kPoint), width_, {to(kPointY), half(k.smooth)});
+    even_sums(around<kContrastReach_px>(kContrast), width_, {to(kSeen), half(k.contrast)});
+    odd_and_even_sums(around<kMargin_px>(kSmooth), width_, {to(kEdgeX), half(k.edge)},
+                      {to(kPointX), half(k.point)});
+    even_sums(around<kMargin_px>(kEdge), width_, {to(kEdgeY), half(k.smooth)});
+    even_sums(around<kMargin_px>(kPoint), width_, {to(kPointY), half(k.smooth)});
 }
 
 }  // namespace aoscore

@@ -8,7 +8,5 @@ namespace aoscore {
 /// to the power of 0 is 1. The relative error is below 1e-13. It is several times as fast as std::pow, and
 /// gives the same bits on every machine, since it has only additions, multiplications and a division.
 void raise(std::span<double> values, double exponent);
-/// Does the same with an exponent for each value.
-void raise(std::span<double> values, std::span<const double> exponents);
 
 }  // namespace aoscore

@@ -12,6 +12,11 @@ struct SeenImage {
     Image<double> lightness, edges, points;
 };
 
+/// A part of one row of it, from some pixel on.
+struct SeenRow {
+    const double *lightness, *edges, *points;
+};
+
 /// Computes the features of visibility in [0,1], which is shown as gray and taken as sRGB-coded. Invalid
 /// pixels, which may be NaN, do not count, and their features mean nothing.
 SeenImage seen_image(const ImageF& image, const Mask& valid);

@@ -32,13 +32,16 @@ void read_valid(const std::uint8_t* valid, double* row, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) row[i] = valid[i] == 0 ? 0 : 1;
 }
 
-/// Reads values, clamped to [0,1]; where they are invalid, they may be NaN, and are read as 0.
+/// Reads values, clamped to [0,1].
 AOSCORE_WIDER_WHERE_POSSIBLE
-void read_clamped(const float* values, const std::uint8_t* valid, double* row, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const float clamped = std::min(std::max(values[i], 0.0F), 1.0F);
-        row[i] = valid[i] == 0 ? 0.0 : double{clamped};
-    }
+void read_clamped(const float* values, double* row, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) row[i] = std::min(std::max(double{values[i]}, 0.0), 1.0);
+}
+
+/// Replaces values of invalid pixels, which may be NaN, by 0.
+AOSCORE_WIDER_WHERE_POSSIBLE
+void clear_invalid(const std::uint8_t* valid, double* row, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) row[i] = valid[i] == 0 ? 0.0 : row[i];
 }
 
 AOSCORE_WIDER_WHERE_POSSIBLE
@@ -111,8 +114,9 @@ void FilteredRows::push(int y) {
     const float* values = &image_.at(0, y);
     const std::uint8_t* valid = &valid_.mask().at(0, y);
     fill_row(filter_.push(), valid_.area(), image_.width, [&](std::span<double> row, int x) {
-        read_clamped(values + x, valid + x, row.data(), row.size());
+        read_clamped(values + x, row.data(), row.size());
         take_srgb_off(row);
+        if (!valid_.all_valid()) clear_invalid(valid + x, row.data(), row.size());
     });
 }
 

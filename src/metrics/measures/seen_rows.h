@@ -11,11 +11,6 @@
 
 namespace aoscore {
 
-/// A row of a SeenImage within an area, from the area's left.
-struct SeenRow {
-    const double *lightness, *edges, *points;
-};
-
 /// The pixels of an area that count, with FLIP's filters applied to them where some do not.
 class ValidRows {
   public:
@@ -24,6 +19,8 @@ class ValidRows {
 
     const ImageArea& area() const { return area_; }
     const Mask& mask() const { return valid_; }
+    /// Whether all pixels count in the area and its margin.
+    bool all_valid() const { return !filter_; }
     /// The filters' responses to 1 where a pixel counts, in row `y` of the image; null where all pixels count
     /// in the area and its margin. Rows must be asked for from the area's top on, each at least once.
     const FlipFilter* responses(int y);
@@ -42,7 +39,7 @@ class ValidRows {
 class SeenRows {
   public:
     virtual ~SeenRows() = default;
-    /// The next row from the area's top; it is valid until the next call.
+    /// The next row from the area's top, from the area's left; it is valid until the next call.
     virtual SeenRow next() = 0;
 };
 

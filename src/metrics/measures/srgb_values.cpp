@@ -1,25 +1,30 @@
 #include "metrics/measures/srgb_values.h"
 
-#include "metrics/measures/power.h"
+#include "metrics/measures/power_of_lanes.h"
+#include "metrics/measures/wide_lanes.h"
 
 #include <cstddef>
-#include <vector>
 
 namespace aoscore {
 
+AOSCORE_WIDER_WHERE_POSSIBLE
 void take_srgb_off(std::span<double> values) {
-    std::vector<double> curved(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) curved[i] = (values[i] + 0.055) / 1.055;
-    raise(curved, 2.4);
-    for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = values[i] <= 0.04045 ? values[i] / 12.92 : curved[i];
+    double* value = values.data();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double v = value[i];
+        const double line = v * (1 / 12.92), curve = power((v + 0.055) * (1 / 1.055), 2.4);
+        value[i] = v <= 0.04045 ? line : curve;
+    }
 }
 
+AOSCORE_WIDER_WHERE_POSSIBLE
 void put_srgb_on(std::span<double> values) {
-    std::vector<double> curved(values.begin(), values.end());
-    raise(curved, 1 / 2.4);
-    for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = values[i] <= 0.0031308 ? values[i] * 12.92 : 1.055 * curved[i] - 0.055;
+    double* value = values.data();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double v = value[i];
+        const double line = v * 12.92, curve = 1.055 * power(v, 1 / 2.4) - 0.055;
+        value[i] = v <= 0.0031308 ? line : curve;
+    }
 }
 
 }  // namespace aoscore

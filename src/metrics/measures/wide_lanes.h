@@ -1,12 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 
 // The code is built several times, with wider registers where the machine has them, and with the same
 // rounding in the same order.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define AOSCORE_WIDER_WHERE_POSSIBLE __attribute__((target_clones("avx512f", "avx2", "default")))
+#define AOSCORE_WIDER_WHERE_POSSIBLE __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
 #else
 #define AOSCORE_WIDER_WHERE_POSSIBLE
 #endif
@@ -14,8 +15,9 @@
 namespace aoscore {
 
 /// The number of doubles that are computed side by side. They are written out, because a compiler may not
-/// reorder a sum, and GCC 12 would vectorise over the taps of a filter.
-inline constexpr std::size_t kLanes = 8;
+/// reorder a sum, and GCC 12 would vectorise over the taps of a filter. As many as one register of AVX2
+/// holds: what is wider than a register, GCC 12 keeps in memory, which takes five times as long.
+inline constexpr std::size_t kLanes = 4;
 typedef double Lanes __attribute__((vector_size(kLanes * sizeof(double))));
 
 /// Loads a Lanes or a double.
@@ -26,6 +28,15 @@ template <class Value>
 template <class Value>
 [[gnu::always_inline]] inline void store(double* to, const Value& value) {
     std::memcpy(to, &value, sizeof value);
+}
+
+/// Sets the lanes of pixels that do not count, which may be NaN, to 0.
+[[gnu::always_inline]] inline void clear_invalid(Lanes& values, const std::uint8_t* valid) {
+    typedef std::uint8_t Bytes __attribute__((vector_size(kLanes)));
+    typedef std::int64_t Longs __attribute__((vector_size(kLanes * sizeof(std::int64_t))));
+    Bytes bytes;
+    std::memcpy(&bytes, valid, sizeof bytes);
+    values = __builtin_convertvector(bytes, Longs) != 0 ? values : Lanes{};
 }
 
 /// The lanes added in order.
