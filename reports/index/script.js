@@ -1,5 +1,3 @@
-(() => {
-'use strict';
 const { views, contestants, order, cells: rows } = JSON.parse(document.getElementById('index-data').textContent);
 const numberText = (value, decimals) => (value === null ? '–' : value.toFixed(decimals).replace('-', '−'));
 const cells = rows.map(([view, contestant, error, low, high, bias, rank, ms, fetches, link, failure]) =>
@@ -8,14 +6,8 @@ const cells = rows.map(([view, contestant, error, low, high, bias, rank, ms, fet
 const form = document.querySelector('.filters');
 const step = 200;
 let limit = step;
+let cellColumns = null;  // of the table of cells, once it has a place
 let sorting = { column: null, descending: false };
-
-function make(tag, className, ...children) {
-  const element = document.createElement(tag);
-  if (className) element.className = className;
-  element.append(...children);
-  return element;
-}
 
 // Ranked contestants stand first, in their order; of the others those with most cells.
 function contestantsInOrder() {
@@ -43,37 +35,46 @@ function picture(view) {
   return view?.picture ? Object.assign(make('img'), { src: view.picture, alt: '', loading: 'lazy' }) : '';
 }
 
+// The shorter list stands across, the longer one down.
 function buildMatrix(scenes) {
   const errorOf = sceneErrors();
-  const all = contestantsInOrder();
-  const largest = Math.max(...all.flatMap((i) => scenes.map((scene) => errorOf(i, scene) ?? 0)), 1e-9);
-  const head = make('tr', '', Object.assign(make('th', 'text', 'Method, preset, filter'), { scope: 'col' }),
-    ...scenes.map((scene) => Object.assign(make('th', '', picture(views.find((view) => view.scene === scene && view.picture)), scene), { scope: 'col' })));
-  const lines = all.map((i) => make('tr', '', Object.assign(make('th', '', contestants[i].name), { scope: 'row' }),
-    ...scenes.map((scene) => {
-      const error = errorOf(i, scene);
-      if (error === null) return make('td', 'none', '–');
-      const button = Object.assign(make('button', '', numberText(error, 4)), { type: 'button', title: `${contestants[i].name} on ${scene}` });
-      button.style.setProperty('--share', `${Math.round(45 * error / largest)}%`);
-      button.addEventListener('click', () => {
-        Object.assign(form.elements.scene, { value: scene });
-        Object.assign(form.elements.contestant, { value: String(i) });
-        form.elements.only.value = form.elements.text.value = '';
-        showCells();
-        document.getElementById('cells').scrollIntoView();
-      });
-      return make('td', '', button);
-    })));
-  document.querySelector('.matrix').append(make('thead', '', head), make('tbody', '', ...lines));
+  const methods = contestantsInOrder();
+  const largest = Math.max(...methods.flatMap((i) => scenes.map((scene) => errorOf(i, scene) ?? 0)), 1e-9);
+  const cellOf = (i, scene) => {
+    const error = errorOf(i, scene);
+    if (error === null) return make('td', 'none', '–');
+    const button = Object.assign(make('button', '', numberText(error, 4)), { type: 'button', title: `${contestants[i].name} on ${scene}` });
+    button.style.setProperty('--share', `${Math.round(45 * error / largest)}%`);
+    button.addEventListener('click', () => {
+      Object.assign(form.elements.scene, { value: scene });
+      Object.assign(form.elements.contestant, { value: String(i) });
+      form.elements.only.value = form.elements.text.value = '';
+      showCells();
+      document.getElementById('cells').scrollIntoView();
+    });
+    return make('td', '', button);
+  };
+  const headOf = (scope, ...content) => Object.assign(make('th', '', ...content), { scope });
+  const methodList = { title: 'Method, preset, filter', all: methods, head: (scope, i) => headOf(scope, contestants[i].name) };
+  const sceneList = { title: 'Scene', all: scenes,
+    head: (scope, scene) => headOf(scope, picture(views.find((view) => view.scene === scene && view.picture)), scene) };
+  const isSceneAcross = scenes.length <= methods.length;
+  const [across, down] = isSceneAcross ? [sceneList, methodList] : [methodList, sceneList];
+  const corner = headOf('col', down.title);
+  corner.className = 'text';
+  const lines = down.all.map((row) => make('tr', '', down.head('row', row),
+    ...across.all.map((column) => (isSceneAcross ? cellOf(row, column) : cellOf(column, row)))));
+  document.querySelector('.matrix').append(make('thead', '', make('tr', '', corner, ...across.all.map((column) => across.head('col', column)))),
+    make('tbody', '', ...lines));
 }
 
 const linked = (cell) => (cell.link ? Object.assign(make('a', '', cell.name), { href: cell.link }) : cell.name);
 const columns = [
-  { title: '', cell: ({ view }) => picture(view) },
-  { title: 'Scene', text: true, by: ({ view }) => `${view.scene}/${view.view}`, cell: ({ view }) => `${view.scene}/${view.view}` },
+  { title: '', keep: 4, cell: ({ view }) => picture(view) },
+  { title: 'Scene', keep: 3, text: true, by: ({ view }) => `${view.scene}/${view.view}`, cell: ({ view }) => `${view.scene}/${view.view}` },
   { title: 'Method, preset, filter', head: true, by: ({ name }) => name, cell: linked },
-  { title: 'Rank', by: ({ rank }) => (Number.parseInt(rank, 10) || null), cell: ({ rank }) => rank || '–' },
-  { title: 'debiased RMSE', by: ({ error }) => error, cell: ({ error }) => numberText(error, 4) },
+  { title: 'Rank', keep: 2, by: ({ rank }) => (Number.parseInt(rank, 10) || null), cell: ({ rank }) => rank || '–' },
+  { title: 'RMSE, debiased', keep: 1, by: ({ error }) => error, cell: ({ error }) => numberText(error, 4) },
   { title: '95 %', by: ({ low, high }) => (low === null ? null : high - low), cell: ({ low, high }) => (low === null ? '–' : `${numberText(low, 4)} to ${numberText(high, 4)}`) },
   { title: 'Bias', by: ({ bias }) => bias, cell: ({ bias }) => numberText(bias, 4) },
   { title: 'AO and filter, ms', by: ({ ms }) => ms, cell: ({ ms }) => numberText(ms, 1) },
@@ -100,7 +101,7 @@ function sorted(list) {
 
 function rowOf(cell) {
   return make('tr', cell.failure ? 'failed' : '', ...columns.map(({ title, text, head, cell: show }) => {
-    if (cell.failure && title === 'debiased RMSE') return Object.assign(make('td', 'text reason', make('strong', '', 'failed: '), cell.failure), { colSpan: 5 });
+    if (cell.failure && title === 'RMSE, debiased') return Object.assign(make('td', 'text reason', make('strong', '', 'failed: '), cell.failure), { colSpan: 5 });
     if (cell.failure && ['95 %', 'Bias', 'AO and filter, ms', 'Fetches'].includes(title)) return null;
     const element = make(head ? 'th' : 'td', text ? 'text' : '', show(cell));
     if (head) element.scope = 'row';
@@ -111,6 +112,7 @@ function rowOf(cell) {
 function showCells() {
   const list = sorted(wanted());
   document.querySelector('.cells tbody').replaceChildren(...list.slice(0, limit).map(rowOf));
+  cellColumns?.apply();
   form.querySelector('output').textContent = `${Math.min(limit, list.length)} of ${list.length} cells are shown`;
   document.querySelector('.more').hidden = list.length <= limit;
 }
@@ -118,6 +120,7 @@ function showCells() {
 function buildHeads() {
   document.querySelector('.cells thead tr').append(...columns.map((column) => {
     const th = Object.assign(make('th', column.text || column.head ? 'text' : ''), { scope: 'col' });
+    if (column.keep) th.dataset.keep = column.keep;
     if (!column.by) {
       th.append(make('span', 'visually-hidden', 'Picture'));
       return th;
@@ -143,5 +146,5 @@ document.querySelector('.more').addEventListener('click', () => { limit += step;
 buildHeads();
 buildMatrix(scenes);
 showCells();
+cellColumns = useColumns(document).find(({ table }) => table.classList.contains('cells'));
 document.documentElement.dataset.interactive = performance.now().toFixed(0);
-})();

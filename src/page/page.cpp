@@ -15,10 +15,13 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace aoscore {
 namespace {
 
 namespace fs = std::filesystem;
+using nlohmann::json;
 
 // Beyond this size browsers open pages slowly, and mail programs refuse them.
 constexpr std::size_t kLargePage_bytes = std::size_t{50} << 20;
@@ -41,14 +44,14 @@ const PageSource& source_of(const Section& section, const PageSource& all, const
 }
 
 std::string page_html(const PageSource& all, const PageSource& source) {
-    nlohmann::json model = {{"stage_data", stage_data(source)},
-                            {"version", source.results.program_version},
-                            {"created", source.results.created_utc},
-                            {"sections", nlohmann::json::array()}};
+    json model = {{"stage_data", stage_data(source)},
+                  {"version", source.results.program_version},
+                  {"created", source.results.created_utc},
+                  {"sections", json::array()}};
     for (const Section& section : sections()) {
         const PageSource& used = source_of(section, all, source);
         if (section.applies != nullptr && !section.applies(used.results)) continue;
-        nlohmann::json content = section.build(used);
+        json content = section.build(used);
         content["software"] = is_software_renderer(used.results.gl_renderer);
         content["pictured"] = !source.results.views.empty();
         model["sections"].push_back({{"id", std::string(section.id)},
@@ -57,6 +60,11 @@ std::string page_html(const PageSource& all, const PageSource& source) {
                                      {"in_short", content.value("in_short", "")},
                                      {"body", section_html(section, content)}});
     }
+    // Where no section has a verdict, the first one's sentence stands at the top.
+    json& shown = model["sections"];
+    const bool has_lead = !shown.empty() && shown[0].at("folded").get<bool>();
+    model["has_lead"] = has_lead;
+    model["lead"] = has_lead ? std::exchange(shown[0].at("in_short"), "") : json("");
     const fs::path frame = page_folder() / "template.html";
     std::string html = html_text({"screen-space ambient occlusion against ray-traced truth", page_style(),
                                   page_script(), fill_template(read_file(frame), model, frame.string())});

@@ -14,6 +14,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 namespace aoscore {
@@ -62,6 +63,30 @@ std::string state_text(const StressCell& cell) {
                           : "holds; too few pixels for a deviation";
 }
 
+std::string break_text(const StressAxisRecord& axis, const std::string& subject) {
+    std::vector<std::string> texts;
+    for (const StressBreak& found : first_breaks(axis, subject)) texts.push_back(found.setting->label);
+    return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+bool breaks(const StressResults& results, const StressAxisRecord& axis) {
+    return std::ranges::any_of(results.subjects, [&](const StressSubjectRecord& subject) {
+        return !break_text(axis, subject.id).empty();
+    });
+}
+
+/// The kinds of stress that break nothing, within a sentence.
+std::vector<std::string> whole_axes(const StressResults& results) {
+    std::vector<std::string> labels;
+    for (const StressAxisRecord& axis : results.axes) {
+        if (breaks(results, axis)) continue;
+        labels.push_back(axis.label);
+        char& first = labels.back().front();
+        first = static_cast<char>(std::tolower(static_cast<unsigned char>(first)));
+    }
+    return labels;
+}
+
 json head_model(const StressResults& results) {
     json axes = json::array(), settings = json::array();
     for (const StressAxisRecord& axis : results.axes) {
@@ -70,6 +95,7 @@ json head_model(const StressResults& results) {
                         {"meaning", axis.meaning},
                         {"columns", std::to_string(axis.settings.size())},
                         {"limit", short_text(axis.limit)},
+                        {"breaks", breaks(results, axis)},
                         {"same_picture", axis.judgement == "same picture"}});
         for (const StressSettingRecord& setting : axis.settings) {
             settings.push_back({{"label", setting.label},
@@ -77,19 +103,17 @@ json head_model(const StressResults& results) {
                                 {"first", &setting == &axis.settings.front()}});
         }
     }
-    return {{"axes", axes}, {"settings", settings}};
-}
-
-std::string break_text(const StressAxisRecord& axis, const std::string& subject) {
-    std::vector<std::string> texts;
-    for (const StressBreak& found : first_breaks(axis, subject)) texts.push_back(found.setting->label);
-    return fmt::format("{}", fmt::join(texts, "; "));
+    const std::vector<std::string> whole = whole_axes(results);
+    return {{"axes", axes},
+            {"settings", settings},
+            {"has_whole", !whole.empty()},
+            {"whole", fmt::format("{}", fmt::join(whole, "; "))}};
 }
 
 json rows_model(const StressResults& results) {
     json rows = json::array();
     for (const StressSubjectRecord& subject : results.subjects) {
-        json cells = json::array(), breaks = json::array();
+        json cells = json::array(), first_breaks_of = json::array();
         for (std::size_t a = 0; a < results.axes.size(); ++a) {
             const StressAxisRecord& axis = results.axes[a];
             for (std::size_t s = 0; s < axis.settings.size(); ++s) {
@@ -102,16 +126,17 @@ json rows_model(const StressResults& results) {
                                  {"title", fmt::format("{}, {} {}: {}", subject.label, axis.label,
                                                        setting.label, state_text(cell))}});
             }
+            if (!breaks(results, axis)) continue;
             const std::string text = break_text(axis, subject.id);
-            breaks.push_back({{"text", text.empty() ? "–" : text},
-                              {"broken", !text.empty()},
-                              {"nature", subject.limits.contains(axis.id)}});
+            first_breaks_of.push_back({{"text", text.empty() ? "–" : text},
+                                       {"broken", !text.empty()},
+                                       {"nature", subject.limits.contains(axis.id)}});
         }
         rows.push_back({{"id", subject.id},
                         {"label", subject.label},
                         {"kind", subject.kind},
                         {"cells", cells},
-                        {"breaks", breaks}});
+                        {"breaks", first_breaks_of}});
     }
     return rows;
 }

@@ -116,7 +116,8 @@ std::string verdict_text(const TuningRecord& tuning) {
         parts.push_back(fmt::format("{} of {} {}", parts.empty() ? "the tuned settings" : "those",
                                     listed(std::move(names)), words));
     }
-    if (parts.empty()) return "Nothing was left out, so it is not known how these settings do on other views.";
+    if (parts.empty())
+        return "Nothing was left out, so it is not known how these settings do on other views.";
     return fmt::format("On what was left out, {}.", fmt::join(parts, "; "));
 }
 

@@ -61,6 +61,15 @@ constexpr LiveCase kCases[] = {
 INSTANTIATE_TEST_SUITE_P(Page, LivePictures, ::testing::ValuesIn(kCases),
                          [](const auto& one) { return std::string(one.param.name); });
 
+TEST(LiveLayers, AreUnpackedWhenAMethodReadsThem) {
+    REQUIRE_BROWSER();
+    const fs::path folder = testing::output_dir();
+    const testing::ProgramRun run = testing::run_aoscore(
+        "score atrium --size 160x96 --samples 16 --methods gtao,sd-hbao --quiet --out measured", folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    testing::expect_spec_holds("live-layers.mjs", folder);
+}
+
 /// The picture of the only cell.
 ImageF picture_of(const fs::path& folder) {
     const Results results = read_results(folder);

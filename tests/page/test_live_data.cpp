@@ -318,7 +318,7 @@ TEST(LivePacking, PredictsTheNormalsOfCurvedSurfacesAlone) {
     EXPECT_EQ(pack_normals(facets).kind, "normals");
     const PackedInput curved = pack_normals(sphere);
     EXPECT_EQ(curved.kind, "predicted normals");
-    EXPECT_LT(curved.data.size(), sphere.size() * 4 * 4 / 3 / 2) << "half of the codes' own base64";
+    EXPECT_LT(curved.data.size(), sphere.size() * 4 * 16 / 13 / 2) << "half of the codes' own text";
 }
 
 }  // namespace

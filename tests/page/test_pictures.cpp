@@ -5,11 +5,11 @@
 #include "page/pictures/quantised_image.h"
 #include "page/pictures/signal_picture.h"
 #include "page/pictures/thumbnail.h"
+#include "page/unpacking.h"
 #include "support/support.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <cmath>
 #include <limits>
@@ -42,13 +42,8 @@ std::string from_base64(const std::string& text) {
 std::vector<double> unpacked(const QuantisedImage& image) {
     const auto width = static_cast<std::size_t>(image.width);
     const std::size_t size = width * static_cast<std::size_t>(image.height);
-    const std::string packed = from_base64(image.data);
-    std::string bytes(size * static_cast<std::size_t>(image.bytes), '\0');
-    auto length = static_cast<uLongf>(bytes.size());
-    EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(bytes.data()), &length,
-                         reinterpret_cast<const Bytef*>(packed.data()), packed.size()),
-              Z_OK);
-    EXPECT_EQ(length, bytes.size());
+    const std::string bytes = testing::inflated(image.data);
+    EXPECT_EQ(bytes.size(), size * static_cast<std::size_t>(image.bytes));
     const auto byte = [&](std::size_t i) { return static_cast<int>(static_cast<unsigned char>(bytes[i])); };
     const int modulus = image.bytes == 1 ? 256 : 65536;
     std::vector<int> codes(size);
@@ -197,8 +192,8 @@ TEST(SignalErrorPicture, IsBlueWhereAConeIsTooNarrowAndRedWhereItIsTooWide) {
     const SignalImage truth(1, ImageF(3, 1, 0.8F));
     SignalImage test = truth;
     test[0].pixels = {0.3F, 0.8F, 1.3F};
-    const ImageFile picture = read_back(signal_error_picture(
-        signal("cone_angle"), {truth, test, Mask(3, 1, 1), ImageF(3, 1, 0.0F)}, 100));
+    const ImageFile picture = read_back(
+        signal_error_picture(signal("cone_angle"), {truth, test, Mask(3, 1, 1), ImageF(3, 1, 0.0F)}, 100));
     const ImageF &red = *picture.channel("R"), &blue = *picture.channel("B");
     EXPECT_GT(blue.pixels[0], red.pixels[0]);
     EXPECT_EQ(blue.pixels[1], red.pixels[1]);

@@ -3,8 +3,8 @@
 #include "core/signal.h"
 #include "image/image_file.h"
 #include "metrics/signal_metric.h"
-#include "page/pictures/signal_picture.h"
 #include "page/page.h"
+#include "page/pictures/signal_picture.h"
 #include "support/support.h"
 #include "synthetic_results.h"
 
@@ -60,7 +60,8 @@ TEST(SignalSection, HasATableAndPicturesOfEverySignal) {
         add_channels(folder / cell.image_file, {channels.begin(), channels.end()});
     }
     EXPECT_THAT(page_of(folder), Not(HasSubstr("alt=\"Error of the")));
-    for (const std::string& id : further_signals()) add_channels(folder / view.truth_file, {signal(id).error_channel});
+    for (const std::string& id : further_signals())
+        add_channels(folder / view.truth_file, {signal(id).error_channel});
     const std::string page = page_of(folder);
     EXPECT_THAT(page, HasSubstr("id=\"signals\""));
     for (const std::string& id : further_signals()) {

@@ -18,13 +18,24 @@ function chartAxis(label, more = {}) {
     labelFont: '13px system-ui, sans-serif', labelSize: 22, ...more };
 }
 
-// 1, 2 and 5 of every decade; where that leaves fewer than three, even steps.
+// 1, 2 and 5 of every decade, or 1 alone where there is no room for all their numbers; where that leaves fewer than three,
+// even steps.
+const roomForNumber_px = 40;
+
 function logSplits(chart, axis, low, high) {
-  const splits = [];
-  for (let power = Math.floor(Math.log10(low)); 10 ** power <= high; power += 1) {
-    splits.push(...[1, 2, 5].map((digit) => digit * 10 ** power).filter((value) => value >= low && value <= high));
-  }
+  const decades = (digits) => {
+    const splits = [];
+    for (let power = Math.floor(Math.log10(low)); 10 ** power <= high; power += 1) {
+      splits.push(...digits.map((digit) => digit * 10 ** power).filter((value) => value >= low && value <= high));
+    }
+    return splits;
+  };
+  const { width, height } = chart.bbox;
+  const room_px = (chart.axes[axis].side % 2 === 0 ? width : height) / uPlot.pxRatio;
+  const all = decades([1, 2, 5]);
+  const splits = all.length * roomForNumber_px > room_px ? decades([1]) : all;
   if (splits.length >= 3) return splits;
+  if (all.length > splits.length && splits.length === 2) return splits;
   const decade = 10 ** Math.floor(Math.log10((high - low) / 3));
   const step = [5, 2, 1].map((digit) => digit * decade).find((size) => size <= (high - low) / 3);
   const even = [];

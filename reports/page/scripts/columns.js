@@ -120,14 +120,15 @@ function onWidth(box, act) {
   new ResizeObserver(() => requestAnimationFrame(look)).observe(box);
 }
 
-// Captions are no wider than their place.
+// Captions are no wider than their place. Returns the columns of all tables.
 function useColumns(section) {
-  for (const box of section.querySelectorAll('.scroll')) {
+  return [...section.querySelectorAll('.scroll')].flatMap((box) => {
     const table = box.querySelector('table.numbers');
     const columns = table?.tHead ? new TableColumns(box, table) : null;
     onWidth(box, () => {
       box.style.setProperty('--place', `${box.clientWidth}px`);
       columns?.fit();
     });
-  }
+    return columns ?? [];
+  });
 }

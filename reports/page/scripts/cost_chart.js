@@ -129,6 +129,11 @@ function startCostChart(element, { brief = false } = {}) {
   });
   if (points.length === 0) return;
   const largest = Math.max(...points.map(({ error, high }) => high ?? error));
+  // The points' own ends: uPlot would put a single point into the middle of decades.
+  const around = (name, below, above) => {
+    const values = points.map((point) => point[name]);
+    return () => [Math.min(...values) / below, Math.max(...values) * above];
+  };
   const series = (shown) => points.map((point) => (shown(point) ? point.error : null));
   const data = [points.map(({ ms }) => ms), series(({ front }) => front), series(({ front, bound }) => !front && !bound), series(({ bound }) => bound)];
   const options = () => {
@@ -136,8 +141,8 @@ function startCostChart(element, { brief = false } = {}) {
     return {
       legend: { show: false },
       cursor: { drag: { x: false, y: false }, points: { show: false } },
-      scales: { x: { time: false, distr: 3, range: (chart, low, high) => [low / 1.6, high * 1.9] },
-        y: brief ? { distr: 3, range: (chart, low, high) => [low / 2.4, high * 1.2] } : { range: [0, largest * 1.15] } },
+      scales: { x: { time: false, distr: 3, range: around('ms', 1.6, 1.9) },
+        y: brief ? { distr: 3, range: around('error', 2.4, 1.2) } : { range: [0, largest * 1.15] } },
       axes: [logAxis('AO and filter, ms'), (brief ? logAxis : chartAxis)(element.dataset.metric, { size: 60 })],
       series: [{}, { paths: uPlot.paths.stepped({ align: 1 }), stroke: pageColour('accent'), width: 2, spanGaps: true,
         points: { ...dot(pageColour('accent')), fill: pageColour('accent') } },

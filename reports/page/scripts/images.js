@@ -4,11 +4,29 @@ const documentIsParsed = document.readyState === 'loading'
   ? new Promise((resolve) => { document.addEventListener('DOMContentLoaded', resolve, { once: true }); })
   : Promise.resolve();
 
+// The bytes of a text as src/page/document/dense_text.h writes them.
+function denseBytes(text) {
+  const bytes = new Uint8Array(Math.floor(text.length * 13 / 16));
+  const digitAt = (i) => {
+    const code = text.charCodeAt(i);
+    return code < 60 ? code - 33 : code - 34;
+  };
+  let size = 0;
+  for (let i = 0, bits = 0, count = 0; i < text.length; i += 2) {
+    const isLastAlone = i + 1 === text.length;
+    bits |= (isLastAlone ? digitAt(i) : digitAt(i) * 93 + digitAt(i + 1)) << count;
+    count += isLastAlone ? 6 : 13;
+    for (; count >= 8; count -= 8, bits >>>= 8) {
+      bytes[size] = bits & 255;
+      size += 1;
+    }
+  }
+  return bytes.subarray(0, size);
+}
+
 async function inflatedBytes(name) {
   await documentIsParsed;
-  const text = atob(document.querySelector(`script[data-image="${CSS.escape(name)}"]`).textContent);
-  const packed = new Uint8Array(text.length);
-  for (let i = 0; i < packed.length; i += 1) packed[i] = text.charCodeAt(i);
+  const packed = denseBytes(document.querySelector(`script[data-image="${CSS.escape(name)}"]`).textContent);
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
@@ -23,6 +41,13 @@ function unfoldedResiduals(bytes, size) {
   return residuals;
 }
 
+// What the median edge detector expects beside these neighbours.
+function medianOf(left, up, upLeft) {
+  const low = left < up ? left : up;
+  const high = left < up ? up : left;
+  return upLeft >= high ? low : upLeft <= low ? high : left + up - upLeft;
+}
+
 // Adds to each residual what the median edge detector predicts; the array's type wraps the sums around.
 function predictCodes(codes, width, height) {
   for (let y = 0, i = 0; y < height; y += 1) {
@@ -30,9 +55,7 @@ function predictCodes(codes, width, height) {
     let upLeft = 0;
     for (let x = 0; x < width; x += 1, i += 1) {
       const up = y > 0 ? codes[i - width] : 0;
-      const low = left < up ? left : up;
-      const high = left < up ? up : left;
-      codes[i] += upLeft >= high ? low : upLeft <= low ? high : left + up - upLeft;
+      codes[i] += medianOf(left, up, upLeft);
       left = codes[i];
       upLeft = up;
     }

@@ -125,7 +125,7 @@ function causeLayer(view) {
 // By picture and method; what belongs to the view is the same for every method.
 const layerKinds = {
   truth: (view) => visibilityLayer(`truth ${view.key}`, 'Truth',
-    `Ray-traced visibility, ${view.samples} samples a pixel, R ${view.radius} m: white is open.`, view.images.truth),
+    `Ray-traced visibility, ${view.samples > 0 ? `${view.samples} samples a pixel` : 'from a file'}, R ${view.radius} m: white is open.`, view.images.truth),
   noise: (view, cell, options) => scalarLayer({ key: `noise ${view.key}`, title: 'Truth’s noise',
     text: 'Standard error of each pixel’s truth: no method can be judged finer than this.', image: view.images.noise,
     map: options.gray ? 'grayMagnitude' : 'magma', low: 0, high: view.noiseHigh, unit: 'standard error of visibility',

@@ -1,17 +1,26 @@
 // The G-buffers that methods are run on, unpacked when they are first needed; src/page/live/live_packing.h says how they lie
 // here.
 
-// 32-bit integers of an image: four planes of bytes, the highest first, of what is left after left + up - upper left.
-function unpackedIntegers(bytes, width, height) {
-  const size = width * height;
+// 32-bit integers in four planes of bytes, the highest first, that were folded (0, -1, 1, -2, … became 0, 1, 2, 3, …).
+function foldedIntegers(bytes) {
+  const size = bytes.length / 4;
   const values = new Uint32Array(size);
+  for (let i = 0; i < size; i += 1) {
+    const folded = bytes[i] << 24 | bytes[size + i] << 16 | bytes[2 * size + i] << 8 | bytes[3 * size + i];
+    values[i] = folded >>> 1 ^ -(folded & 1);
+  }
+  return values;
+}
+
+// 32-bit integers of an image, of which is stored what is left after left + up - upper left.
+function unpackedIntegers(bytes, width, height) {
+  const values = foldedIntegers(bytes);
   for (let y = 0, i = 0; y < height; y += 1) {
     for (let x = 0; x < width; x += 1, i += 1) {
-      const folded = bytes[i] << 24 | bytes[size + i] << 16 | bytes[2 * size + i] << 8 | bytes[3 * size + i];
       const left = x > 0 ? values[i - 1] : 0;
       const up = y > 0 ? values[i - width] : 0;
       const upLeft = x > 0 && y > 0 ? values[i - width - 1] : 0;
-      values[i] = left + up - upLeft + (folded >>> 1 ^ -(folded & 1));  // modulo 2^32, as the array stores it
+      values[i] += left + up - upLeft;  // modulo 2^32, as the array stores it
     }
   }
   return values;

@@ -1,26 +1,5 @@
 // Depth layers of a view, gathered from the surfaces behind one another that the page holds: shaders/gbuffer/gathered_layers.frag
-// tosses the coins that the run tossed for triangles. src/page/live/live_surfaces.h says how surfaces lie here.
-
-// {count, depths, triangles} of a view or a previewView(): depths, negative where a face is seen from behind, and triangles'
-// numbers, one surface after the other. `say(text)` is told how far it is.
-async function unpackedSurfaces({ width, height, surfaces }, say) {
-  const { depths: depthBlocks, triangles: triangleBlocks, numbers: numbersBlock, count: numberCount } = surfaces;
-  const size = width * height;
-  const count = depthBlocks.length;
-  const numbers = unpackedIntegers(await inflatedBytes(numbersBlock), numberCount, 1);
-  const depths = new Float32Array(size * count);
-  const triangles = new Uint32Array(size * count);
-  for (let layer = 0; layer < count; layer += 1) {
-    say(`Unpacking surfaces behind one another, ${layer + 1} of ${count} …`);
-    const far = new Float32Array(unpackedIntegers(await inflatedBytes(depthBlocks[layer]), width, height).buffer);
-    const places = unpackedIntegers(await inflatedBytes(triangleBlocks[layer]), width, height);
-    for (let i = 0, at = layer * size; i < size; i += 1, at += 1) {
-      depths[at] = places[i] & 1 ? -far[i] : far[i];
-      triangles[at] = numbers[places[i] >>> 1];
-    }
-  }
-  return { count, depths, triangles };
-}
+// tosses the coins that the run tossed for triangles.
 
 class LiveLayers {
   constructor(runner) {

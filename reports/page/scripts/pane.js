@@ -105,13 +105,6 @@ function markPixel(context, pixel, place) {
   context.strokeRect(...box);
 }
 
-function make(tag, className, ...children) {
-  const element = document.createElement(tag);
-  if (className) element.className = className;
-  element.append(...children);
-  return element;
-}
-
 function colourBar({ map, ticks, unit }) {
   const gradient = make('span', 'gradient');
   gradient.style.background = cssGradient(map);

@@ -1,6 +1,11 @@
 // Histograms on a logarithmic axis, since most pixels are near 0, and cumulative curves; one hue and dash for each method.
 const percentText = (value) => (value >= 1 || value === 0 ? String(Math.round(value)) : String(Number(value.toPrecision(1))));
 
+// Curves of more methods than this hide one another: then only so many are drawn at first, the closest methods, and a click
+// on a name in the legend draws another.
+const mostCurves = 10;
+const firstCurves = 6;
+
 // The legend holds the shares at the error under the pointer, or at `rest` while there is none.
 function curveChart(element, { scales, axes, mapped, rest }) {
   const { low, step, series } = chartData(element);
@@ -13,6 +18,7 @@ function curveChart(element, { scales, axes, mapped, rest }) {
     axes: axes(),
     series: [{ label: 'error', value: (chart, value, i, at) => numberText(positions[at ?? nearest], 3) },
       ...series.map(({ name, shares }, i) => ({ label: name, ...seriesLook(i), points: { show: false },
+        show: series.length <= mostCurves || i < firstCurves,
         value: (chart, value, k, at) => `${numberText(shares[at ?? nearest] * 100, 2)} %` }))],
   }), data);
 }

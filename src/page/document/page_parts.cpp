@@ -68,13 +68,23 @@ std::string page_script() {
     for (const Library& library : kLibraries) {
         script += licence_comment(library) + library_file(library, library.script) + "\n";
     }
-    script += "(() => {\n'use strict';\n";
-    for (const fs::path& file : files_by_name(page_folder() / "scripts", ".js")) script += read_file(file);
+    std::string own;
+    for (const fs::path& file : files_by_name(page_folder() / "scripts", ".js")) own += read_file(file);
     for (const Section& section : sections()) {
         const fs::path file = page_folder() / "sections" / (std::string(section.id) + ".js");
-        if (fs::exists(file)) script += "{\n" + read_file(file) + "}\n";
+        if (fs::exists(file)) own += "{\n" + read_file(file) + "}\n";
     }
-    return script + "})();\n";
+    return script + closed_script(own);
+}
+
+std::string page_scripts(const std::vector<std::string>& names) {
+    std::string scripts;
+    for (const std::string& name : names) scripts += read_file(page_folder() / "scripts" / name);
+    return scripts;
+}
+
+std::string closed_script(const std::string& scripts) {
+    return "(() => {\n'use strict';\n" + scripts + "})();\n";
 }
 
 }  // namespace aoscore

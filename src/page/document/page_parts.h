@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace aoscore {
 
@@ -16,5 +17,10 @@ std::string page_style();
 /// their names, which hold declarations, then reports/page/sections/<id>.js of the sections that have one,
 /// each in a block of its own, which run. Throws file_error when a library is not installed.
 std::string page_script();
+
+/// The page's scripts of these names, such as "columns.js", for another page.
+std::string page_scripts(const std::vector<std::string>& names);
+/// Scripts as one whose names others do not see.
+std::string closed_script(const std::string& scripts);
 
 }  // namespace aoscore

@@ -57,8 +57,8 @@ std::string script_json(const nlohmann::json& value) {
     return text;
 }
 
-std::string data_block(const std::string& name, const std::string& base64) {
-    return "<script type=\"application/octet-stream\" data-image=\"" + escaped_html(name) + "\">" + base64 +
+std::string data_block(const std::string& name, const std::string& text) {
+    return "<script type=\"application/octet-stream\" data-image=\"" + escaped_html(name) + "\">" + text +
            "</script>\n";
 }
 

@@ -18,8 +18,8 @@ std::string escaped_html(const std::string& text);
 /// element.
 std::string script_json(const nlohmann::json& value);
 
-/// A script element of a type that browsers do not run, with the base64 of a zlib stream; the page's scripts
+/// A script element of a type that browsers do not run, with dense_text() of a zlib stream; the page's scripts
 /// find it by its name.
-std::string data_block(const std::string& name, const std::string& base64);
+std::string data_block(const std::string& name, const std::string& text);
 
 }  // namespace aoscore

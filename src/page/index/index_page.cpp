@@ -29,7 +29,8 @@ std::string view_name(const IndexedView& view) {
     return view.scene + "/" + view.view;
 }
 
-json place_model(const ScenePlace& place, const IndexContents& contents, double largest) {
+json place_model(const ScenePlace& place, const IndexContents& contents, double largest,
+                 bool several_scenes) {
     const IndexedContestant& contestant = contents.contestants[place.contestant];
     const IndexedCell& worst = contents.cells[place.worst_cell];
     const auto at = [&](double error) { return fmt::format("{:.2f}%", 100 * error / largest); };
@@ -40,8 +41,9 @@ json place_model(const ScenePlace& place, const IndexContents& contents, double 
     return {{"rank", rank_of(place, contestant)},
             {"name", contestant.name},
             {"error", fixed_text(place.error, 4)},
-            {"interval",
-             fmt::format("{} to {}", fixed_text(place.interval.low, 4), fixed_text(place.interval.high, 4))},
+            {"interval", several_scenes ? fmt::format("{} to {}", fixed_text(place.interval.low, 4),
+                                                      fixed_text(place.interval.high, 4))
+                                        : kNoNumber},
             {"low", at(place.interval.low)},
             {"high", at(place.interval.high)},
             {"at", at(place.error)},
@@ -86,7 +88,7 @@ json page_model(const IndexContents& contents, const SceneRanking& ranking, cons
     for (const ScenePlace& place : ranking.places) largest = std::max(largest, place.interval.high);
     json places = json::array(), unreadable = json::array();
     for (const ScenePlace& place : ranking.places)
-        places.push_back(place_model(place, contents, largest > 0 ? largest : 1));
+        places.push_back(place_model(place, contents, largest > 0 ? largest : 1, ranking.scenes > 1));
     for (const UnreadableResults& one : contents.unreadable)
         unreadable.push_back({{"path", one.path}, {"reason", one.reason}});
     return {{"version", std::string(version())},
@@ -120,7 +122,8 @@ fs::path write_index_page(const IndexContents& contents, const fs::path& folder,
     write_atomically(
         path,
         html_text({"index", read_file(page_folder() / "style" / "page.css") + read_file(parts / "style.css"),
-                   read_file(parts / "script.js"), fill_template(read_file(frame), model, frame.string())}));
+                   closed_script(page_scripts({"make.js", "columns.js"}) + read_file(parts / "script.js")),
+                   fill_template(read_file(frame), model, frame.string())}));
     return path;
 }
 

@@ -137,7 +137,8 @@ std::string scene_sentence(const SceneRanking& ranking, const IndexContents& con
     const auto name = [&](const ScenePlace& place) { return contents.contestants[place.contestant].name; };
     if (ranking.places.empty()) return "No method could be scored.";
     if (ranking.scenes < 2)
-        return "The methods share only one scene, so it cannot be told how far its ranking carries over to others.";
+        return "The methods share only one scene, so it cannot be told how far its ranking carries over to "
+               "others.";
     std::vector<std::string> leaders;
     std::size_t ranked = 0;
     const ScenePlace* best = nullptr;

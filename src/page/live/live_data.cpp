@@ -174,13 +174,15 @@ bool reads_layers(const json& index) {
                                [](const json& method) { return method.contains("depth_layers"); });
 }
 
-void add_surfaces(LiveData& data, const ViewRecord& view, const ImageFile& gbuffer, const fs::path& path) {
+void add_surfaces(LiveData& data, const ViewRecord& view, const ImageFile& gbuffer, const fs::path& path,
+                  const std::string& depth_block) {
     json& index = data.index.at("views").at(view.key);
-    PackedSurfaces packed =
-        pack_surfaces(gbuffer, path, index.at("far_m").get<double>(), "live " + view.key + " surfaces",
-                      index.at("preview_factor").get<int>(), [&](std::string block, std::string text) {
-                          data.blocks.emplace_back(std::move(block), std::move(text));
-                      });
+    PackedSurfaces packed = pack_surfaces(
+        gbuffer, path, index.at("far_m").get<double>(), "live " + view.key + " surfaces", depth_block,
+        index.at("preview_factor").get<int>(), [&](std::string block, std::string text) {
+            data.surface_blocks.insert(block);
+            data.blocks.emplace_back(std::move(block), std::move(text));
+        });
     index["surfaces"] = std::move(packed.index);
     index["preview_surfaces"] = std::move(packed.preview_index);
     if (packed.full_share == 0) return;
@@ -242,7 +244,7 @@ std::string add_gbuffer(LiveData& data, const ViewRecord& view, const ImageFile&
         add("preview_inputs", name + " preview", packed[i].preview);
         if (id == kDepthChannel) depth_block = name;
     }
-    if (reads_layers(data.index)) add_surfaces(data, view, gbuffer, path);
+    if (reads_layers(data.index)) add_surfaces(data, view, gbuffer, path, depth_block);
     return depth_block;
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +33,7 @@ struct LiveData {
 
     /// The texts of script elements by name: packed G-buffer inputs (live_packing.h).
     std::vector<std::pair<std::string, std::string>> blocks;
+    std::set<std::string> surface_blocks;  ///< names of those that only methods over depth layers need
 };
 
 /// Reads the index, without the G-buffers' blocks. Throws file_error for a live.json that is damaged or lacks

@@ -1,7 +1,7 @@
 #include "page/live/live_packing.h"
 
-#include "page/document/base64.h"
 #include "page/document/deflate.h"
+#include "page/document/dense_text.h"
 #include "page/document/median_residuals.h"
 
 #include <zlib.h>
@@ -59,20 +59,29 @@ std::string bytes_of(const OctahedralCodes& codes) {
 }  // namespace
 
 std::string pack_text(std::string_view text) {
-    return base64(deflated(text, 9, Z_DEFAULT_STRATEGY));
+    return dense_text(deflated(text, 9, Z_DEFAULT_STRATEGY));
+}
+
+std::string folded_planes(std::span<const std::uint32_t> residuals) {
+    const std::size_t size = residuals.size();
+    std::string bytes(4 * size, '\0');
+    for (std::size_t i = 0; i < size; ++i) {
+        const std::uint32_t value = folded(residuals[i]);
+        for (std::size_t k = 0; k < 4; ++k) bytes[k * size + i] = static_cast<char>(value >> (24 - 8 * k));
+    }
+    return bytes;
 }
 
 std::string pack_integers(std::span<const std::uint32_t> values, int width) {
     const std::size_t size = values.size(), row = static_cast<std::size_t>(width);
-    std::string bytes(4 * size, '\0');
+    std::vector<std::uint32_t> residuals(size);
     for (std::size_t i = 0; i < size; ++i) {
         const bool has_left = i % row != 0, has_up = i >= row;
         const std::uint32_t left = has_left ? values[i - 1] : 0U, up = has_up ? values[i - row] : 0U;
         const std::uint32_t up_left = has_left && has_up ? values[i - row - 1] : 0U;
-        const std::uint32_t residual = folded(values[i] - (left + up - up_left));
-        for (std::size_t k = 0; k < 4; ++k) bytes[k * size + i] = static_cast<char>(residual >> (24 - 8 * k));
+        residuals[i] = values[i] - (left + up - up_left);
     }
-    return base64(deflated(bytes, 6, Z_FILTERED));
+    return dense_text(deflated(folded_planes(residuals), 6, Z_FILTERED));
 }
 
 PackedInput pack_floats(const ImageF& image) {
@@ -91,7 +100,7 @@ PackedInput pack_normals(const Image<glm::vec3>& normals) {
     };
     const bool predict = quick_size(residuals) < quick_size(plain);
     return {predict ? "predicted normals" : "normals",
-            base64(deflated(predict ? residuals : plain, 6, Z_DEFAULT_STRATEGY))};
+            dense_text(deflated(predict ? residuals : plain, 6, Z_DEFAULT_STRATEGY))};
 }
 
 }  // namespace aoscore

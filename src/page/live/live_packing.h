@@ -12,7 +12,7 @@
 namespace aoscore {
 
 /// These functions pack numbers for the page's live methods. Each result is a zlib stream (RFC 1950) in
-/// base64; reports/page/scripts/live_decode.js unpacks it.
+/// dense_text(); reports/page/scripts/live_decode.js unpacks it.
 
 std::string pack_text(std::string_view text);
 
@@ -22,8 +22,12 @@ struct PackedInput {
     std::string data;
 };
 
-/// Packs integers row by row, exactly: the residuals after left + up - upper left (0 outside) modulo 2^32,
-/// folded so that 0, -1, 1, -2, … become 0, 1, 2, 3, …; the highest bytes of all pixels first. The bits of
+/// Four planes of bytes, the highest ones of all residuals first, which are folded so that 0, -1, 1, -2, …
+/// become 0, 1, 2, 3, …
+std::string folded_planes(std::span<const std::uint32_t> residuals);
+
+/// Packs integers row by row, exactly: the residuals after left + up - upper left (0 outside) modulo 2^32, as
+/// folded_planes(). The bits of
 /// positive floats order as the floats do, so that this packs depth as well, at about 5 bits a pixel.
 std::string pack_integers(std::span<const std::uint32_t> values, int width);
 PackedInput pack_floats(const ImageF& image);

@@ -4,6 +4,7 @@
 #include "core/threads.h"
 #include "image/surface_channels.h"
 #include "page/live/live_preview.h"
+#include "page/live/surface_packing.h"
 #include "page/pictures/stored_images.h"
 
 #include <fmt/format.h>
@@ -17,6 +18,8 @@ namespace aoscore {
 namespace {
 
 using nlohmann::json;
+
+constexpr const char* kDepthName = "Z";
 
 /// One of the surfaces at each pixel.
 struct KeptSurface {
@@ -85,7 +88,7 @@ struct PackedSurface {
 };
 
 PackedSurface pack_surface(const ImageF& depth_m, const Image<std::uint32_t>& triangle) {
-    return {pack_floats(depth_m).data, pack_integers(triangle.pixels, triangle.width)};
+    return {pack_depths(depth_m, triangle), pack_triangles(triangle)};
 }
 
 double full_share(const std::vector<KeptSurface>& surfaces, double far_m) {
@@ -99,7 +102,7 @@ double full_share(const std::vector<KeptSurface>& surfaces, double far_m) {
 }  // namespace
 
 PackedSurfaces pack_surfaces(const ImageFile& gbuffer, const std::filesystem::path& path, double far_m,
-                             const std::string& name, int factor,
+                             const std::string& name, const std::string& depth_block, int factor,
                              const std::function<void(std::string, std::string)>& add_block) {
     std::vector<KeptSurface> surfaces = read_surfaces(gbuffer, path);
     const std::vector<std::uint32_t> numbers = numbers_of(surfaces);
@@ -111,7 +114,10 @@ PackedSurfaces pack_surfaces(const ImageFile& gbuffer, const std::filesystem::pa
             pack_surface(preview_of(surfaces[i].depth_m, factor), preview_of(surfaces[i].triangle, factor));
     });
     const std::string numbers_block = name + " numbers";
+    const bool first_is_depth = !depth_block.empty() && !surfaces.empty() &&
+                                surfaces[0].depth_m.pixels == channel_of(gbuffer, path, kDepthName).pixels;
     const json empty = {{"depths", json::array()},
+                        {"first_is_depth", first_is_depth},
                         {"triangles", json::array()},
                         {"numbers", numbers_block},
                         {"count", numbers.size()}};
@@ -124,9 +130,14 @@ PackedSurfaces pack_surfaces(const ImageFile& gbuffer, const std::filesystem::pa
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         const std::string depths = fmt::format("{} depths {}", name, i);
         const std::string triangles = fmt::format("{} triangles {}", name, i);
-        add(packed.index, "depths", depths, full[i].depths);
+        if (i == 0 && first_is_depth) {
+            packed.index["depths"].push_back(depth_block);
+            packed.preview_index["depths"].push_back(depth_block + " preview");
+        } else {
+            add(packed.index, "depths", depths, full[i].depths);
+            add(packed.preview_index, "depths", depths + " preview", preview[i].depths);
+        }
         add(packed.index, "triangles", triangles, full[i].triangles);
-        add(packed.preview_index, "depths", depths + " preview", preview[i].depths);
         add(packed.preview_index, "triangles", triangles + " preview", preview[i].triangles);
     }
     return packed;

@@ -159,7 +159,8 @@ void add_signals(const CellRecord& cell, const ViewRecord& view, const Truth& tr
 
 /// Makes them, and shows the image to `use` before it is dropped.
 CellPictures cell_pictures(const CellRecord& cell, const ViewRecord& view, const Truth& truth,
-                           const Encoding& encoding, const fs::path& folder, const std::function<void(const ImageF&)>& use) {
+                           const Encoding& encoding, const fs::path& folder,
+                           const std::function<void(const ImageF&)>& use) {
     const fs::path path = stored_path(folder, cell.image_file);
     const ImageFile file = read_image(path);
     const ImageF& output = channel_of(file, path, "Y");

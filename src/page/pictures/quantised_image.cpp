@@ -1,7 +1,7 @@
 #include "page/pictures/quantised_image.h"
 
-#include "page/document/base64.h"
 #include "page/document/deflate.h"
+#include "page/document/dense_text.h"
 #include "page/document/median_residuals.h"
 
 #include <zlib.h>
@@ -43,7 +43,7 @@ QuantisedImage quantise(const ImageF& image, double low, double high, int levels
     QuantisedImage result = scale_for(image, low, high, levels);
     // Residuals are mostly noise, with runs of zeros where all is open: entropy coding and run lengths
     // compress them almost as well as a search for repetitions would, and several times as fast.
-    result.data = base64(deflated(median_residuals(codes_of(image, result), result.bytes), 1, Z_RLE));
+    result.data = dense_text(deflated(median_residuals(codes_of(image, result), result.bytes), 1, Z_RLE));
     return result;
 }
 

@@ -12,7 +12,7 @@ inline constexpr int kLevelsOfOneByte = 255, kLevelsOfTwoBytes = 65535;
 /// An image quantised for a page: value = low + step * code, with an error of at most half a step. The
 /// largest code, 255 or 65535, stands where there is no finite number.
 ///
-/// `data` is the base64 of a zlib stream (RFC 1950) of the codes' residuals (median_residuals.h).
+/// `data` is dense_text() of a zlib stream (RFC 1950) of the codes' residuals (median_residuals.h).
 struct QuantisedImage {
     int width = 0, height = 0;
     double low = 0, step = 0;

@@ -128,10 +128,11 @@ json section::claims(const PageSource& source) {
             {{"source", name}, {"counts", counts(by_verdict, claims.size())}, {"claims", claims}});
     }
     model["overall"] = counts(overall, source.results.claims.size());
-    model["in_short"] =
-        fmt::format("Of {} {} hold, {} do not hold and {} cannot be told here.",
-                    counted(source.results.claims.size(), "claim", "claims"), overall[ClaimRecord::kHolds],
-                    overall[ClaimRecord::kFails], overall[ClaimRecord::kCannotTell]);
+    model["in_short"] = fmt::format("Of {}, {}, {} and {} cannot be told here.",
+                                    counted(source.results.claims.size(), "claim", "claims"),
+                                    counted(overall[ClaimRecord::kHolds], "holds", "hold"),
+                                    counted(overall[ClaimRecord::kFails], "does not hold", "do not hold"),
+                                    overall[ClaimRecord::kCannotTell]);
     return model;
 }
 

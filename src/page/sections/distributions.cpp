@@ -101,11 +101,25 @@ std::string common_share(const std::string& split, std::size_t bin, const Cells&
     return common.value_or("") + " %";
 }
 
+/// The bins that hold pixels of some method; the others would be columns of dashes.
+std::vector<std::size_t> filled_bins(const Split& split, const Cells& cells) {
+    std::vector<std::size_t> filled;
+    for (std::size_t i = 0; i < split.bins.size(); ++i) {
+        const bool any = std::ranges::any_of(cells, [&](const CellRecord* cell) {
+            const Split* own = split_of(*cell, split.id);
+            return own != nullptr && i < own->bins.size() && own->bins[i].share > 0;
+        });
+        if (any) filled.push_back(i);
+    }
+    return filled;
+}
+
 /// The model of one split of all methods, which have the same bins.
 json split_model(const Split& split, const Cells& cells) {
+    const std::vector<std::size_t> shown = filled_bins(split, cells);
     double largest = 0;
     json heads = json::array(), rows = json::array();
-    for (std::size_t i = 0; i < split.bins.size(); ++i)
+    for (const std::size_t i : shown)
         heads.push_back({{"label", split.bins[i].label}, {"share", common_share(split.id, i, cells)}});
     for (const CellRecord* cell : cells) {
         const Split* own = split_of(*cell, split.id);
@@ -116,7 +130,7 @@ json split_model(const Split& split, const Cells& cells) {
         const Split* own = split_of(*cell, split.id);
         if (own == nullptr || own->bins.size() != split.bins.size()) continue;
         json bins = json::array();
-        for (const SplitBin& bin : own->bins) bins.push_back(bin_model(bin, largest));
+        for (const std::size_t i : shown) bins.push_back(bin_model(own->bins[i], largest));
         rows.push_back({{"method", series_name(*cell, cells)}, {"bins", std::move(bins)}});
     }
     return {{"label", split.label},

@@ -228,16 +228,21 @@ std::string visibility_levels_text(const Pictures& pictures) {
 
 /// Says how many rays the truths have, what drew the methods, and whether anything was warned of.
 std::string measurement_in_short(const Results& results, std::size_t warnings) {
+    const bool given = std::ranges::any_of(
+        results.views, [](const ViewRecord& view) { return view.truth_origin == "given"; });
     std::string rays;
-    if (!results.views.empty()) {
+    if (!results.views.empty() && !given) {
         const auto [least, most] = std::ranges::minmax(results.views, {}, &ViewRecord::samples);
         rays = fmt::format(" with {}{} rays a pixel", least.samples,
                            least.samples == most.samples ? "" : fmt::format(" to {}", most.samples));
     }
     const std::string warned = warnings == 0 ? "No warning was given."
                                              : counted(warnings, "warning was", "warnings were") + " given.";
-    return fmt::format("Embree traced {}{}; {} drew the methods. {}",
-                       counted(results.views.size(), "truth", "truths"), rays, results.gl_renderer, warned);
+    const std::string truths = counted(results.views.size(), "truth", "truths");
+    return fmt::format("{}; {} drew the methods. {}",
+                       given ? truths + (results.views.size() == 1 ? " was" : " were") + " read from files"
+                             : "Embree traced " + truths + rays,
+                       results.gl_renderer, warned);
 }
 
 }  // namespace

@@ -62,9 +62,8 @@ json table_of(const PageSource& source, const ViewRecord& view, const SignalReco
     json rows = json::array(), pictures = json::array();
     const auto of_truth = source.pictures.views.find(view.key);
     if (of_truth != source.pictures.views.end())
-        pictures.push_back({{"name", "Truth"},
-                            {"has_error", false},
-                            {"uri", of_truth->second.signals.at(record.id).uri}});
+        pictures.push_back(
+            {{"name", "Truth"}, {"has_error", false}, {"uri", of_truth->second.signals.at(record.id).uri}});
     for (const CellRecord* cell : cells_with(source.results, view, record.id, std::string(columns[0]->id))) {
         rows.push_back(
             {{"method", name_of(*cell)}, {"cell", cell->id}, {"numbers", numbers_of(*cell, columns)}});
@@ -109,9 +108,9 @@ std::string signals_in_short(const Results& results) {
             if (cells.empty()) continue;
             const auto& value = cells[0]->signals.at(record.id).at(std::string(metric->id)).value;
             if (cells.size() == 1)
-                return fmt::format("On {}, {} is the only method that gives the {}: its {} is {}{}.", view.key,
-                                   name_of(*cells[0]), in_text(signal(record.id).label), in_text(metric->label),
-                                   fixed_text(value, metric->decimals), metric->unit);
+                return fmt::format("On {}, {} is the only method that gives the {}: its {} is {}{}.",
+                                   view.key, name_of(*cells[0]), in_text(signal(record.id).label),
+                                   in_text(metric->label), fixed_text(value, metric->decimals), metric->unit);
             return fmt::format("On {}, {} is closest of {} to the truth’s {}: its {} is {}{}.", view.key,
                                name_of(*cells[0]), counted(cells.size(), "method", "methods"),
                                in_text(signal(record.id).label), in_text(metric->label),

@@ -296,9 +296,13 @@ json section::sweeps(const PageSource& source) {
         settings += sweep.points.size();
         model["sweeps"].push_back(sweep_model(source.results, sweep));
     }
+    const json& all = model["sweeps"];
+    const bool one_answer = all.size() == 1 && all[0].at("views").size() == 1;
     model["in_short"] =
-        fmt::format("{} of {} {} timed and scored.", counted(settings, "setting", "settings"),
-                    counted(model["sweeps"].size(), "sweep", "sweeps"), settings == 1 ? "was" : "were");
+        one_answer
+            ? all[0].at("views")[0].at("answer").get<std::string>()
+            : fmt::format("{} of {} {} timed and scored.", counted(settings, "setting", "settings"),
+                          counted(model["sweeps"].size(), "sweep", "sweeps"), settings == 1 ? "was" : "were");
     return model;
 }
 
