@@ -5,7 +5,8 @@
 #
 # Each part is one task of an array; they share the cache that AOSCORE_CACHE names, which must be the same folder on every
 # node. A part that is killed or loses its node is done again by `scontrol requeue`, and goes on where it was. The page is
-# made when all have ended well. SBATCH_… variables (partition, account, memory) count as always; AOSCORE is the program,
+# made when all have ended well. `--node-kind NAME` in the command says on which nodes times are taken: those whose
+# AOSCORE_NODE_KIND is that name. SBATCH_… variables (partition, account, memory) count as always; AOSCORE is the program,
 # AOSCORE_WORK the folder for the plan and the logs. Prints the number of the job that makes the page.
 set -euo pipefail
 [ $# -ge 2 ] || { echo "usage: $0 PARTS COMMAND..." >&2; exit 64; }

@@ -28,6 +28,22 @@ std::string obstacle(const MethodDescriptor& method, const Parameter& p) {
     return {};
 }
 
+/// Sets the limits of the search around a preset's value.
+void limit_search(const Parameter& p, double published, SearchAxis& axis) {
+    if (published > 0) {
+        axis.logarithmic = true;
+        axis.low = std::max(p.lowest, published / kFactor);
+        axis.high = std::min(p.highest, published * kFactor);
+        if (axis.whole) axis.low = std::max(axis.low, 1.0);
+        return;
+    }
+    const double widest = p.length_power > 0
+                              ? kPartOfRadius * std::pow(axis.reference_radius_m, p.length_power)
+                              : kWidestPlainRange;
+    axis.low = std::max(p.lowest, published < 0 ? published * kFactor : -widest);
+    axis.high = std::min(p.highest, published < 0 ? -published : widest);
+}
+
 SearchAxis axis_of(const MethodDescriptor& method, const Parameter& p, double published,
                    const std::string& preset) {
     SearchAxis axis;
@@ -37,18 +53,9 @@ SearchAxis axis_of(const MethodDescriptor& method, const Parameter& p, double pu
     const bool follows = !method.absolute_presets.contains(preset);
     axis.length_power = follows ? p.length_power : 0;
     axis.reference_radius_m = reference_radius(method, preset).value_or(1);
-    if (published > 0) {
-        axis.logarithmic = true;
-        axis.low = std::max(p.lowest, published / kFactor);
-        axis.high = std::min(p.highest, published * kFactor);
-        if (axis.whole) axis.low = std::max(axis.low, 1.0);
-        return axis;
-    }
-    const double widest = p.length_power > 0
-                              ? kPartOfRadius * std::pow(axis.reference_radius_m, p.length_power)
-                              : kWidestPlainRange;
-    axis.low = std::max(p.lowest, published < 0 ? published * kFactor : -widest);
-    axis.high = std::min(p.highest, published < 0 ? -published : widest);
+    limit_search(p, published, axis);
+    axis.more_below = p.lowest < axis.low;
+    axis.more_above = p.highest > axis.high;
     return axis;
 }
 
@@ -65,6 +72,12 @@ double SearchAxis::position(double value) const {
     const double at =
         logarithmic ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
     return std::clamp(at, 0.0, 1.0);
+}
+
+bool SearchAxis::ends_search(double value) const {
+    constexpr double kNear = 1e-3;  // of the positions
+    const double at = position(value);
+    return (more_below && at < kNear) || (more_above && at > 1 - kNear);
 }
 
 ParameterValue SearchAxis::on_view(double value, double radius_m) const {

@@ -14,13 +14,16 @@ struct SearchAxis {
     bool whole = false;        ///< integers alone
     bool logarithmic = false;  ///< even steps of the position are even factors of the value
     double low = 0, high = 1;  ///< limits of the value at the reference radius
-    double published = 0;      ///< the preset's value there
+    bool more_below = false, more_above = false;  ///< whether the parameter's range goes on beyond them
+    double published = 0;                         ///< the preset's value there
     int length_power = 0;
     double reference_radius_m = 1;
 
     /// The value at the reference radius for a position.
     double value(double position) const;
     double position(double value) const;
+    /// Whether the value lies at a limit of the search beyond which the parameter's range goes on.
+    bool ends_search(double value) const;
     /// The value on a view of this AO radius.
     ParameterValue on_view(double value, double radius_m) const;
 };

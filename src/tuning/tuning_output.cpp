@@ -64,6 +64,13 @@ void print_budget(const MethodTuning& tuning, const TunedMethod& t) {
         print_result("  {:<22} {:>12.5g} {:>12.5g} {:>14.4f} {:>16.4f}\n", w.parameter, w.published, w.tuned,
                      w.alone, w.without);
     }
+    for (std::size_t i = 0; i < t.settings.size(); ++i) {
+        const SearchAxis& axis = tuning.axes[i];
+        if (axis.ends_search(t.settings[i]))
+            print_result(
+                "  {} ends at a limit of the search, {:.5g} to {:.5g}: beyond it may be better ones\n",
+                axis.parameter, axis.low, axis.high);
+    }
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <set>
 
 namespace aoscore {
 namespace {
@@ -47,6 +48,16 @@ const CellRecord& row_of(const Results& results, const std::string& method, cons
     return *std::ranges::find_if(results.cells, [&](const CellRecord& cell) {
         return cell.method == method && cell.preset == preset;
     });
+}
+
+// A table may hold a method of ours beside the pass that it was written after.
+TEST(ShippedContestants, HaveLabelsOfTheirOwn) {
+    std::set<std::string> labels;
+    const fs::path methods = testing::source_dir() / "shaders/methods";
+    for (const auto& entry : fs::directory_iterator(methods))
+        labels.insert(nlohmann::json::parse(read_file(entry.path() / "method.json")).at("label"));
+    for (const std::string& id : shipped())
+        EXPECT_TRUE(labels.insert(description_of(id).at("label")).second) << id;
 }
 
 /// Whether Blender found no OpenGL to draw with: Eevee needs a driver's, with or without a display.

@@ -54,6 +54,15 @@ TEST(Tune, FindsSettingsThatAScoreByThePresetFileConfirms) {
     EXPECT_LT(by_score, scored("default", "default", folder) - 0.02);
     scored("tuned/hbao-plus.tuned.json", "nvidia-tuned", folder);
     EXPECT_EQ(budget.at("held_out").at(0).at("left_out"), "view");
+    // Both are searched from a quarter of their 1 to four times it, and may be more. The preset nvidia
+    // follows.
+    const std::string printed = run.out.substr(0, run.out.find(" as nvidia"));
+    for (const nlohmann::json& worth : budget.at("worth")) {
+        const double tuned = worth.at("tuned");
+        const std::string said =
+            worth.at("parameter").get<std::string>() + " ends at a limit of the search, 0.25 to 4";
+        EXPECT_EQ(printed.find(said) != std::string::npos, tuned < 0.251 || tuned > 3.99) << tuned << run.out;
+    }
 }
 
 TEST(Tune, GoesOnFromWhatWasMeasuredBeforeToTheSameAnswer) {

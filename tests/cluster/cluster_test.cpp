@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cstdlib>
 #include <map>
@@ -124,7 +125,12 @@ TEST(Times, AreTakenOnNodesOfTheNamedKindAlone) {
     EXPECT_EQ(results.work.passes, 0u) << "all but the times was there";
     EXPECT_THAT(results.views.at(0).warnings, ::testing::Contains(HasSubstr("left out")));
 
-    ASSERT_EQ(run_aoscore("work plan.json --part 1", folder, timing).exit_code, 0);
+    // Planned again, the times alone are left, and their part is one for a node of that kind.
+    ASSERT_EQ(run_aoscore("plan --parts 1 --out rest.json " + named, folder, other).exit_code, 0);
+    const auto rest = nlohmann::json::parse(read_file(folder / "rest.json")).at("parts");
+    ASSERT_EQ(rest.size(), 1U);
+    EXPECT_EQ(rest.at(0).at("jobs").size(), 3U) << "of two cells and of the G-buffer";
+    ASSERT_EQ(run_aoscore("work rest.json --part 1", folder, timing).exit_code, 0);
     ASSERT_EQ(run_aoscore(named, folder, other).exit_code, 0);
     const auto shown = times_in(folder / "out");
     results = read_results(folder / "out");

@@ -26,6 +26,10 @@ TEST(SearchAxes, OfEveryMethodHoldItsPresetAndStayInItsRanges) {
                         1e-9 * std::max(1.0, std::abs(axis.published)));
             for (const double position : {0.0, 0.3, 0.5, 1.0})
                 EXPECT_TRUE(p.accepts(axis.on_view(axis.value(position), axis.reference_radius_m)));
+            // A parameter's own limit ends no search: nothing lies beyond it.
+            EXPECT_EQ(axis.ends_search(axis.low), p.lowest < axis.low);
+            EXPECT_EQ(axis.ends_search(axis.high), p.highest > axis.high);
+            EXPECT_FALSE(axis.ends_search(axis.value(0.5)) && !axis.whole);
         }
     }
 }
