@@ -57,7 +57,7 @@ function buildMatrix(scenes) {
   const headOf = (scope, ...content) => Object.assign(make('th', '', ...content), { scope });
   const methodList = { title: 'Method, preset, filter', all: methods, head: (scope, i) => headOf(scope, contestants[i].name) };
   const sceneList = { title: 'Scene', all: scenes,
-    head: (scope, scene) => headOf(scope, picture(views.find((view) => view.scene === scene && view.picture)), scene) };
+    head: (scope, scene) => headOf(scope, picture(views.find((view) => view.scene === scene && view.picture)), make('span', '', scene)) };
   const isSceneAcross = scenes.length <= methods.length;
   const [across, down] = isSceneAcross ? [sceneList, methodList] : [methodList, sceneList];
   const corner = headOf('col', down.title);
@@ -74,7 +74,7 @@ const columns = [
   { title: 'Scene', keep: 3, text: true, by: ({ view }) => `${view.scene}/${view.view}`, cell: ({ view }) => `${view.scene}/${view.view}` },
   { title: 'Method, preset, filter', head: true, by: ({ name }) => name, cell: linked },
   { title: 'Rank', keep: 2, by: ({ rank }) => (Number.parseInt(rank, 10) || null), cell: ({ rank }) => rank || '–' },
-  { title: 'RMSE, debiased', keep: 1, by: ({ error }) => error, cell: ({ error }) => numberText(error, 4) },
+  { title: 'RMSE, debiased', keep: 0, by: ({ error }) => error, cell: ({ error }) => numberText(error, 4) },
   { title: '95 %', by: ({ low, high }) => (low === null ? null : high - low), cell: ({ low, high }) => (low === null ? '–' : `${numberText(low, 4)} to ${numberText(high, 4)}`) },
   { title: 'Bias', by: ({ bias }) => bias, cell: ({ bias }) => numberText(bias, 4) },
   { title: 'AO and filter, ms', by: ({ ms }) => ms, cell: ({ ms }) => numberText(ms, 1) },
@@ -120,7 +120,7 @@ function showCells() {
 function buildHeads() {
   document.querySelector('.cells thead tr').append(...columns.map((column) => {
     const th = Object.assign(make('th', column.text || column.head ? 'text' : ''), { scope: 'col' });
-    if (column.keep) th.dataset.keep = column.keep;
+    if ('keep' in column) th.dataset.keep = column.keep;
     if (!column.by) {
       th.append(make('span', 'visually-hidden', 'Picture'));
       return th;

@@ -15,8 +15,6 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 namespace aoscore {
 namespace {
 
@@ -60,11 +58,6 @@ std::string page_html(const PageSource& all, const PageSource& source) {
                                      {"in_short", content.value("in_short", "")},
                                      {"body", section_html(section, content)}});
     }
-    // Where no section has a verdict, the first one's sentence stands at the top.
-    json& shown = model["sections"];
-    const bool has_lead = !shown.empty() && shown[0].at("folded").get<bool>();
-    model["has_lead"] = has_lead;
-    model["lead"] = has_lead ? std::exchange(shown[0].at("in_short"), "") : json("");
     const fs::path frame = page_folder() / "template.html";
     std::string html = html_text({"screen-space ambient occlusion against ray-traced truth", page_style(),
                                   page_script(), fill_template(read_file(frame), model, frame.string())});

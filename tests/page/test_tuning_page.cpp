@@ -57,8 +57,9 @@ TEST(TuningPage, StatesVerdictsOfWhatWasHeldOut) {
     const std::string html = read_file(write_tuning_page(written(synthetic_tuning())));
     EXPECT_THAT(
         html,
-        HasSubstr("where they were not tuned: closer to the truth than the published settings: "
-                  "HBAO (tuned-24), HBAO (tuned-48). a tie with the published settings: HBAO (tuned-8)."));
+        HasSubstr(
+            "On what was left out, the tuned settings of HBAO (tuned-24) and HBAO (tuned-48) are closer to "
+            "the truth than the published ones; those of HBAO (tuned-8) tie with the published ones."));
     EXPECT_THAT(
         html,
         HasSubstr("<td class=\"ours\">0.0900</td><td>+0.0100</td><td>−0.1000 (−0.1100 to −0.0900)</td>"));

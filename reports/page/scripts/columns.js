@@ -39,7 +39,8 @@ class TableColumns {
   get droppable() {
     const keep = ({ dataset }, i) => Number(dataset.keep ?? usualKeep + i);
     const rowHead = [...this.table.tBodies[0].rows[0]?.cells ?? []].findIndex(({ tagName }) => tagName === 'TH');
-    return this.heads.map((head, i) => ({ i, keep: i === 0 || i === rowHead || head.ariaSort ? 0 : keep(head, i) }))
+    const stays = (head, i) => i === rowHead || head.ariaSort || (i === 0 && !head.dataset.keep);
+    return this.heads.map((head, i) => ({ i, keep: stays(head, i) ? 0 : keep(head, i) }))
       .filter((column) => column.keep > 0).sort((a, b) => a.keep - b.keep || a.i - b.i);
   }
 

@@ -29,34 +29,53 @@ function unpackedTriangles(bytes, width, height) {
   return triangles;
 }
 
+// Finds pixels of the same triangle before one: `plane(i, x, y)` is the place of three in a row of `steps`, `source(i, x, y)`
+// that of one among takenFrom; -1 where there is none.
+function neighboursOfTriangles(triangles, width) {
+  const flat = (offsets) => ({ xs: Int32Array.from(offsets, ([x]) => x), ys: Int32Array.from(offsets, ([, y]) => y),
+    steps: Int32Array.from(offsets, ([x, y]) => x + y * width) });
+  const planes = flat(surfacePlanes.flat());
+  const sources = flat(takenFrom);
+  const isSame = ({ xs, ys, steps }, k, i, x, y) => y + ys[k] >= 0 && x + xs[k] >= 0 && x + xs[k] < width
+    && triangles[i + steps[k]] === triangles[i];
+  const plane = (i, x, y) => {
+    for (let k = 0; k < planes.steps.length; k += 3) {
+      if (isSame(planes, k, i, x, y) && isSame(planes, k + 1, i, x, y) && isSame(planes, k + 2, i, x, y)) return k;
+    }
+    return -1;
+  };
+  const source = (i, x, y) => {
+    for (let k = 0; k < sources.steps.length; k += 1) if (isSame(sources, k, i, x, y)) return k;
+    return -1;
+  };
+  return { plane, source, planeSteps: planes.steps, sourceSteps: sources.steps };
+}
+
 // Depth's bits are those of a prediction from pixels of the same triangle, across which its reciprocal is linear, plus what
 // is stored.
 function unpackedDepths(bytes, triangles, width, height) {
-  const bits = foldedIntegers(bytes);
+  const bits = new Int32Array(foldedIntegers(bytes).buffer);  // signed: sums that wrap around are fast then
   const depths = new Float32Array(bits.buffer);
+  const reciprocals = new Float64Array(depths.length);
   const guess = new Float32Array(1);
-  const guessBits = new Uint32Array(guess.buffer);
-  const planes = surfacePlanes.map((plane) => plane.map(([x, y]) => ({ x, y, step: x + y * width })));
-  const sources = takenFrom.map(([x, y]) => ({ x, y, step: x + y * width }));
+  const guessBits = new Int32Array(guess.buffer);
+  const { plane, source, planeSteps, sourceSteps } = neighboursOfTriangles(triangles, width);
   for (let y = 0, i = 0; y < height; y += 1) {
     for (let x = 0; x < width; x += 1, i += 1) {
-      const isSame = (to) => y + to.y >= 0 && x + to.x >= 0 && x + to.x < width && triangles[i + to.step] === triangles[i];
-      const plane = planes.find(([a, b, c]) => isSame(a) && isSame(b) && isSame(c));
-      const source = plane ? null : sources.find(isSame);
-      let expected;
-      if (plane) {
-        const [a, b, c] = plane.map(({ step }) => depths[i + step]);
-        guess[0] = 1 / (1 / a + 1 / b - 1 / c);
-        if (!(guess[0] > 0 && Number.isFinite(guess[0]))) guess[0] = a;
-        [expected] = guessBits;
-      } else if (source) {
-        expected = bits[i + source.step];
+      const at = plane(i, x, y);
+      const from = at < 0 ? source(i, x, y) : -1;
+      if (at >= 0) {
+        const near = i + planeSteps[at];
+        guess[0] = 1 / (reciprocals[near] + reciprocals[i + planeSteps[at + 1]] - reciprocals[i + planeSteps[at + 2]]);
+        bits[i] = bits[i] + (guess[0] > 0 && guess[0] < Infinity ? guessBits[0] : bits[near]) | 0;
+      } else if (from >= 0) {
+        bits[i] = bits[i] + bits[i + sourceSteps[from]] | 0;
+      } else if (x === 0 || y === 0) {
+        bits[i] = bits[i] + (x > 0 ? bits[i - 1] : y > 0 ? bits[i - width] : 0) | 0;
       } else {
-        const left = x > 0 ? bits[i - 1] : 0;
-        const up = y > 0 ? bits[i - width] : 0;
-        expected = x === 0 ? up : y === 0 ? left : medianOf(left, up, bits[i - width - 1]);
+        bits[i] = bits[i] + medianOf(bits[i - 1], bits[i - width], bits[i - width - 1]) | 0;
       }
-      bits[i] += expected;
+      reciprocals[i] = 1 / depths[i];
     }
   }
   return depths;

@@ -32,7 +32,7 @@ test('cells are filtered, sorted and unfolded', async () => {
   assert.deepEqual(errors, [...errors].sort((a, b) => a - b));
   assert.equal(await page.locator('.cells tbody tr th').first().textContent(), 'Method 0, default, box-4x4');
   await page.getByLabel('Contains').fill('');
-  await page.getByLabel('Show').selectOption('failed');
+  await page.locator('.filters [name=only]').selectOption('failed');
   assert.equal(await shown(page), '100 of 100 cells are shown');
   assert.match(await page.locator('.cells tbody tr').first().textContent(), /failed: 7 pixels are NaN/);
   await timed(page, 'all cells', setInput('only', ''));
