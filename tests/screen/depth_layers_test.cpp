@@ -2,7 +2,6 @@
 // change a bit.
 #include "hand_made.h"
 #include "screen/gbuffer/depth_layer_buffer.h"
-#include "screen/gbuffer/draw_parts.h"
 #include "screen/gl/context.h"
 #include "screen/method/layer_bytes.h"
 #include "support/support.h"
@@ -10,9 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <ranges>
 #include <set>
 
@@ -449,44 +446,6 @@ TEST(LayerBytes, AreFourASampleInWholeTexelsAndAPictureForEachCamera) {
     EXPECT_EQ(bytes("hbao", {}), std::nullopt);
 }
 
-TEST(DrawParts, HoldEveryTriangleOnceFromTheNearest) {
-    const std::unique_ptr<GlContext> context = new_gl_context();
-    constexpr std::array kShares = {0.1, 0.3, 0.6};
-    for (const Stage& stage : stages()) {
-        const SceneGeometry geometry(stage.scene);
-        const std::vector<SceneGeometry::Draw> sorted = from_the_nearest(geometry, stage.frame);
-        double before = -1e9;
-        for (const SceneGeometry::Draw& draw : sorted) {
-            const glm::dvec3 centre = geometry.ranges()[static_cast<std::size_t>(draw.range)].centre;
-            const double depth =
-                -(stage.frame.view_from_world() * (draw.scene_from_mesh * glm::dvec4(centre, 1))).z;
-            EXPECT_GE(depth, before) << stage.name;
-            before = depth;
-        }
-        const auto parts = parts_of(geometry, sorted, kShares);
-        ASSERT_EQ(parts.size(), kShares.size()) << stage.name;
-        std::map<int, std::vector<int>> drawn;  // how often each triangle is, by instance
-        std::size_t all = 0;
-        for (const Instance& instance : stage.scene.instances) {
-            const Mesh& mesh = stage.scene.meshes[static_cast<std::size_t>(instance.mesh)];
-            drawn[static_cast<int>(drawn.size())].resize(mesh.triangles.size());
-            all += mesh.triangles.size();
-        }
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            std::size_t count = 0;
-            for (const SceneGeometry::Draw& draw : parts[i]) {
-                for (int t = 0; t < draw.triangles; ++t)
-                    ++drawn.at(draw.instance).at(static_cast<std::size_t>(draw.first_triangle + t));
-                count += static_cast<std::size_t>(draw.triangles);
-            }
-            EXPECT_NEAR(static_cast<double>(count), kShares.at(i) * static_cast<double>(all), 2)
-                << stage.name << " " << i;
-        }
-        for (const auto& [instance, counts] : drawn)
-            EXPECT_TRUE(std::ranges::all_of(counts, [](int n) { return n == 1; })) << stage.name;
-    }
-}
-
 TEST(DepthLayers, DoNotDependOnTheOrderOfDrawing) {
     for (const Stage& stage : stages()) {
         const std::unique_ptr<GlContext> context = new_gl_context();
@@ -501,12 +460,8 @@ TEST(DepthLayers, DoNotDependOnTheOrderOfDrawing) {
             const std::vector<ImageF> forward = buffer.read();
             buffer.draw(geometry, {layers, {stage.frame}}, reversed);
             const std::vector<ImageF> backward = buffer.read();
-            buffer.draw(geometry, {layers, {stage.frame}});
-            const std::vector<ImageF> from_the_nearest = buffer.read();
-            for (std::size_t i = 0; i < forward.size(); ++i) {
+            for (std::size_t i = 0; i < forward.size(); ++i)
                 EXPECT_EQ(forward[i].pixels, backward[i].pixels) << stage.name << " " << sampling;
-                EXPECT_EQ(forward[i].pixels, from_the_nearest[i].pixels) << stage.name << " " << sampling;
-            }
         }
     }
 }

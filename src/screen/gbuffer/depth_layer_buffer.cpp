@@ -2,7 +2,6 @@
 
 #include "core/error.h"
 #include "core/known_names.h"
-#include "screen/gbuffer/draw_parts.h"
 #include "screen/gbuffer/view_uniforms.h"
 #include "screen/gl/texture.h"
 #include "screen/passes/pass_program.h"
@@ -18,8 +17,6 @@ namespace aoscore {
 namespace {
 
 constexpr int kInTexel = 4;  ///< samples in a texel of four numbers
-/// Of a scene's triangles, in the parts that are drawn one after the other.
-constexpr std::array kShares = {0.25, 0.25, 0.5};
 
 TextureFormat format_of(int samples) {
     if (samples == 1) return kR32F;
@@ -69,7 +66,7 @@ bool LayeredPictures::operator==(const LayeredPictures& other) const {
 }
 
 GLuint DepthLayerBuffer::texture(const SceneGeometry& geometry, const LayeredPictures& wanted) {
-    if (is_stale_ || drawn_ != wanted) draw(geometry, wanted);
+    if (is_stale_ || drawn_ != wanted) draw(geometry, wanted, geometry.draws());
     return array_.name();
 }
 
@@ -98,11 +95,11 @@ void DepthLayerBuffer::put_back(Drawing drawing) {
 }
 
 void DepthLayerBuffer::draw(const SceneGeometry& geometry, const LayeredPictures& wanted,
-                            std::span<const SceneGeometry::Draw> order) {
+                            std::span<const SceneGeometry::Draw> draws) {
     allocate(wanted);
     int first_texture = 0;
     for (const CameraFrame& camera : wanted.cameras) {
-        draw_camera(geometry, camera, first_texture, order);
+        draw_camera(geometry, camera, first_texture, draws);
         ++drawings_;
         first_texture += textures_for(wanted.layers.samples);
     }
@@ -111,13 +108,11 @@ void DepthLayerBuffer::draw(const SceneGeometry& geometry, const LayeredPictures
 }
 
 void DepthLayerBuffer::draw_camera(const SceneGeometry& geometry, const CameraFrame& camera,
-                                   int first_texture, std::span<const SceneGeometry::Draw> order) {
+                                   int first_texture, std::span<const SceneGeometry::Draw> draws) {
     const DepthLayers& layers = drawn_->layers;
     if (!is_rasterised(layers.sampling)) return upload(met_by_rays(camera), first_texture);
     const glm::mat4 scene_from_view(camera.world_from_view());
-    const std::vector<SceneGeometry::Draw> sorted = from_the_nearest(geometry, camera);
-    if (order.empty()) order = sorted;
-    SceneDrawing::Look look{&geometry, order, &camera, macros_of(layers, drawn_->mirror), 0, {}};
+    SceneDrawing::Look look{&geometry, draws, &camera, macros_of(layers, drawn_->mirror), 0, {}};
     look.set_uniforms = [&layers, scene_from_view](const ShaderProgram& p) {
         gl::Uniform1f(p.location("u_alpha"), static_cast<float>(layers.alpha));
         gl::Uniform1ui(p.location("u_seed"), layers.seed);
@@ -127,34 +122,22 @@ void DepthLayerBuffer::draw_camera(const SceneGeometry& geometry, const CameraFr
     if (layers.sampling == "peeled") {
         peel(std::move(look), first_texture);
     } else {
-        blend(std::move(look), first_texture);
+        blend(look, first_texture);
     }
 }
 
 // Draws all samples at once by blending with the minimum, which ignores the order of its operands.
-void DepthLayerBuffer::blend(SceneDrawing::Look look, int first_texture) {
-    const int samples = drawn_->layers.samples, textures = textures_for(samples);
-    const ViewUniforms view(*look.frame);
-    bool is_first = true;
-    for (const std::vector<SceneGeometry::Draw>& part : parts_of(*look.geometry, look.draws, kShares)) {
-        const GLuint farthest = is_first ? 0 : farthest_.draw(array_.name(), first_texture, samples, view);
-        const gl::Framebuffer framebuffer =
-            make_array_framebuffer(array_.name(), first_texture, textures, farthest);
-        if (std::exchange(is_first, false)) {
-            clear_samples(textures, view.far);
-        } else {
-            gl::Enable(GL_DEPTH_TEST);
-            gl::DepthFunc(GL_LEQUAL);
-            gl::DepthMask(GL_FALSE);
-        }
-        gl::Enable(GL_BLEND);
-        gl::BlendEquation(GL_MIN);
-        look.draws = part;
-        drawing_.draw(look);
-        gl::Disable(GL_BLEND);
-        gl::Disable(GL_DEPTH_TEST);
-        gl::DepthMask(GL_TRUE);
-    }
+// Nothing is tested against the samples that are there already. Between parts of the scene they could become
+// a depth buffer, which would keep from being shaded what lies behind all of a texel's; but making it cost
+// more than it saved: eight samples of the scene `layers` 1.18 times as many plain passes, in place of 0.77.
+void DepthLayerBuffer::blend(const SceneDrawing::Look& look, int first_texture) {
+    const int textures = textures_for(drawn_->layers.samples);
+    const gl::Framebuffer framebuffer = make_array_framebuffer(array_.name(), first_texture, textures);
+    clear_samples(textures, ViewUniforms(*look.frame).far);
+    gl::Enable(GL_BLEND);
+    gl::BlendEquation(GL_MIN);
+    drawing_.draw(look);
+    gl::Disable(GL_BLEND);
 }
 
 // Draws each layer by a pass of its own, into one number of the texel.

@@ -2,7 +2,6 @@
 
 #include "core/image.h"
 #include "scene/camera.h"
-#include "screen/gbuffer/farthest_samples.h"
 #include "screen/gbuffer/scene_drawing.h"
 #include "screen/gbuffer/scene_geometry.h"
 #include "screen/gl/gl_objects.h"
@@ -38,12 +37,10 @@ class DepthLayerBuffer {
     /// since sixteen samples of 1920x1080 pixels take 133 MB.
     GLuint texture(const SceneGeometry& geometry, const LayeredPictures& wanted);
 
-    /// Draws the scene's surfaces once each. A sample holds the nearest of the surfaces that
-    /// it accepts, by blending with the minimum. Between parts of the scene the farthest samples become a
-    /// depth buffer, so that what lies behind all samples of its texel is not shaded.
-    /// `order`: of drawing, which does not affect the result; empty: about from the nearest to the farthest.
+    /// Draws the scene's surfaces in this order, which does not affect the result. A sample holds the
+    /// nearest of the surfaces that it accepts, by blending with the minimum: in one pass without sorting.
     void draw(const SceneGeometry& geometry, const LayeredPictures& wanted,
-              std::span<const SceneGeometry::Draw> order = {});
+              std::span<const SceneGeometry::Draw> draws);
 
     /// Reads the last drawing: a picture for each sample, row 0 at the top; those of one camera after those
     /// of another.
@@ -70,8 +67,8 @@ class DepthLayerBuffer {
     void allocate(const LayeredPictures& wanted);
     /// Draws one camera's pictures, which begin at this texture of the array.
     void draw_camera(const SceneGeometry& geometry, const CameraFrame& camera, int first_texture,
-                     std::span<const SceneGeometry::Draw> order);
-    void blend(SceneDrawing::Look look, int first_texture);
+                     std::span<const SceneGeometry::Draw> draws);
+    void blend(const SceneDrawing::Look& look, int first_texture);
     void peel(SceneDrawing::Look look, int first_texture);
     /// Puts layers that rays have met into the pictures.
     void upload(const std::vector<ImageF>& samples, int first_texture);
@@ -83,7 +80,6 @@ class DepthLayerBuffer {
     std::uint64_t drawings_ = 0;
     gl::Texture array_;
     SceneDrawing drawing_{"depth layers", "depth_layers.frag"};
-    FarthestSamples farthest_;
 };
 
 }  // namespace aoscore

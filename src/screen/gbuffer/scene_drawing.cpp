@@ -54,7 +54,7 @@ void draw_mesh(const MeshPlace& place, const ShaderProgram& p) {
                          glm::value_ptr(glm::mat4(view_from_mesh)));
     gl::UniformMatrix3fv(p.location("u_normal_from_mesh"), 1, GL_FALSE,
                          glm::value_ptr(normal_matrix(view_from_mesh)));
-    gl::Uniform1i(p.location("u_first_triangle"), range.first_triangle + place.draw.first_triangle);
+    gl::Uniform1i(p.location("u_first_triangle"), range.first_triangle);
     gl::Uniform1i(p.location("u_instance"), place.draw.instance);
     gl::Uniform1i(p.location("u_is_dynamic"), place.draw.is_dynamic ? 1 : 0);
     gl::Uniform1f(p.location("u_alpha_cutoff"), material.alpha_cutoff);
@@ -66,10 +66,8 @@ void draw_mesh(const MeshPlace& place, const ShaderProgram& p) {
         gl::Uniform2i(p.location("u_wrap"), wrap_mode(info.wrap_s), wrap_mode(info.wrap_t));
         gl::BindTexture(GL_TEXTURE_2D, geometry.texture(material.texture));
     }
-    const std::size_t skipped = static_cast<std::size_t>(place.draw.first_triangle) * sizeof(glm::uvec3);
-    gl::DrawElementsBaseVertex(GL_TRIANGLES, 3 * place.draw.triangles, GL_UNSIGNED_INT,
-                               static_cast<const char*>(nullptr) + range.index_offset + skipped,
-                               range.base_vertex);
+    gl::DrawElementsBaseVertex(GL_TRIANGLES, range.index_count, GL_UNSIGNED_INT,
+                               static_cast<const char*>(nullptr) + range.index_offset, range.base_vertex);
 }
 
 }  // namespace

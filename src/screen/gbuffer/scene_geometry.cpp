@@ -22,16 +22,6 @@ struct Vertices {
     std::vector<glm::vec4> triangle_normals;
 };
 
-glm::dvec3 centre_of(const Mesh& mesh) {
-    if (mesh.positions.empty()) return glm::dvec3(0);
-    glm::vec3 low = mesh.positions.front(), high = low;
-    for (const glm::vec3& p : mesh.positions) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    }
-    return (glm::dvec3(low) + glm::dvec3(high)) / 2.0;
-}
-
 void append(Vertices& all, const Mesh& mesh) {
     const auto end = all.positions.size() + mesh.positions.size();
     all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
@@ -101,7 +91,7 @@ SceneGeometry::SceneGeometry(const Scene& scene) : materials_(scene.materials) {
         ranges_.push_back({mesh.material, static_cast<GLint>(all.positions.size()),
                            static_cast<GLsizei>(mesh.triangles.size() * 3),
                            all.triangles.size() * sizeof(glm::uvec3),
-                           static_cast<GLint>(all.triangles.size()), centre_of(mesh)});
+                           static_cast<GLint>(all.triangles.size())});
         append(all, mesh);
     }
     check_size(all);
@@ -137,8 +127,7 @@ SceneGeometry::SceneGeometry(const Scene& scene) : materials_(scene.materials) {
 
     for (const Instance& instance : scene.instances)
         draws_.push_back({instance.mesh, static_cast<int>(draws_.size()), instance.scene_from_mesh,
-                          instance.is_dynamic, 0,
-                          ranges_[static_cast<std::size_t>(instance.mesh)].index_count / 3});
+                          instance.is_dynamic});
     std::stable_partition(draws_.begin(), draws_.end(), [&](const Draw& draw) {
         const int material = ranges_[static_cast<std::size_t>(draw.range)].material;
         return !materials_[static_cast<std::size_t>(material)].is_cutout();

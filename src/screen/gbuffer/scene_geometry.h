@@ -18,18 +18,15 @@ class SceneGeometry {
         GLsizei index_count = 0;
         std::size_t index_offset = 0;  ///< offset into the index buffer in bytes
         GLint first_triangle = 0;      ///< index into the buffer texture of normals
-        glm::dvec3 centre{0};          ///< of its box, mesh space
     };
     struct Draw {
         int range = 0;
         int instance = 0;  ///< index into the scene's instances
         glm::dmat4 scene_from_mesh{1.0};
-        bool is_dynamic = false;   ///< as the instance
-        GLint first_triangle = 0;  ///< of the range's
-        GLsizei triangles = 0;     ///< how many from there on
+        bool is_dynamic = false;  ///< as the instance
     };
     const std::vector<Range>& ranges() const { return ranges_; }
-    /// All instances, each of its whole range, those of solid materials first, since cut-outs need another program.
+    /// All instances, those of solid materials first, since cut-outs need another program.
     const std::vector<Draw>& draws() const { return draws_; }
     const std::vector<Material>& materials() const { return materials_; }
 

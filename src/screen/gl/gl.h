@@ -29,7 +29,6 @@
     X(DELETETEXTURES, DeleteTextures)                   \
     X(DELETEVERTEXARRAYS, DeleteVertexArrays)           \
     X(DEPTHFUNC, DepthFunc)                             \
-    X(DEPTHMASK, DepthMask)                             \
     X(DISABLE, Disable)                                 \
     X(DRAWARRAYS, DrawArrays)                           \
     X(DRAWBUFFERS, DrawBuffers)                         \

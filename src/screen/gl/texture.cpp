@@ -94,12 +94,4 @@ gl::Framebuffer make_array_framebuffer(GLuint array, int first, int count, GLuin
     return framebuffer;
 }
 
-gl::Framebuffer make_depth_framebuffer(GLuint depth) {
-    gl::Framebuffer framebuffer = gl::Framebuffer::create();
-    gl::BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
-    gl::FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
-    draw_into(0);
-    return framebuffer;
-}
-
 }  // namespace aoscore

@@ -39,7 +39,4 @@ gl::Framebuffer make_framebuffer(const std::vector<GLuint>& textures, int level 
 /// given.
 gl::Framebuffer make_array_framebuffer(GLuint array, int first, int count, GLuint depth = 0);
 
-/// A framebuffer of this depth texture alone, bound.
-gl::Framebuffer make_depth_framebuffer(GLuint depth);
-
 }  // namespace aoscore
