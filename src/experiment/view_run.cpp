@@ -268,7 +268,10 @@ ViewOutcome run_view(const ViewRun& run, const ArtifactStore& store) {
     ViewOutcome outcome;
     const Assembly assembly(run, maker, done);
     outcome.view = assembly.view(described);
-    if (!done.left_out.empty()) outcome.view.warnings.push_back(times_left_out_text(done.left_out.size()));
+    if (!done.left_out.empty()) {
+        outcome.view.warnings.push_back(times_left_out_text(done.left_out.size()));
+        log_warning(run.work.key + ": " + outcome.view.warnings.back());
+    }
     for (std::size_t i = 0; i < run.cells.size(); ++i) {
         outcome.cells.push_back(assembly.cell(i, outcome.view));
         const Key& score = run.jobs.cells[i].score;
