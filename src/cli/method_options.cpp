@@ -52,7 +52,8 @@ void add_signals(const std::vector<MethodDescriptor>& methods, const std::vector
                               fmt::format("with one of {}", fmt::join(methods_that_give(id), ", ")));
         }
         if (!without.empty()) {
-            warnings.push_back(fmt::format("no {} is scored of {}: not given", id, fmt::join(without, ", ")));
+            warnings.push_back(fmt::format("no {} is scored of {}, which {} not give it", id,
+                                           fmt::join(without, ", "), without.size() == 1 ? "does" : "do"));
         }
         for (CellPlan& cell : cells) {
             if (find_method(methods, cell.method).gives(id)) cell.signals.push_back(id);
