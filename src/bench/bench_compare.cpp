@@ -99,8 +99,9 @@ void compare_ssim(const MadeUpPair& pair, const MetricInput& input, const std::s
 void score_halves(const MadeUpPair& pair, const Mask& valid, std::uint64_t seed, RatioTable& table) {
     const PreparedHalves kept(pair.truth, pair.first_half, pair.second_half, valid);
     const auto score = [&](bool prepared) {
-        MapSums maps, first_maps, second_maps;
-        TruthHalves halves{pair.first_half, pair.second_half, &first_maps, &second_maps};
+        MapSums maps, first_maps, second_maps, noisy_maps;
+        TruthHalves halves{pair.first_half, pair.second_half, &first_maps,
+                           &second_maps,    nullptr,          &noisy_maps};
         MetricInput input{pair.truth, pair.test, valid};
         input.maps = &maps;
         input.halves = &halves;

@@ -32,7 +32,8 @@ class Comparison {
         if (!truth.standard_error[query].empty()) input_.standard_error = &truth.standard_error[query];
         input_.maps = &maps_[0];
         if (truth.halves.empty()) return;
-        halves_.emplace(truth.halves[query][0], truth.halves[query][1], &maps_[1], &maps_[2]);
+        halves_.emplace(truth.halves[query][0], truth.halves[query][1], &maps_[1], &maps_[2], nullptr,
+                        &maps_[3]);
         input_.halves = &*halves_;
     }
     /// Compares with the first query; `valid` must be the mask that the side was made for.
@@ -47,7 +48,7 @@ class Comparison {
     const MetricInput& input() const { return input_; }
 
   private:
-    std::array<MapSums, 3> maps_;
+    std::array<MapSums, 4> maps_;  ///< against the truth, its halves, and the truth with its noise
     std::optional<TruthHalves> halves_;
     MetricInput input_;
 };
@@ -64,7 +65,7 @@ std::map<std::string, double> noise_of(const MetricInput& input) {
     if (input.halves == nullptr) return {};
     const OcclusionMasks masks = occlusion_masks(input);
     return truth_noise(block_errors(input, masks), block_errors(against_half(input, 0), masks),
-                       block_errors(against_half(input, 1), masks));
+                       block_errors(against_half(input, 1), masks), input.halves->noisy_maps);
 }
 
 MetricMap raw_metrics(const Truth& truth, const Ground& ground, const TruthSide& side, const ImageF& raw,

@@ -26,6 +26,9 @@ struct TruthHalves {
     MapSums* first_maps = nullptr;  ///< like MetricInput::maps, for the metrics against each half
     MapSums* second_maps = nullptr;
     const PreparedHalves* prepared = nullptr;  ///< of the truth and of these, where shared
+    /// Like MetricInput::maps, against the truth with all of its noise, for the metrics that state their
+    /// error by what it did to them (Metric::left_by_noise).
+    MapSums* noisy_maps = nullptr;
 };
 
 /// The input of a metric. All images have one size and hold visibility in [0,1], 1 = open.
@@ -73,7 +76,12 @@ struct Metric {
     /// constant, and one for each unit of the noise's standard deviation, as the correction is of the second
     /// order in the noise and what it leaves of the third. Both were measured, see truth_noise().
     double left_always = 0, left_by_deviation = 0;
-    /// The part that noise of this mean variance leaves.
+    /// The same as a part of all that the noise did to the value, from the one against the truth as it is to
+    /// the extrapolated one, for each unit of the noise's standard deviation: for metrics whose prepared
+    /// truth has most of the noise taken off before, so that the correction is what is left of it, and may be
+    /// 0 by chance. Measured, too.
+    double left_by_noise = 0;
+    /// The part of the correction that noise of this mean variance leaves.
     double part_left(double noise_variance) const {
         return left_always + left_by_deviation * std::sqrt(noise_variance);
     }

@@ -21,6 +21,7 @@ PreparedHalves::PreparedHalves(const ImageF& mean, const ImageF& first_half, con
                                const Mask& valid)
     : whole(mean, valid, noise_of(first_half, second_half, 1)),
       first(first_half, valid, noise_of(first_half, second_half, 2)),
-      second(second_half, valid, noise_of(first_half, second_half, 2)) {}
+      second(second_half, valid, noise_of(first_half, second_half, 2)),
+      noisy(mean, valid) {}
 
 }  // namespace aoscore

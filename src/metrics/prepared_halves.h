@@ -22,9 +22,10 @@ class PreparedHalves {
 
     PreparedImage whole;          ///< the mean, its noise's variance taken off
     PreparedImage first, second;  ///< the halves, their noise's variances taken off
+    PreparedImage noisy;          ///< the mean as it is; only its moments at the first scale are asked for
 
     /// The memory of all of it, bytes a pixel.
-    static constexpr double kBytesPerPixel = 3 * PreparedImage::kBytesPerPixel;
+    static constexpr double kBytesPerPixel = 3 * PreparedImage::kBytesPerPixel + 2 * 8;
 };
 
 }  // namespace aoscore

@@ -24,8 +24,8 @@ struct HalvedScores {
 inline HalvedScores halved_scores(const ImageF& truth, const ImageF& first, const ImageF& second,
                                   const ImageF& test, const Mask& valid,
                                   std::span<const std::string> ids = {}) {
-    std::array<MapSums, 3> maps;
-    const TruthHalves halves{first, second, &maps[1], &maps[2]};
+    std::array<MapSums, 4> maps;
+    const TruthHalves halves{first, second, &maps[1], &maps[2], nullptr, &maps[3]};
     MetricInput input{truth, test, valid};
     input.maps = &maps[0];
     input.halves = &halves;
@@ -33,7 +33,7 @@ inline HalvedScores halved_scores(const ImageF& truth, const ImageF& first, cons
     scores.values = evaluate(input, ids);
     const OcclusionMasks masks = occlusion_masks(input, 0.1);
     scores.noise = truth_noise(block_errors(input, masks), block_errors(against_half(input, 0), masks),
-                               block_errors(against_half(input, 1), masks));
+                               block_errors(against_half(input, 1), masks), &maps[3]);
     return scores;
 }
 

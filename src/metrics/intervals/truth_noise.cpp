@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <vector>
 
 namespace aoscore {
@@ -76,11 +78,25 @@ DrawnSums all_with_ms_ssim(const BlockErrors& image) {
     return all;
 }
 
+/// The sums, with those of SSIM against the truth as it is; NaN where they are not there.
+DrawnSums with_noise(DrawnSums all, const MapSums* noisy) {
+    all.ssim = std::numeric_limits<double>::quiet_NaN();
+    if (noisy != nullptr && !noisy->ssim_sums.empty())
+        all.ssim = std::accumulate(noisy->ssim_sums.begin(), noisy->ssim_sums.end(), 0.0);
+    return all;
+}
+
 /// The standard deviation over scenes of what an extrapolation leaves of the noise, which no other seed would
-/// change, for a correction by it and a mean variance of the noise.
-double left_over(const Metric& metric, double correction, double noise_variance) {
+/// change.
+double left_over(const Metric& metric, const DrawnSums& whole, const DrawnSums& extrapolated,
+                 const DrawnSums& noisy) {
     if (metric.noise != Metric::Noise::extrapolated) return 0;
-    return metric.part_left(noise_variance) * std::abs(correction);
+    const double variance = whole.variance / whole.count, value = metric.resampled(extrapolated);
+    double left = metric.part_left(variance) * std::abs(value - metric.resampled(whole));
+    if (metric.left_by_noise > 0)
+        left = std::hypot(
+            left, metric.left_by_noise * std::sqrt(variance) * std::abs(value - metric.resampled(noisy)));
+    return left;
 }
 
 double ms_ssim_variance(const MapSums& whole, const MapSums& first, const MapSums& second) {
@@ -95,10 +111,11 @@ double ms_ssim_variance(const MapSums& whole, const MapSums& first, const MapSum
 }  // namespace
 
 std::map<std::string, double> truth_noise(const BlockErrors& whole, const BlockErrors& first,
-                                          const BlockErrors& second) {
+                                          const BlockErrors& second, const MapSums* noisy) {
     const Moved sums = moved(whole, first, second);
     const DrawnSums all = all_with_ms_ssim(whole);
     const DrawnSums all_extrapolated = all_with_ms_ssim(extrapolated(whole, first, second));
+    const DrawnSums all_noisy = with_noise(all, noisy);
     const bool has_ms_ssim = whole.maps.ms_ssim && first.maps.ms_ssim && second.maps.ms_ssim;
     std::map<std::string, double> noise;
     for (const Metric& metric : metrics()) {
@@ -106,10 +123,8 @@ std::map<std::string, double> truth_noise(const BlockErrors& whole, const BlockE
         const double variance = metric.measure == measure::ms_ssim && has_ms_ssim
                                     ? ms_ssim_variance(whole.maps, first.maps, second.maps)
                                     : variance_of_sum(movements(metric, sums), whole.across, whole.down);
-        const double correction = metric.resampled(all_extrapolated) - metric.resampled(all);
-        const double half_width =
-            kDeviations *
-            std::hypot(std::sqrt(variance), left_over(metric, correction, all.variance / all.count));
+        const double left = left_over(metric, all, all_extrapolated, all_noisy);
+        const double half_width = kDeviations * std::hypot(std::sqrt(variance), left);
         if (std::isfinite(half_width)) noise[std::string(metric.id)] = half_width;
     }
     return noise;

@@ -9,7 +9,8 @@ namespace aoscore {
 
 /// The half width of a value's distance from the one against a truth without noise, with 95 % confidence, by
 /// metric id, for metrics whose noise is subtracted or extrapolated. `whole` holds the sums against the
-/// truth, the others those against each of its two halves.
+/// truth, `first` and `second` those against each of its two halves, and `noisy` those of
+/// TruthHalves::noisy_maps; without them a metric that needs them has no half width.
 ///
 /// The noise of distant blocks is independent, and its sign is random. Half the difference of the halves
 /// changes the value by some amount in each block, and the sum of the squares of these changes is the
@@ -18,10 +19,10 @@ namespace aoscore {
 /// by f' n + f'' (n^2 - d^2) / 2, and half the difference of the halves' values is f' d + f'' n d, whose
 /// variance is the same. Adjacent blocks share the window of a metric, and are taken together. Extrapolated
 /// values also have errors of higher order, which differ from scene to scene but not from seed to seed. They
-/// are a part of the extrapolation's correction, of mean square Metric::left_always and left_by_variance over
-/// scenes, and their variance is added to that by noise: over many scenes 95 of 100 intervals hold the
-/// converged value, though not the same share on each.
+/// are a part of the extrapolation's correction, or of all that the noise did (Metric::left_always,
+/// left_by_deviation, left_by_noise, root mean square over scenes), and their variance is added to that by
+/// noise: over many scenes 95 of 100 intervals hold the converged value, though not the same share on each.
 std::map<std::string, double> truth_noise(const BlockErrors& whole, const BlockErrors& first,
-                                          const BlockErrors& second);
+                                          const BlockErrors& second, const MapSums* noisy);
 
 }  // namespace aoscore

@@ -72,7 +72,6 @@ RecordedTile record(const EmbreeScene& scene, const CameraFrame& frame, const Ti
     RayBatch all(points);
     for (std::size_t s = 0; s < recorded.sources.size(); ++s)
         all.add(recorded.sources[s], s, 0, samples, block);
-    all.sort();
     const auto with_origin = [&](const DirectedRay& ray, std::size_t source) {
         return single_ray(recorded.sources[source].origin, {ray.x, ray.y, ray.z}, tfar);
     };
@@ -81,9 +80,14 @@ RecordedTile record(const EmbreeScene& scene, const CameraFrame& frame, const Ti
     };
 
     PacketWriter sorted(recorded.sorted), by_pixel(recorded.by_pixel), by_block(recorded.by_block);
-    for (std::size_t place = 0; place < all.size(); ++place) {
-        const DirectedRay& next = all.sorted()[place];
-        sorted.add(with_origin(next, next.owner / kBlocks));
+    const std::size_t together = pixels_sorted_together(tfar, scene.diagonal_m(), samples);
+    for (std::size_t begin = 0; begin < recorded.sources.size(); begin += together) {
+        RayBatch some(points);
+        const std::size_t end = std::min(begin + together, recorded.sources.size());
+        for (std::size_t s = begin; s < end; ++s) some.add(recorded.sources[s], s, 0, samples, block);
+        some.sort();
+        for (std::size_t place = 0; place < some.size(); ++place)
+            sorted.add(with_origin(some.sorted()[place], some.sorted()[place].owner / kBlocks));
     }
     for (std::size_t s = 0; s < recorded.sources.size(); ++s) {
         RayBatch one(points);

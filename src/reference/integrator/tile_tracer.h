@@ -7,6 +7,7 @@
 #include "reference/truth.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,11 @@ namespace aoscore {
 struct SampleRange {
     int first, last;
 };
+
+/// How many neighbouring pixels of a tile, `samples` rays each, have their rays sorted together: the more,
+/// the closer lie the directions in a packet, and the farther apart its starts. Rays that reach less far, of
+/// the scene's diagonal, part sooner from those that start elsewhere.
+std::size_t pixels_sorted_together(double reach_m, double diagonal_m, int samples);
 
 /// Sums of occlusion over the rays of the pixels of one tile.
 class TileTracer {
@@ -43,6 +49,9 @@ class TileTracer {
   private:
     /// Sums by blocks of `before` samples become sums by blocks of `after` samples, a multiple.
     void merge_blocks(std::size_t source, int before, int after);
+    /// Traces the samples of sources [begin, end), of which `active` have any.
+    void trace_sources(std::span<const SampleRange> ranges, std::size_t begin, std::size_t end,
+                       std::size_t active);
     void trace_occlusion();
     void trace_after_large_triangles();
     enum class Lanes { open, blocked };
