@@ -49,6 +49,18 @@ TEST(StandardOutput, ThatCannotBeWrittenIsAnErrorThatSaysSo) {
     }
 }
 
+// Mesa says so of any driver of its own when it is asked to.
+TEST(OpenGl, OfALesserVersionEndsWithAnInternalErrorThatNamesTheVersionNeeded) {
+    const auto folder = output_dir();
+    for (const std::string gl : {"osmesa", "egl:software"}) {
+        const ProgramRun run = run_aoscore("gbuffer wall --size 16x16 --out g.exr --gl " + gl, folder,
+                                           "env MESA_GL_VERSION_OVERRIDE=3.2");
+        EXPECT_EQ(run.exit_code, 70) << gl;
+        EXPECT_THAT(run.err, HasSubstr("OpenGL 3.3 core")) << gl;
+        EXPECT_FALSE(fs::exists(folder / "g.exr")) << gl;
+    }
+}
+
 TEST(StandardOutput, ThatIsClosedNeverEndsUpInAFile) {
     const auto folder = output_dir();
     run_aoscore("gbuffer wall --size 16x16 --out g.exr", folder, R"(sh -c '"$@" >&- 2>&-' sh)");

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "screen/gl/egl_context.h"
+#include "screen/gl/float_targets.h"
 #include "screen/gl/gl.h"
 #include "screen/gl/osmesa_context.h"
 
@@ -42,6 +43,7 @@ std::string chosen_gl() {
 std::unique_ptr<GlContext> new_gl_context() {
     std::unique_ptr<GlContext> context = context_of(chosen_gl());
     gl::load_functions(*context);
+    require_float_targets();
     return context;
 }
 

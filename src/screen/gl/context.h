@@ -37,7 +37,8 @@ void choose_gl(const std::string& choice);
 std::string chosen_gl();
 
 /// The one place that chooses an implementation. Makes the context current and loads the functions of gl.h.
-/// Throws internal_error when no context can be made, or a function is missing.
+/// Throws internal_error when no context can be made, a function is missing, or the driver cannot draw into
+/// textures of 32-bit floats (float_targets.h).
 std::unique_ptr<GlContext> new_gl_context();
 
 }  // namespace aoscore
