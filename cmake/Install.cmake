@@ -5,7 +5,7 @@ set(data ${CMAKE_INSTALL_DATADIR}/aoscore)
 
 install(TARGETS aoscore RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 get_property(libraries GLOBAL PROPERTY AOSCORE_LIBRARIES)
-# Not under the multiarch folder: core/program_path.cpp looks in ../lib/aoscore.
+# Not under the multiarch folder: core/processes/program_path.cpp looks in ../lib/aoscore.
 install(TARGETS aoscore-import aoscore-shader-trial ${libraries} RUNTIME DESTINATION lib/aoscore LIBRARY DESTINATION lib/aoscore)
 
 install(DIRECTORY contestants shaders scenes DESTINATION ${data} PATTERN "*.glb" EXCLUDE PATTERN "*.gltf" EXCLUDE)

@@ -3,7 +3,7 @@
 #include "bench/made_up_pair.h"
 #include "core/error.h"
 #include "core/output.h"
-#include "core/program_path.h"
+#include "core/processes/program_path.h"
 #include "core/temporary_folder.h"
 #include "image/image_file.h"
 

@@ -4,7 +4,7 @@
 #include "core/log.h"
 #include "core/node_kind.h"
 #include "core/output.h"
-#include "core/shell.h"
+#include "core/processes/shell.h"
 #include "jobs/work_parts.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "core/log.h"
 #include "core/output.h"
-#include "core/shell.h"
+#include "core/processes/shell.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

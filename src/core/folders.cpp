@@ -1,7 +1,7 @@
 #include "core/folders.h"
 
 #include "core/error.h"
-#include "core/program_path.h"
+#include "core/processes/program_path.h"
 
 #include <cstdlib>
 #include <optional>

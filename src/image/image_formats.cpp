@@ -1,7 +1,7 @@
 #include "image/image_formats.h"
 
 #include "core/error.h"
-#include "core/program_path.h"
+#include "core/processes/program_path.h"
 
 #include <dlfcn.h>
 

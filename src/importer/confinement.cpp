@@ -1,6 +1,6 @@
 #include "importer/confinement.h"
 
-#include "core/process_limits.h"
+#include "core/processes/process_limits.h"
 
 #include <fcntl.h>
 #include <linux/landlock.h>

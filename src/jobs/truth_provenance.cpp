@@ -2,7 +2,7 @@
 
 #include "core/files.h"
 #include "core/machine.h"
-#include "core/shell.h"
+#include "core/processes/shell.h"
 #include "store/code_digest.h"
 
 #include <fmt/format.h>

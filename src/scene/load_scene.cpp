@@ -1,7 +1,7 @@
 #include "core/error.h"
 #include "core/known_names.h"
 #include "core/printable.h"
-#include "core/shell.h"
+#include "core/processes/shell.h"
 #include "scene/depth_range.h"
 #include "scene/load_file.h"
 #include "scene/scene.h"

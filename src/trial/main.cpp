@@ -1,7 +1,7 @@
 // aoscore-shader-trial VERTEX FRAGMENT: compiles two files and draws with them, within limits of its own.
 // Ends with 0 whether they compile or not, and otherwise where memory or time does not suffice.
 #include "core/files.h"
-#include "core/process_limits.h"
+#include "core/processes/process_limits.h"
 #include "core/threads.h"
 #include "screen/trial/draw_trial.h"
 

@@ -1,7 +1,7 @@
 // Tests a gate in a user's build: README's CTest project, word for word.
 #include "core/files.h"
 #include "core/folders.h"
-#include "core/shell.h"
+#include "core/processes/shell.h"
 #include "support/support.h"
 
 #include <gmock/gmock.h>

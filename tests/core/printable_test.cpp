@@ -2,7 +2,7 @@
 #include "core/printable.h"
 
 #include "core/error.h"
-#include "core/shell.h"
+#include "core/processes/shell.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/child_process.h"
+#include "core/processes/child_process.h"
 #include "scene/import/plain_scene.h"
 
 #include <gtest/gtest.h>

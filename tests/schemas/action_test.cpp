@@ -2,7 +2,7 @@
 // linters read the files, and the step that measures runs with a stand-in for docker that starts the program
 // itself.
 #include "core/files.h"
-#include "core/shell.h"
+#include "core/processes/shell.h"
 #include "support/support.h"
 
 #include <gmock/gmock.h>

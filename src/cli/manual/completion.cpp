@@ -1,6 +1,6 @@
 #include "cli/manual/completion.h"
 
-#include "core/shell.h"
+#include "core/processes/shell.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

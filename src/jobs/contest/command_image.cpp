@@ -1,10 +1,10 @@
 #include "jobs/contest/command_image.h"
 
-#include "core/bounded_command.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "core/hash.h"
 #include "core/printable.h"
+#include "core/processes/bounded_command.h"
 #include "core/temporary_folder.h"
 #include "jobs/contest/command_request.h"
 

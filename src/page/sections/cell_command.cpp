@@ -2,7 +2,7 @@
 
 #include "core/json_text.h"
 #include "core/printable.h"
-#include "core/shell.h"
+#include "core/processes/shell.h"
 #include "page/document/page_template.h"
 #include "page/live/live_packing.h"
 #include "page/section.h"

@@ -1,8 +1,8 @@
 #include "scene/import/load_import.h"
 
-#include "core/child_process.h"
 #include "core/error.h"
-#include "core/program_path.h"
+#include "core/processes/child_process.h"
+#include "core/processes/program_path.h"
 #include "scene/gltf/place.h"
 #include "scene/mesh_repair.h"
 

@@ -1,9 +1,9 @@
 #include "screen/trial/shader_trial.h"
 
-#include "core/child_process.h"
 #include "core/error.h"
 #include "core/files.h"
-#include "core/program_path.h"
+#include "core/processes/child_process.h"
+#include "core/processes/program_path.h"
 #include "core/temporary_folder.h"
 
 #include <csignal>

@@ -1,4 +1,4 @@
-#include "core/process_limits.h"
+#include "core/processes/process_limits.h"
 
 #include <sys/prctl.h>
 #include <sys/resource.h>

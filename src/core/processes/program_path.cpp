@@ -1,4 +1,4 @@
-#include "core/program_path.h"
+#include "core/processes/program_path.h"
 
 #include "core/error.h"
 

@@ -1,4 +1,4 @@
-#include "core/bounded_command.h"
+#include "core/processes/bounded_command.h"
 
 #include "core/error.h"
 #include "core/interrupt.h"

@@ -1,4 +1,4 @@
-#include "core/child_process.h"
+#include "core/processes/child_process.h"
 
 #include "core/error.h"
 #include "core/interrupt.h"

@@ -1,4 +1,4 @@
-#include "core/shell.h"
+#include "core/processes/shell.h"
 
 #include "core/printable.h"
 
