@@ -100,7 +100,8 @@ TEST(GltfMovement, IsNotRefusedForWhatAnAnimationHolds) {
     file.add_box({0, 0, 0}, {1, 1, 1});
     file.add_node({{"mesh", 0}});
     for (const char* broken :
-         {"7", R"([null, 5, "walk"])", R"([{}])", R"([{"channels": 3}])", R"([{"channels": [7, {"target": []}, {"target": {"node": 99}}]}])",
+         {R"([null, 5, "walk"])", R"([{}])", R"([{"channels": 3}])",
+          R"([{"channels": [7, {"target": []}, {"target": {"node": 99}}]}])",
           R"([{"channels": [{"target": {"node": "0"}}, {"target": {"node": -1}}, {"target": null}]}])"}) {
         file.document["animations"] = json::parse(broken);
         EXPECT_EQ(moving(file.load(output_dir())), std::vector<bool>{false}) << broken;
