@@ -1,4 +1,5 @@
 #include "cli/command.h"
+#include "cli/number_range.h"
 #include "cli/run_and_page.h"
 #include "cli/shared_options.h"
 #include "results/results_folder.h"
@@ -43,7 +44,7 @@ CommandEntry add_claims_command(CLI::App& program, const GlobalOptions& global) 
     app->add_option("id", options->ids,
                     "Claims to judge, such as H01, or a file of them, such as field [all]");
     app->add_option("--scale", options->scale, "Makes every picture this many times as wide and high")
-        ->check(CLI::Range(0.05, 8.0))
+        ->check(number_in(0.05, 8.0))
         ->capture_default_str();
     add_cache_option(*app, options->truth_cache);
     app->add_option("--out", options->out, "Folder of page and results [reports/out/claims]");

@@ -1,4 +1,5 @@
 #include "cli/command.h"
+#include "cli/number_range.h"
 #include "cli/outcome_options.h"
 #include "compare/comparison.h"
 #include "core/files.h"
@@ -182,7 +183,7 @@ CommandEntry add_compare_command(CLI::App& program, const GlobalOptions& global)
     app->add_option("--mask-channel", request.mask_channel, "Of the mask [mask.Y, or the only one]");
     app->add_option("--mask-threshold", request.mask_threshold,
                     "Of missing and false occlusion, in visibility")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(number_in(0.0, 1.0))
         ->capture_default_str();
     app->add_option("--json", options->json,
                     "Write one JSON object to this file, or to standard output for -");

@@ -1,4 +1,5 @@
 #include "cli/command.h"
+#include "cli/number_range.h"
 #include "cli/shared_options.h"
 #include "core/output.h"
 #include "results/results_folder.h"
@@ -43,7 +44,7 @@ CommandEntry add_export_training_command(CLI::App& program, const GlobalOptions&
         ->check(CLI::Range(1, 100000));
     app->add_option("--height", options->plan.height_m,
                     "Eye level above the floor of rooms, metres [a third of the room]")
-        ->check(CLI::PositiveNumber);
+        ->check(number_above_zero());
     add_size_option(*app, options->size);
     add_radii_option(*app, options->radii);
     app->add_option("--samples", options->plan.samples, "Rays a pixel of the truth")

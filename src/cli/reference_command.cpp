@@ -1,4 +1,5 @@
 #include "cli/command.h"
+#include "cli/number_range.h"
 #include "cli/shared_options.h"
 #include "core/log.h"
 #include "core/output.h"
@@ -74,7 +75,7 @@ CommandEntry add_reference_command(CLI::App& program, const GlobalOptions& globa
     add_truth_options(*app, options->effort);
     app->add_option("--mean-error", options->effort.mean_error,
                     "Trace until the mean standard error over the picture is about this, for the fewest rays")
-        ->check(CLI::Range(1e-4, 0.5))
+        ->check(number_in(1e-4, 0.5))
         ->excludes("--error");
     app->add_flag(
            "--halves", options->halves,

@@ -1,4 +1,5 @@
 #include "cli/command.h"
+#include "cli/number_range.h"
 #include "cli/run_and_page.h"
 #include "cli/shared_options.h"
 #include "core/log.h"
@@ -63,7 +64,7 @@ CommandEntry add_run_command(CLI::App& program, const GlobalOptions& global) {
         "need");
     add_score_error_option(*app, options->score_error)->excludes("--exact");
     app->add_option("--scale", options->scale, "Makes every picture this many times as wide and high")
-        ->check(CLI::Range(0.05, 8.0))
+        ->check(number_in(0.05, 8.0))
         ->capture_default_str();
     add_cache_option(*app, options->truth_cache);
     app->add_option("--out", options->out, "Folder of page, results and images [reports/out/main]");

@@ -1,5 +1,6 @@
 #include "cli/shared_options.h"
 
+#include "cli/number_range.h"
 #include "core/error.h"
 #include "core/known_names.h"
 #include "core/text.h"
@@ -108,7 +109,7 @@ void add_truth_options(CLI::App& app, TruthEffort& effort) {
         ->check(CLI::Range(1, kMostSamples));
     app.add_option("--error", effort.max_error,
                    "Trace until every pixel's standard error is at most this, such as 0.01")
-        ->check(CLI::Range(1e-4, 0.5));
+        ->check(number_in(1e-4, 0.5));
 }
 
 CLI::Option* add_score_error_option(CLI::App& app, std::optional<double>& error) {
@@ -119,7 +120,7 @@ CLI::Option* add_score_error_option(CLI::App& app, std::optional<double>& error)
                         "time, and every other metric within {:g} times this; the page is written as soon as "
                         "noise cannot change the ranking, and again at the end [{:g}]",
                         ScoreGoal::kOtherMetrics, ScoreGoal().error))
-        ->check(CLI::Range(1e-6, 0.5));
+        ->check(number_in(1e-6, 0.5));
 }
 
 void add_score_truth_options(CLI::App& app, TruthEffort& effort) {
@@ -211,7 +212,7 @@ void add_view_options(CLI::App& app, ViewChoice& choice) {
         fmt::format("Its vertical angle of view in degrees [{:g}]", kGivenFovy_deg));
     eye->type_name("X,Y,Z")->needs(target)->excludes(view)->excludes(file);
     target->type_name("X,Y,Z")->needs(eye);
-    fovy->type_name("DEG")->check(CLI::Range(0.1, 179.0))->needs(eye);
+    fovy->type_name("DEG")->check(number_in(0.1, 179.0))->needs(eye);
     app.final_callback([&choice] {
         if (choice.load.camera) face_target(*choice.load.camera);
     });

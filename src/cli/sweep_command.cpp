@@ -1,5 +1,6 @@
 #include "cli/command.h"
 #include "cli/method_options.h"
+#include "cli/number_range.h"
 #include "cli/run_and_page.h"
 #include "cli/shared_options.h"
 #include "plan/sweep.h"
@@ -117,7 +118,7 @@ CommandEntry add_sweep_command(CLI::App& program, const GlobalOptions& global) {
         ->required();
     app->add_option("--budget-ms", options->budget_ms,
                     "What AO and filter may cost here; the page names the most accurate setting within it")
-        ->check(CLI::PositiveNumber);
+        ->check(number_above_zero());
     add_method_options(*app, options->method_options);
     add_size_option(*app, options->size);
     add_radii_option(*app, options->radii);

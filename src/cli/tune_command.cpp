@@ -1,5 +1,6 @@
 #include "cli/command.h"
 #include "cli/method_options.h"
+#include "cli/number_range.h"
 #include "cli/shared_options.h"
 #include "core/known_names.h"
 #include "core/output.h"
@@ -144,13 +145,13 @@ CommandEntry add_tune_command(CLI::App& program, const GlobalOptions& global) {
                     "Texture fetches a pixel that settings may cost; several are tuned one by one [any]")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->check(CLI::PositiveNumber);
+        ->check(number_above_zero());
     app->add_option("--budget-ms", options->most_ms,
                     "Milliseconds that the AO pass and its filter may take on this machine, "
                     "at this size on the first view; beside --max-fetches both are kept [any]")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->check(CLI::PositiveNumber);
+        ->check(number_above_zero());
     app->add_option("--evaluations", options->plan.effort.global, "Settings that the global search tries")
         ->capture_default_str()
         ->check(CLI::Range(1, 100000));

@@ -1,5 +1,6 @@
 #include "cli/command.h"
 #include "cli/method_options.h"
+#include "cli/number_range.h"
 #include "cli/run_and_page.h"
 #include "cli/shared_options.h"
 #include "core/files.h"
@@ -138,7 +139,7 @@ CommandEntry add_worst_command(CLI::App& program, const GlobalOptions& global) {
         ->check(CLI::Range(1, 100));
     app->add_option("--height", options->plan.height_m,
                     "Eye level above the floor of rooms, metres [a third of the room]")
-        ->check(CLI::PositiveNumber);
+        ->check(number_above_zero());
     app->add_option("--samples", options->plan.samples,
                     "Rays a pixel of the truths that confirm, an even number")
         ->capture_default_str()

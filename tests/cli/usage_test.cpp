@@ -58,6 +58,24 @@ TEST(Usage, WrongUsageExitsWith64) {
     EXPECT_TRUE(holds_only_captures(folder)) << "wrong usage must write nothing";
 }
 
+TEST(Usage, NanIsNoNumber) {
+    const auto folder = output_dir();
+    for (const std::string number : {"nan", "-nan", "NaN", "inf", "1e999", "0.1x", ""}) {
+        for (const std::string option :
+             {"run --jobs --scale ", "claims --jobs --scale ", "score plane --out o --error ",
+              "score plane --out o --score-error ", "score plane --out o --eye 0,1,1 --target 0,0,0 --fovy ",
+              "sweep plane --out o --vary size=64x48 --budget-ms ",
+              "tune plane --out o --methods gtao --max-fetches ",
+              "tune plane --out o --methods gtao --budget-ms ", "worst plane --out o --methods gtao --height ",
+              "export-training plane --out o --height ", "reference plane --out t.exr --mean-error ",
+              "compare a.exr b.exr --mask-threshold "}) {
+            const ProgramRun run = run_aoscore(option + "'" + number + "'", folder);
+            EXPECT_EQ(run.exit_code, 64) << option << number << "\n" << run.err;
+        }
+    }
+    EXPECT_TRUE(holds_only_captures(folder));
+}
+
 TEST(Usage, UnknownNamesListTheKnownOnes) {
     const auto folder = output_dir();
     EXPECT_THAT(run_aoscore("score nonsense --out o", folder).err, HasSubstr("atrium"));

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <string>
 
 namespace {
 
@@ -72,9 +74,43 @@ TEST(GltfMovement, IsWhatTheExtrasOfANodeSay) {
     file.add_node({{"mesh", 0}, {"translation", {5, 0, 0}}, {"children", {2}}});
     file.document["nodes"].push_back(
         {{"mesh", 0}, {"translation", {0, 3, 0}}, {"extras", {{"dynamic", false}}}});
-    file.add_node({{"mesh", 0}, {"translation", {9, 0, 0}}, {"extras", {{"dynamic", "perhaps"}}}});
     file.document["animations"] = {target(1)};
-    EXPECT_EQ(moving(file.load(output_dir())), (std::vector<bool>{true, true, false, false}));
+    EXPECT_EQ(moving(file.load(output_dir())), (std::vector<bool>{true, true, false}));
+}
+
+// Blender writes 1 for true.
+TEST(GltfMovement, IsSaidByOneAndZeroTooAndByNothingElse) {
+    GltfFile file;
+    file.add_box({0, 0, 0}, {1, 1, 1});
+    file.add_node({{"mesh", 0}});
+    for (const auto& [said, moves] : std::map<std::string, bool>{{"1", true}, {"0", false}, {"1.0", true}}) {
+        file.document["nodes"][0]["extras"] = {{"dynamic", json::parse(said)}};
+        const Scene scene = file.load(output_dir());
+        EXPECT_EQ(moving(scene), std::vector<bool>{moves}) << said;
+        EXPECT_TRUE(scene.warnings.empty()) << said;
+    }
+    for (const char* said : {"2", "\"yes\"", "[true]", "{}", "null"}) {
+        file.document["nodes"][0]["extras"] = {{"dynamic", json::parse(said)}};
+        const Scene scene = file.load(output_dir());
+        EXPECT_EQ(moving(scene), std::vector<bool>{false}) << said;
+        EXPECT_TRUE(has_warning(scene, "nodes[0].extras.dynamic")) << said;
+    }
+}
+
+TEST(GltfMovement, IsThatOfANodeWhosePropertyAPointerAnimates) {
+    GltfFile file;
+    file.add_box({0, 0, 0}, {1, 1, 1});
+    file.add_node({{"mesh", 0}});
+    const auto animate = [&](const std::string& pointer) {
+        const json extensions = {{"KHR_animation_pointer", {{"pointer", pointer}}}};
+        file.document["animations"] = {
+            {{"channels", {{{"target", {{"path", "pointer"}, {"extensions", extensions}}}}}}}};
+        return moving(file.load(output_dir()));
+    };
+    EXPECT_EQ(animate("/nodes/0/translation"), std::vector<bool>{true});
+    for (const char* other : {"/materials/0/emissiveFactor", "/nodes/", "/nodes/x/scale",
+                              "/nodes/99999999999/scale", ""})
+        EXPECT_EQ(animate(other), std::vector<bool>{false}) << other;
 }
 
 TEST(GltfMovement, IsThatOfASkinWithAJointThatMoves) {

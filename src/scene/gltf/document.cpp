@@ -11,6 +11,9 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 namespace aoscore::gltf {
@@ -38,15 +41,30 @@ void take_skins(json& root, Document& document) {
     }
 }
 
+/// The node that a channel of an animation targets, by its number or, in KHR_animation_pointer, by a pointer
+/// to one of its properties; none where it makes no sense.
+std::optional<int> animated_node(const json& channel) {
+    static const json::json_pointer node("/target/node"),
+        pointer("/target/extensions/KHR_animation_pointer/pointer");
+    if (!channel.is_object()) return std::nullopt;
+    if (channel.contains(node) && channel.at(node).is_number_integer()) return channel.at(node).get<int>();
+    if (!channel.contains(pointer) || !channel.at(pointer).is_string()) return std::nullopt;
+    constexpr std::string_view kNodes = "/nodes/";
+    const auto& path = channel.at(pointer).get_ref<const std::string&>();
+    int index = 0;
+    if (!path.starts_with(kNodes)) return std::nullopt;
+    const char *const first = path.data() + kNodes.size(), *const last = path.data() + path.size();
+    if (std::from_chars(first, last, index).ec != std::errc()) return std::nullopt;
+    return index;
+}
+
 /// The nodes that animations target. Nothing else of an animation is read: a broken one is no error.
 std::set<int> animated_nodes(const json& root) {
-    const json::json_pointer target("/target/node");
     std::set<int> nodes;
     for (const json& animation : root.value("animations", json::array())) {
         const json channels = animation.is_object() ? animation.value("channels", json()) : json();
         for (const json& channel : channels.is_array() ? channels : json::array()) {
-            if (channel.is_object() && channel.contains(target) && channel.at(target).is_number_integer())
-                nodes.insert(channel.at(target).get<int>());
+            if (const auto node = animated_node(channel)) nodes.insert(*node);
         }
     }
     return nodes;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace aoscore::gltf {
 namespace {
@@ -60,10 +61,21 @@ bool is_visible(const tinygltf::Node& node) {
            found->second.Get("visible").Get<bool>();
 }
 
-bool is_dynamic(const Document& document, int index, bool parent_is_dynamic) {
+/// What "extras" of a node say of its movement: true, false, or the 1 or 0 that Blender writes for them.
+std::optional<bool> said_to_move(Document& document, int index) {
     const tinygltf::Value& extras = document.model->nodes[static_cast<std::size_t>(index)].extras;
-    if (extras.Has("dynamic") && extras.Get("dynamic").IsBool()) return extras.Get("dynamic").Get<bool>();
-    return parent_is_dynamic || document.animated_nodes.contains(index);
+    if (!extras.Has("dynamic")) return std::nullopt;
+    const tinygltf::Value& said = extras.Get("dynamic");
+    if (said.IsBool()) return said.Get<bool>();
+    const double number = said.IsNumber() ? said.GetNumberAsDouble() : -1;
+    if (number == 0 || number == 1) return number == 1;
+    document.warn(fmt::format(R"(nodes[{}].extras.dynamic is neither true nor false, and not used)", index));
+    return std::nullopt;
+}
+
+bool is_dynamic(Document& document, int index, bool parent_is_dynamic) {
+    return said_to_move(document, index)
+        .value_or(parent_is_dynamic || document.animated_nodes.contains(index));
 }
 
 std::vector<int> root_nodes(Document& document) {
