@@ -96,6 +96,22 @@ void warn_of_small_radius(const View& chosen, ViewRecord& view) {
     log_warning(fmt::format("{}: {}", view.key, view.warnings.back()));
 }
 
+// Pixels whose truth is too uncertain are left out, and they are no sample of all: by the rest, the order of
+// methods can be another.
+void warn_of_unknown_signals(ViewRecord& view) {
+    constexpr double kLeastShare = 0.9;
+    for (const SignalRecord& record : view.signals) {
+        const double known = static_cast<double>(record.known_pixels),
+                     valid = static_cast<double>(view.valid_pixels);
+        if (known >= kLeastShare * valid) continue;
+        view.warnings.push_back(
+            fmt::format("the truth of {} is certain enough in {:.1f} % of the pixels alone, where the order of "
+                        "the methods can be another than everywhere; more --samples tell",
+                        record.id, 100 * known / valid));
+        log_warning(fmt::format("{}: {}", view.key, view.warnings.back()));
+    }
+}
+
 void record_times(const StoredTimes& times, const ViewRecord& view, CellRecord& record) {
     record.ao = summarize(times.ao);
     record.filter_pass = summarize(times.filter);
@@ -142,6 +158,7 @@ class Assembly {
         if (there(run_.jobs.gbuffer_file)) view.gbuffer_file = run_.work.gbuffer_file();
         for (std::size_t i = 0; i < run_.jobs.cells.size(); ++i) add_own_truth(i, view.truths);
         warn_of_small_radius(run_.work.view, view);
+        warn_of_unknown_signals(view);
         return view;
     }
 

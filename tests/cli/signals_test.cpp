@@ -1,4 +1,5 @@
 // Tests score --signals: its scores, its files, its refusals.
+#include "core/files.h"
 #include "core/signal.h"
 #include "image/image_file.h"
 #include "metrics/signal_metric.h"
@@ -12,6 +13,7 @@ namespace aoscore {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::output_dir;
 using testing::run_aoscore;
 
@@ -51,6 +53,18 @@ TEST(ScoreOfSignals, HoldsThemAgainstTheTruthByAngleAndLeavesVisibilityAsItWas) 
     ASSERT_EQ(results.views.front().signals.size(), further_signals().size());
     EXPECT_GT(results.views.front().signals.front().known_pixels, 100u);
     EXPECT_TRUE(before.views.front().signals.empty());
+}
+
+TEST(ScoreOfSignals, OfFewRaysSayThatTheyAreNotKnown) {
+    const auto folder = output_dir();
+    const std::string command =
+        "score pillar --view main --size 64x36 --methods gtao,hbao --no-cache --signals ";
+    const auto none = run_aoscore(command + "cone_angle --samples 2 --out none", folder);
+    ASSERT_EQ(none.exit_code, 0) << none.err;
+    EXPECT_THAT(none.err, HasSubstr("the truth of cone_angle is certain enough in 0.0 % of the pixels alone"));
+    EXPECT_THAT(read_file(folder / "none" / "index.html"), HasSubstr("too few rays to know these signals"));
+    const auto many = run_aoscore(command + "cone_angle --samples 1024 --out many", folder);
+    EXPECT_THAT(many.err, Not(HasSubstr("certain enough")));
 }
 
 TEST(ScoreOfSignals, RefusesWhatNoMethodGives) {

@@ -99,6 +99,18 @@ TEST(Index, LeadsToThePagesOfTheResultsAndShowsTheirViews) {
     EXPECT_THAT(index.contents().cells[0].link, HasSubstr("#view=atrium/wide&cell=atrium/wide/"));
 }
 
+TEST(Index, SaysThatACameraStandsThereAtSeveralRadii) {
+    const std::filesystem::path folder = testing::output_dir();
+    IndexBuilder index(folder);
+    Results results = testing::without_pictures(testing::synthetic_results());
+    index.add(results, "nowhere");
+    const auto page = [&] { return read_file(write_index_page(index.contents(), folder, "index", 1)); };
+    EXPECT_THAT(page(), Not(HasSubstr("at several radii")));
+    results.views[0].radius_m *= 2;
+    index.add(results, "nowhere");
+    EXPECT_THAT(page(), HasSubstr("1 camera stands here at several radii or sizes"));
+}
+
 TEST(Index, ShowsNamesAndReasonsAsTextAlone) {
     const std::filesystem::path folder = testing::output_dir();
     IndexBuilder index(folder);

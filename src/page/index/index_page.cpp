@@ -12,6 +12,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
+
 namespace aoscore {
 namespace {
 
@@ -27,6 +30,14 @@ std::string rank_of(const ScenePlace& place, const IndexedContestant& contestant
 
 std::string view_name(const IndexedView& view) {
     return view.scene + "/" + view.view;
+}
+
+/// How many cameras stand there at more than one radius or size.
+std::size_t repeated_cameras(const IndexContents& contents) {
+    std::map<std::string, int> counts;
+    for (const IndexedView& view : contents.views) ++counts[view_name(view)];
+    return static_cast<std::size_t>(
+        std::ranges::count_if(counts, [](const auto& entry) { return entry.second > 1; }));
 }
 
 json place_model(const ScenePlace& place, const IndexContents& contents, double largest,
@@ -84,6 +95,7 @@ json data_model(const IndexContents& contents, const SceneRanking& ranking) {
 }
 
 json page_model(const IndexContents& contents, const SceneRanking& ranking, const std::string& command) {
+    const std::size_t repeated = repeated_cameras(contents);
     double largest = 0;
     for (const ScenePlace& place : ranking.places) largest = std::max(largest, place.interval.high);
     json places = json::array(), unreadable = json::array();
@@ -102,6 +114,8 @@ json page_model(const IndexContents& contents, const SceneRanking& ranking, cons
             {"ranked_over", fmt::format("{} of {}", counted(ranking.views, "view", "views"),
                                         counted(ranking.scenes, "scene", "scenes"))},
             {"several_scenes", ranking.scenes > 1},
+            {"has_repeated", repeated > 0},
+            {"repeated", counted(repeated, "camera stands", "cameras stand")},
             {"has_left_out", ranking.left_out > 0},
             {"left_out", counted(ranking.left_out, "contestant was", "contestants were")},
             {"has_replaced", contents.replaced > 0},

@@ -99,24 +99,33 @@ std::string in_text(std::string_view label) {
     return text;
 }
 
-/// Names the method that is closest in the first signal of the first view that has one.
+/// Names the method that is closest in the first signal of the first view that has one and knows it.
 std::string signals_in_short(const Results& results) {
+    bool is_unknown = false;
     for (const ViewRecord& view : results.views) {
         for (const SignalRecord& record : view.signals) {
             const auto metric = std::ranges::find(signal_metrics(), record.id, &SignalMetric::signal);
             const auto cells = cells_with(results, view, record.id, std::string(metric->id));
             if (cells.empty()) continue;
             const auto& value = cells[0]->signals.at(record.id).at(std::string(metric->id)).value;
+            is_unknown = is_unknown || !value;
+            if (!value) continue;
+            const std::string of = record.known_pixels < view.valid_pixels
+                                       ? fmt::format(" over the {:.0f} % of the pixels whose truth is certain",
+                                                     100.0 * static_cast<double>(record.known_pixels) /
+                                                         static_cast<double>(view.valid_pixels))
+                                       : "";
+            const std::string number = fixed_text(value, metric->decimals) + std::string(metric->unit) + of;
             if (cells.size() == 1)
-                return fmt::format("On {}, {} is the only method that gives the {}: its {} is {}{}.",
-                                   view.key, name_of(*cells[0]), in_text(signal(record.id).label),
-                                   in_text(metric->label), fixed_text(value, metric->decimals), metric->unit);
-            return fmt::format("On {}, {} is closest of {} to the truth’s {}: its {} is {}{}.", view.key,
+                return fmt::format("On {}, {} is the only method that gives the {}: its {} is {}.", view.key,
+                                   name_of(*cells[0]), in_text(signal(record.id).label),
+                                   in_text(metric->label), number);
+            return fmt::format("On {}, {} is closest of {} to the truth’s {}: its {} is {}.", view.key,
                                name_of(*cells[0]), counted(cells.size(), "method", "methods"),
-                               in_text(signal(record.id).label), in_text(metric->label),
-                               fixed_text(value, metric->decimals), metric->unit);
+                               in_text(signal(record.id).label), in_text(metric->label), number);
         }
     }
+    if (is_unknown) return "The truth has too few rays to know these signals in any pixel.";
     return "No method gives a signal beside visibility.";
 }
 
