@@ -3,6 +3,8 @@
 #include "core/output.h"
 #include "page/index/index_page.h"
 #include "results/results.h"
+#include "results/stress_results.h"
+#include "results/tuning_record.h"
 #include "verdict/rankings.h"
 
 #include <fmt/format.h>
@@ -47,7 +49,15 @@ void add_file(IndexBuilder& index, const fs::path& file) {
     }
 }
 
+/// Refuses the folder of a run, whose own page the index would take the place of.
+void require_no_run_in(const fs::path& folder) {
+    if (fs::exists(folder / kResultsFile) || has_stress_results(folder) || has_tuning_record(folder))
+        throw usage_error("holds a run's results, and the index would take the place of their page",
+                          "--out " + folder.string(), "a folder of its own");
+}
+
 ExitCode run(const IndexOptions& options, const GlobalOptions& global) {
+    require_no_run_in(options.out);
     IndexBuilder index(options.out);
     for (const fs::path& folder : options.folders) {
         const std::vector<fs::path> files = results_files(folder);

@@ -23,6 +23,15 @@ double noise_floor_of(const Results& results, const CellRecord& cell) {
     return 0;
 }
 
+/// Refuses results without a single cell where there are views, such as a frame that holds what none of the
+/// methods reads, or limits: a gate would pass though nothing was held to it.
+void require_cells(const Results& results, const Gates& gates) {
+    if (!results.cells.empty() || (results.views.empty() && gates.empty())) return;
+    throw Error(ExitCode::gate_failed, "no method was scored: nothing could be compared",
+                results.views.empty() ? "" : results.views.front().key,
+                "a view and methods that it has everything for");
+}
+
 }  // namespace
 
 void add_outcome_options(CLI::App& app, OutcomeOptions& options) {
@@ -62,6 +71,7 @@ void Outcome::print_summary(const Gates::Tripped& tripped, const std::string& wh
 }
 
 ExitCode Outcome::conclude(const Results& results) {
+    require_cells(results, gates_);
     std::map<std::string, Gates::Tripped> by_cell;
     for (const CellRecord& cell : results.cells)
         by_cell[cell.id] = gates_.check(limited_measures(cell.ranked, cell.analysis));

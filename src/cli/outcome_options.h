@@ -39,7 +39,8 @@ class Outcome {
 
     /// Writes the exports of a run, says on standard error which limits were tripped where, and returns the
     /// exit code: a tripped --fail or a view on which nothing can be compared, then a failed cell, then a
-    /// tripped --warn. A cell that failed has no value and so trips every limit.
+    /// tripped --warn. A cell that failed has no value and so trips every limit. Where there are views or
+    /// limits and not one cell it writes no export, and throws Error with ExitCode::gate_failed.
     ExitCode conclude(const Results& results);
 
     /// Prints the limits that were tripped.

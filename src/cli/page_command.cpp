@@ -22,12 +22,31 @@ struct PageOptions {
     bool everything = false;
 };
 
+/// Refuses options that only the results of scores heed, for `results` of another kind.
+void require_no_options(const PageOptions& options, const std::string& results) {
+    const OutcomeOptions& outcome = options.outcome;
+    std::string given;
+    const auto add = [&](bool is_given, const char* option) {
+        if (is_given) given += (given.empty() ? "" : ", ") + std::string(option);
+    };
+    add(!outcome.fail.empty(), "--fail");
+    add(!outcome.warn.empty(), "--warn");
+    add(!outcome.exports.empty(), "--export");
+    add(!outcome.baseline.empty(), "--baseline");
+    add(options.everything, "--everything");
+    if (!given.empty())
+        throw usage_error("the page of " + results + " has no use for it", given,
+                          "results of a score or run");
+}
+
 ExitCode run(const PageOptions& options) {
     if (has_stress_results(options.results)) {
+        require_no_options(options, "a stress test");
         print_path(write_stress_page(options.results));
         return ExitCode::ok;
     }
     if (has_tuning_record(options.results)) {
+        require_no_options(options, "a tuning");
         print_path(write_tuning_page(options.results));
         return ExitCode::ok;
     }

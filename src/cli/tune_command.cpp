@@ -92,8 +92,10 @@ ExitCode run(const TuneOptions& options, const GlobalOptions& global) {
     const std::filesystem::path folder = results_folder(options.out, folder_name(plan));
     const TuningResults results = tune(plan);
     write_tuning(results, plan, folder);
-    if (options.install) install_presets(results, plan);
     print_tuning(results, plan);
+    if (options.install) {
+        for (const std::filesystem::path& file : install_presets(results, plan)) print_path(file);
+    }
     print_path(folder / "tune.json");
     print_path(write_tuning_page(folder));
     return ExitCode::ok;
@@ -116,7 +118,9 @@ void add_definition_options(CLI::App& app, const CLI::Option* methods, TuneOptio
         ->needs(definition)
         ->check(CLI::ExistingDirectory);
     app.add_flag("--install", options.install,
-                 "Also write the presets into the folders of the program's own methods, as tuned.json");
+                 "Also write the definition's presets into the folders of the program's own methods, as "
+                 "tuned.json, in place of those that are there; prints the files' paths")
+        ->needs(definition);
 }
 
 }  // namespace

@@ -77,11 +77,23 @@ ExperimentPlan score_of(const WorstOptions& options, std::vector<CellPlan> cells
     return plan;
 }
 
-ExitCode run(const WorstOptions& options, const GlobalOptions& global) {
-    if (!options.between.empty() && options.between.size() != 2)
-        throw usage_error("names no pair", "--between", "two methods: a,b");
-    if (options.methods.empty() == options.between.empty())
+/// Refuses all but methods alone, or a pair of two methods alone.
+void require_one_judgement(const WorstOptions& options) {
+    const std::vector<std::string>& pair = options.between;
+    if (options.methods.empty() && pair.empty())
         throw usage_error("nothing says what to judge by", "worst", "either --methods or --between");
+    if (!options.methods.empty() && !pair.empty())
+        throw usage_error("both say what to judge by", "--methods, --between", "one of them");
+    if (!pair.empty() && pair.size() != 2)
+        throw usage_error("names no pair", "--between", "two methods: a,b");
+    if (!pair.empty() && pair[0] == pair[1])
+        throw usage_error(pair[0] + " cannot be behind itself", "--between", "two methods: a,b");
+}
+
+ExitCode run(const WorstOptions& options, const GlobalOptions& global) {
+    require_one_judgement(options);
+    // A fault in a limit or in an export's path is found before the search, which takes long.
+    { const Outcome checked(options.outcome); }
     WorstOptions chosen = options;
     WorstPlan& plan = chosen.plan;
     plan.seed = global.seed;

@@ -90,14 +90,17 @@ std::map<std::string, json> preset_files(const TuningResults& results, const Tun
     return files;
 }
 
-void install_presets(const TuningResults& results, const TuningPlan& plan) {
+std::vector<std::filesystem::path> install_presets(const TuningResults& results, const TuningPlan& plan) {
     const std::filesystem::path methods = data_dir() / "shaders" / "methods";
+    std::vector<std::filesystem::path> written;
     for (const auto& [method, presets] : preset_files(results, plan)) {
         if (!std::filesystem::is_directory(methods / method))
             throw usage_error(method + " is no method of the program's own", "--install",
                               "such methods alone");
-        write_atomically(methods / method / kTunedPresets, presets.dump(2) + "\n");
+        written.push_back(methods / method / kTunedPresets);
+        write_atomically(written.back(), presets.dump(2) + "\n");
     }
+    return written;
 }
 
 }  // namespace aoscore

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -20,7 +21,8 @@ std::string tuned_preset_id(const std::string& from, const Budget& budget);
 std::map<std::string, nlohmann::json> preset_files(const TuningResults& results, const TuningPlan& plan);
 
 /// Writes them into the folders of the program's own methods, as kTunedPresets: they are presets of these
-/// methods from then on. Throws usage_error for a method of another folder.
-void install_presets(const TuningResults& results, const TuningPlan& plan);
+/// methods from then on, in place of those that the file had. Returns the files' paths. Throws usage_error
+/// for a method of another folder.
+std::vector<std::filesystem::path> install_presets(const TuningResults& results, const TuningPlan& plan);
 
 }  // namespace aoscore

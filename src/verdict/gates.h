@@ -18,6 +18,8 @@ class Gates {
     /// Throws usage_error for a malformed limit, an unknown metric, and kWorse without a baseline.
     Gates(const std::vector<std::string>& fail, const std::vector<std::string>& warn, bool has_baseline);
 
+    bool empty() const { return fail_.empty() && warn_.empty(); }
+
     /// Throws usage_error where a limit lies below the value that the truth's noise alone gives the metric: a
     /// perfect image would trip it. (Metrics that are without_noise may have lower limits: there, noise
     /// averages out.)
@@ -37,6 +39,7 @@ class Gates {
     struct Limits {
         std::vector<Gate> gates;
         bool worse = false;
+        bool empty() const { return gates.empty() && !worse; }
     };
     static Limits parse(const std::vector<std::string>& texts, bool has_baseline);
 

@@ -290,6 +290,20 @@ TEST_F(Frame, LeavesOutMethodsThatNeedMoreAndSaysWhichOnce) {
     EXPECT_THAT(results.warnings.at(0), HasSubstr("no depth layers, which are drawn from a scene: sd-hbao"));
 }
 
+// Neither a run nor its page passes a gate where nothing was scored, and no file of numbers says otherwise.
+TEST_F(Frame, ThatNoMethodIsLeftForIsNothingToCompare) {
+    for (const char* arguments :
+         {"score --gbuffer gbuffer.exr --truth truth.exr --methods sd-hbao --out page",
+          "score --gbuffer gbuffer.exr --truth truth.exr --methods sd-hbao --out page --fail 'rmse>0.9' "
+          "--export none.xml",
+          "page page", "page page --fail 'rmse>0.9' --export none.xml"}) {
+        const auto run = run_aoscore(arguments, folder);
+        EXPECT_EQ(run.exit_code, 2) << arguments << "\n" << run.err;
+        EXPECT_THAT(run.err, HasSubstr("no method was scored: nothing could be compared")) << arguments;
+    }
+    EXPECT_FALSE(fs::exists(folder / "none.xml"));
+}
+
 TEST_F(Frame, ThatIsMeasuredAgainTakesAllFromTheStore) {
     scored("--gbuffer gbuffer.exr --truth truth.exr");
     const auto again =

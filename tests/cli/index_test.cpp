@@ -41,6 +41,20 @@ TEST(IndexCommand, WithoutAnyResultsSaysSoAndWritesNothing) {
     EXPECT_EQ(run_aoscore("index", folder).exit_code, 64) << "index what?";
 }
 
+TEST(IndexCommand, TakesNoRunsPlace) {
+    const fs::path folder = testing::output_dir();
+    fs::copy(testing::source_dir() / "tests/results/older", folder / "older", fs::copy_options::recursive);
+    for (const char* results : {"results.json", "stress.json", "tune.json"}) {
+        write_atomically(folder / "run" / results, "{}");
+        write_atomically(folder / "run/index.html", "the run's page");
+        const ProgramRun run = run_aoscore("index older --out run", folder);
+        EXPECT_EQ(run.exit_code, 64) << results << run.err;
+        EXPECT_THAT(run.err, HasSubstr("a folder of its own")) << results;
+        EXPECT_EQ(read_file(folder / "run/index.html"), "the run's page") << results;
+        fs::remove_all(folder / "run");
+    }
+}
+
 TEST(IndexCommand, RanksOverScenesTheResultsOfSeveralRuns) {
     const fs::path folder = testing::output_dir();
     for (const char* scene : {"wall --view facing", "pillar --view main"}) {

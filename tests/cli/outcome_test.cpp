@@ -89,6 +89,19 @@ TEST(Limits, DecideTheExitCodeOfAScoreCellByCell) {
     EXPECT_EQ(run_aoscore("page o/results.json --fail 'ssim<-1'", folder).exit_code, 0);
 }
 
+// A claim that nothing here can tell scores nothing, which is no fault; a limit on nothing is one.
+TEST(Limits, AreNotPassedWhereNothingWasScored) {
+    const auto folder = output_dir();
+    EXPECT_EQ(run_aoscore("claims F03 --out o", folder).exit_code, 0);
+    for (const char* arguments :
+         {"claims F03 --out o --fail 'rmse>0.9'", "page o --warn 'rmse>0.9' --export a.xml"}) {
+        const ProgramRun run = run_aoscore(arguments, folder);
+        EXPECT_EQ(run.exit_code, 2) << arguments << run.err;
+        EXPECT_THAT(run.err, HasSubstr("no method was scored: nothing could be compared")) << arguments;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.xml"));
+}
+
 TEST(Exports, EveryFormatHoldsTheNumbersOfACompare) {
     const auto folder = output_dir();
     write_pair(folder);

@@ -1,5 +1,6 @@
 // `aoscore tune`: what it finds is closer to the truth when it is scored apart, and what it cannot do it
 // says.
+#include "core/files.h"
 #include "results/results.h"
 #include "support/support.h"
 
@@ -133,6 +134,9 @@ TEST(Tune, InstallsAPresetThatIsListedAndScoredFromThenOn) {
     ASSERT_TRUE(std::filesystem::exists(installed));
     const nlohmann::json file = nlohmann::json::parse(std::ifstream(installed));
     EXPECT_EQ(file.at("tunings").at("tuned").at("definition"), "own");
+    for (const char* method : {"sao", "ssao"})
+        EXPECT_THAT(tune.out,
+                    HasSubstr((folder / "data/shaders/methods" / method / "tuned.json").string() + "\n"));
     EXPECT_EQ(file, nlohmann::json::parse(std::ifstream(folder / "tuned/sao.tuned.json")));
     const ProgramRun list = run_aoscore("list methods", folder, with_data);
     EXPECT_THAT(list.out, ::testing::ContainsRegex("\nsao .*presets [^\n]*tuned"));
@@ -146,6 +150,25 @@ TEST(Tune, InstallsAPresetThatIsListedAndScoredFromThenOn) {
     }
     const double published = file.at("tunings").at("tuned").at("published").get<double>();
     EXPECT_LE(file.at("tunings").at("tuned").at("fitted").get<double>(), published);
+}
+
+// A search on a view or two would take the place of presets that were tuned on many.
+TEST(Tune, InstallsWhatADefinitionSaysAlone) {
+    const auto folder = output_dir();
+    const auto data = copied_data(folder);
+    const auto shipped = data / "shaders/methods/sao/tuned.json";
+    const std::string before = read_file(shipped);
+    for (const char* options : {"", " --preset tuned", " --view main --in-sample"}) {
+        const ProgramRun run = run_aoscore(
+            "tune pillar --methods sao --parameters intensity --size 64x36 --samples 4 --evaluations 1 "
+            "--refinements 0 --out o --install" +
+                std::string(options),
+            folder, "env AOSCORE_DATA='" + data.string() + "'");
+        EXPECT_EQ(run.exit_code, 64) << options << "\n" << run.err;
+        EXPECT_THAT(run.err, HasSubstr("--definition")) << options;
+    }
+    EXPECT_EQ(read_file(shipped), before);
+    EXPECT_FALSE(std::filesystem::exists(folder / "o"));
 }
 
 // Without its first method: what is made again of a definition is that method alone.

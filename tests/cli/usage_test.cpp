@@ -76,6 +76,25 @@ TEST(Usage, NanIsNoNumber) {
     EXPECT_TRUE(holds_only_captures(folder));
 }
 
+// These results have no limits, no tables and no baseline: a gate on them would pass whatever they hold.
+TEST(Usage, OptionsThatThePageOfAStressTestOrATuningHasNoUseForAreRefused) {
+    const auto folder = testing::output_dir();
+    for (const char* results : {"stress.json", "tune.json"}) {
+        const std::filesystem::path of = folder / std::filesystem::path(results).stem();
+        std::filesystem::create_directories(of);
+        std::ofstream(of / results) << "{}";
+        for (const char* option : {"--fail 'rmse>0.1'", "--warn 'rmse>0.1'", "--export a.csv",
+                                   "--baseline nope.json", "--everything"}) {
+            const auto run = run_aoscore("page " + of.string() + " " + option, folder);
+            EXPECT_EQ(run.exit_code, 64) << results << option << run.err;
+            const std::string name = std::string(option).substr(0, std::string(option).find(' '));
+            EXPECT_THAT(run.err, ::testing::AllOf(HasSubstr(name), HasSubstr("has no use for it")))
+                << results;
+        }
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.csv"));
+}
+
 TEST(Usage, UnknownNamesListTheKnownOnes) {
     const auto folder = output_dir();
     EXPECT_THAT(run_aoscore("score nonsense --out o", folder).err, HasSubstr("atrium"));

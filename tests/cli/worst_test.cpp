@@ -80,6 +80,19 @@ TEST(Worst, SaysWhatItNeeds) {
                                   "worst pillar --between hbao", "worst pillar --methods nonsense"}) {
         EXPECT_EQ(run_aoscore(arguments, folder).exit_code, 64) << arguments;
     }
+    const std::pair<const char*, const char*> refused[] = {
+        {"--between gtao,gtao", "gtao cannot be behind itself"},
+        {"--methods hbao --between hbao,gtao", "both say what to judge by"},
+        {"--methods hbao --fail 'nope>1'", "nope"},
+        {"--methods hbao --export o.doc", "o.doc"}};
+    for (const auto& [options, words] : refused) {
+        const ProgramRun run = run_aoscore(
+            std::string("worst pillar --cameras 4 --size 64x36 --samples 4 --out o ") + options, folder);
+        EXPECT_EQ(run.exit_code, 64) << options << run.err;
+        EXPECT_THAT(run.err, HasSubstr(words)) << options;
+        EXPECT_EQ(run.out, "") << options << ": a fault costs no search";
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "o"));
     // Far above the building no camera sees a surface.
     for (const char* command :
          {"worst pillar --methods hbao --cameras 10", "export-training pillar --views 1"}) {
