@@ -14,19 +14,19 @@ struct Options {
     std::filesystem::path cache;
 };
 
-ExitCode run(const Options& options) {
-    return run_jobs(arguments_of_job(options.key, options.cache), {options.key});
+ExitCode run(const Options& options, const GlobalOptions& global) {
+    return run_jobs(arguments_of_job(options.key, options.cache), {options.key}, global.node_kind);
 }
 
 }  // namespace
 
-CommandEntry add_job_command(CLI::App& program, const GlobalOptions&) {
+CommandEntry add_job_command(CLI::App& program, const GlobalOptions& global) {
     CLI::App* app = program.add_subcommand(
         "job", "Make one artifact that --jobs has listed, by its key, and keep it in the store");
     const auto options = std::make_shared<Options>();
     options->cache = cache_dir();
     app->add_option("key", options->key, "As --jobs prints it")->required();
-    return {app, [options] { return run(*options); }};
+    return {app, [options, &global] { return run(*options, global); }};
 }
 
 }  // namespace aoscore

@@ -30,12 +30,24 @@ std::string command_line_of(const std::vector<std::string>& words) {
     return line;
 }
 
+bool names_node_kind(const std::string& word) {
+    return word == kNodeKind || word.starts_with(std::string(kNodeKind) + "=");
+}
+
 /// The words, with the kind of node whose times count: whoever makes a job on another machine finds it under
 /// the same key.
 std::vector<std::string> naming_node_kind(std::vector<std::string> words) {
-    const auto names_it = [](const std::string& word) { return word.starts_with(kNodeKind); };
-    if (std::ranges::none_of(words, names_it)) words.insert(words.end(), {kNodeKind, node_kind()});
+    if (std::ranges::none_of(words, names_node_kind)) words.insert(words.end(), {kNodeKind, node_kind()});
     return words;
+}
+
+/// The kind that naming_node_kind() left in the words: in the option's own word, or in the next.
+std::string named_node_kind(const std::vector<std::string>& words) {
+    const auto option = std::ranges::find_if(words, names_node_kind);
+    if (option == words.end()) return {};
+    if (const std::size_t sign = option->find('='); sign != std::string::npos)
+        return option->substr(sign + 1);
+    return option + 1 == words.end() ? std::string() : *(option + 1);
 }
 
 void divide(const JobOptions& options, const nlohmann::json& listing,
@@ -101,7 +113,12 @@ ExitCode run_division(std::vector<std::string> words, const std::filesystem::pat
     return run_words(words, line);
 }
 
-ExitCode run_jobs(std::vector<std::string> words, const std::vector<std::string>& keys) {
+ExitCode run_jobs(std::vector<std::string> words, const std::vector<std::string>& keys,
+                  const std::string& node_kind) {
+    if (const std::string planned = named_node_kind(words); !node_kind.empty() && node_kind != planned)
+        throw usage_error(fmt::format("these jobs' times are those of nodes of kind \"{}\"", planned),
+                          fmt::format("{} {}", kNodeKind, node_kind),
+                          "no --node-kind; the command that planned them takes another kind");
     const std::string line = command_line_of(words);
     for (const std::string& key : keys) words.insert(words.end(), {"--job", key});
     return run_words(words, line);

@@ -37,7 +37,9 @@ std::optional<ExitCode> list_or_make_some(
 ExitCode run_division(std::vector<std::string> words, const std::filesystem::path& file, std::size_t parts);
 
 /// Has the command of these words make these jobs alone. The artifacts name the command, which asked for all
-/// of them.
-ExitCode run_jobs(std::vector<std::string> words, const std::vector<std::string>& keys);
+/// of them, and the kind of node whose times count: throws usage_error where `node_kind` is another, which
+/// the user gave; empty: none was given.
+ExitCode run_jobs(std::vector<std::string> words, const std::vector<std::string>& keys,
+                  const std::string& node_kind);
 
 }  // namespace aoscore

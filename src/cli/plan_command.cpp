@@ -27,7 +27,7 @@ ExitCode plan(const PlanOptions& options, const std::vector<std::string>& comman
     return run_division(command, options.out, options.parts);
 }
 
-ExitCode work(const WorkOptions& options) {
+ExitCode work(const WorkOptions& options, const GlobalOptions& global) {
     const WorkParts work = read_parts(options.plan);
     // An array of a cluster may have more tasks than there was work for.
     if (options.part > work.parts.size()) {
@@ -35,7 +35,7 @@ ExitCode work(const WorkOptions& options) {
             fmt::format("There are {} parts: nothing is left for part {}", work.parts.size(), options.part));
         return ExitCode::ok;
     }
-    return run_jobs(work.arguments, work.parts[options.part - 1].keys);
+    return run_jobs(work.arguments, work.parts[options.part - 1].keys, global.node_kind);
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ CommandEntry add_plan_command(CLI::App& program, const GlobalOptions&) {
     return {app, [options, app] { return plan(*options, app->remaining()); }};
 }
 
-CommandEntry add_work_command(CLI::App& program, const GlobalOptions&) {
+CommandEntry add_work_command(CLI::App& program, const GlobalOptions& global) {
     CLI::App* app = program.add_subcommand(
         "work",
         "Do one part of a plan and keep its results in the cache, where the planned command finds them");
@@ -65,7 +65,7 @@ CommandEntry add_work_command(CLI::App& program, const GlobalOptions&) {
                     "Which of its parts, from 1; one beyond the last has nothing to do")
         ->required()
         ->check(CLI::Range(1, 100000));
-    return {app, [options] { return work(*options); }};
+    return {app, [options, &global] { return work(*options, global); }};
 }
 
 }  // namespace aoscore

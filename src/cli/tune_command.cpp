@@ -67,11 +67,6 @@ void read_options(const TuneOptions& options, TuningPlan& plan) {
         plan.methods.push_back({std::move(cell), options.parameters});
 }
 
-void read_definition(const TuneOptions& options, TuningPlan& plan) {
-    read_tuning_definition(tuning_definition_file(options.definition), options.scenes_dir, plan);
-    if (!options.methods.empty()) keep_methods(options.methods, plan);
-}
-
 /// The name of the folder of results where the user names none.
 std::string folder_name(const TuningPlan& plan) {
     if (!plan.definition.empty()) return "tune-" + plan.definition;
@@ -88,7 +83,8 @@ ExitCode run(const TuneOptions& options, const GlobalOptions& global) {
     if (options.definition.empty())
         read_options(options, plan);
     else
-        read_definition(options, plan);
+        read_tuning_definition(tuning_definition_file(options.definition), options.scenes_dir,
+                               options.methods, plan);
     const std::filesystem::path folder = results_folder(options.out, folder_name(plan));
     const TuningResults results = tune(plan);
     write_tuning(results, plan, folder);

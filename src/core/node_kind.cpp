@@ -44,10 +44,14 @@ void require_times_here(const std::string& what) {
                       "--node-kind", "a machine of that kind, or no --node-kind");
 }
 
+std::string times_elsewhere_text() {
+    return fmt::format("times are taken on nodes of kind \"{}\", and this is one of kind \"{}\"",
+                       node_kind(), own_node_kind());
+}
+
 std::string times_left_out_text(std::size_t count) {
-    return fmt::format("{}: they are taken on nodes of kind \"{}\", and this is one of kind \"{}\"",
-                       counted(count, "time is left out", "times are left out"), node_kind(),
-                       own_node_kind());
+    return fmt::format("{}: {}", counted(count, "time is left out", "times are left out"),
+                       times_elsewhere_text());
 }
 
 // With another number of threads a node is as fast as another kind.

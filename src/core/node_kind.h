@@ -20,6 +20,8 @@ bool takes_times();
 /// Throws usage_error where it may not; `what` is what would take them.
 void require_times_here(const std::string& what);
 
+/// Says where times are taken, and that this machine is none of those.
+std::string times_elsewhere_text();
 /// Says that `count` times are left out, since this machine may not take them.
 std::string times_left_out_text(std::size_t count);
 

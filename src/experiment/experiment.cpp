@@ -192,6 +192,16 @@ std::map<std::string, LiveView> live_views(const PlannedRuns& planned) {
     return views;
 }
 
+/// A budget chooses by times: it is refused where some may not be taken here and are not kept either.
+void require_times_of_budgets(const ExperimentPlan& plan, std::span<const ViewRun> runs,
+                              const ArtifactStore& store) {
+    const auto has_budget = [](const SweepPlan& sweep) { return sweep.budget_ms.has_value(); };
+    const auto is_timed = [&](const CellKeys& keys) { return !keys.times || store.has(keys.times->hex); };
+    const auto all_timed = [&](const ViewRun& run) { return std::ranges::all_of(run.jobs.cells, is_timed); };
+    if (std::ranges::any_of(plan.sweeps, has_budget) && !std::ranges::all_of(runs, all_timed))
+        require_times_here("--budget-ms");
+}
+
 }  // namespace
 
 Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& target,
@@ -204,6 +214,7 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
     StagedFolder staged(target);
     const std::filesystem::path& folder = staged.path();
     planned.lay_out(folder);
+    require_times_of_budgets(plan, planned.runs(), store);
     const bool known =
         std::ranges::all_of(planned.runs(), [&](const ViewRun& r) { return is_scored(r, store); });
     if (plan.first_answer && known) return {};

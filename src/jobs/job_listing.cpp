@@ -76,7 +76,7 @@ std::vector<std::string> arguments_of_job(const std::string& key, const std::fil
 }
 
 ChosenJobs::ChosenJobs(const std::vector<std::string>& keys, const ArtifactStore& store)
-    : left_(keys.begin(), keys.end()) {
+    : store_(store), left_(keys.begin(), keys.end()) {
     if (!store.enabled())
         throw usage_error("single jobs need a store to put their artifacts in", "--no-cache");
 }
@@ -96,6 +96,8 @@ bool ChosenJobs::any_in(const JobGraph& graph) const {
 
 void ChosenJobs::make(const JobGraph& graph, Maker& maker) {
     const JobGraph part = only(graph, left_);
+    const auto known = [&](const Key& key) { return store_.has(key.hex); };
+    if (!std::ranges::all_of(part.wanted(), known)) store_.require_writable();
     ExecutionOptions options;
     options.times = takes_times();
     const Execution done = execute(part, maker, options);
@@ -116,8 +118,13 @@ void ChosenJobs::make(const JobGraph& graph, Maker& maker) {
 
 std::size_t ChosenJobs::failed() const {
     if (!left_.empty())
-        throw usage_error("the command has no job " + *left_.begin(), "KEY",
-                          "a key that --jobs prints for it");
+        throw usage_error(
+            fmt::format("the command has no job {}: another build listed it, or an input has changed since",
+                        *left_.begin()),
+            "KEY", "a key that --jobs prints for it now; where a plan names it, make the plan again");
+    if (store_.lost_some())
+        throw file_error("does not keep all that was made, and nothing else was to be done",
+                         store_.folder().string(), "a cache that can be written");
     return failed_;
 }
 

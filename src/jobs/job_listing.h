@@ -42,20 +42,23 @@ std::vector<std::string> arguments_of_job(const std::string& key, const std::fil
 /// Some of a command's jobs, to be made without the others.
 class ChosenJobs {
   public:
-    /// Throws usage_error where there is no store to keep artifacts in.
+    /// `store` must outlive it. Throws usage_error where it keeps nothing.
     ChosenJobs(const std::vector<std::string>& keys, const ArtifactStore& store);
 
     /// Whether the graph has some of those that no earlier graph had. Throws usage_error for one whose
     /// artifact is not kept.
     bool any_in(const JobGraph& graph) const;
     /// Makes these artifacts, with the inputs that are missing, and nothing where they are there; says which.
-    /// Where one fails, it is named in a warning, and the others are made.
+    /// Where one fails, it is named in a warning, and the others are made. Throws file_error where the store
+    /// cannot be written, since the artifacts are all that is asked for.
     void make(const JobGraph& graph, Maker& maker);
 
-    /// How many failed. Throws usage_error for a key that no graph had.
+    /// How many failed. Throws usage_error for a key that no graph had, file_error where the store has lost
+    /// what was made.
     std::size_t failed() const;
 
   private:
+    const ArtifactStore& store_;
     std::set<std::string> left_;
     std::size_t failed_ = 0;
 };

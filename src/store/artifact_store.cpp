@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <utility>
 
 namespace aoscore {
@@ -66,6 +68,13 @@ void ArtifactStore::put(const std::string& key, const json& payload) const {
     if (!enabled()) return;
     const json wrapped = {{"key", key}, {"digest", digest_of(json_text(payload))}, {"payload", payload}};
     keep(entry(key, ".json"), json_text(wrapped));
+}
+
+void ArtifactStore::require_writable() const {
+    const fs::path probe = folder_ / fmt::format("probe-{}", getpid());
+    write_atomically(probe, "");
+    std::error_code ec;
+    fs::remove(probe, ec);
 }
 
 void ArtifactStore::keep(const fs::path& file, const std::string& bytes) const {

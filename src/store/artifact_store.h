@@ -24,6 +24,11 @@ class ArtifactStore {
     explicit ArtifactStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
     bool enabled() const { return !folder_.empty(); }
+    const std::filesystem::path& folder() const { return folder_; }
+    /// Throws file_error where nothing can be written into the folder.
+    void require_writable() const;
+    /// Whether something that was put could not be written, as the warning has said.
+    bool lost_some() const { return warned_; }
 
     std::optional<nlohmann::json> find(const std::string& key) const;
     void put(const std::string& key, const nlohmann::json& payload) const;

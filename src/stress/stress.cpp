@@ -4,7 +4,9 @@
 #include "core/files.h"
 #include "core/interrupt.h"
 #include "core/known_names.h"
+#include "core/log.h"
 #include "core/machine.h"
+#include "core/node_kind.h"
 #include "core/progress.h"
 #include "core/stopwatch.h"
 #include "core/threads.h"
@@ -29,7 +31,7 @@ StressResults described(const StressPlan& plan, const std::vector<StressSubject>
     results.program_version = version();
     results.created_utc = utc_now();
     results.command = plan.command;
-    results.cpu = cpu_name();
+    results.cpu = machine_name();
     results.threads = thread_count();
     results.seed = plan.seed;
     results.size = plan.size;
@@ -52,8 +54,12 @@ class StressRun {
         const StressWork work = schedule_.work_of(axis, setting);
         const StressJobs jobs = stress_jobs(work, schedule_.unstressed());
         StressMaker maker(work, schedule_.store(), schedule_.unstressed());
-        const Execution done = execute(jobs.graph, maker);
+        ExecutionOptions options;
+        options.times = takes_times();
+        const Execution done = execute(jobs.graph, maker, options);
+        times_left_out_ += done.left_out.size();
         StressSettingRecord record = maker.setting();
+        record.gbuffer_ms = maker.time_ms(jobs.gbuffer_times).value_or(0);
         record.id = setting.id;
         record.label = setting.label;
         record.unstressed = setting.unstressed();
@@ -67,6 +73,8 @@ class StressRun {
         return record;
     }
 
+    std::size_t times_left_out() const { return times_left_out_; }
+
   private:
     static std::vector<StressCell> cells(const StressWork& work, const StressJobs& jobs,
                                          const StressMaker& maker, const Execution& done) {
@@ -78,6 +86,10 @@ class StressRun {
             } else {
                 cell.error = done.failed.at(jobs.cells[i]);
             }
+            const std::optional<Key>& times = jobs.times[i];
+            if (!times) continue;
+            cell.time_ms = maker.time_ms(*times);
+            if (done.has_failed(*times)) cell.error = done.failed.at(*times);
         }
         for (StressCell& cell : cells) judge(work.judgement, cell);
         return cells;
@@ -101,6 +113,7 @@ class StressRun {
 
     StressSchedule& schedule_;
     const fs::path& folder_;
+    std::size_t times_left_out_ = 0;
 };
 
 }  // namespace
@@ -127,6 +140,7 @@ StressResults run_stress(const StressPlan& plan, const fs::path& folder) {
         }
         results.axes.push_back(std::move(record));
     }
+    if (run.times_left_out() > 0) log_warning(times_left_out_text(run.times_left_out()));
     results.total_seconds = watch.seconds();
     results.cpu_seconds = static_cast<double>(std::clock() - start_cpu) / CLOCKS_PER_SEC;
     write_stress_results(results, folder);

@@ -4,6 +4,7 @@
 #include "jobs/view_jobs.h"
 #include "store/code_digest.h"
 
+#include <optional>
 #include <utility>
 
 namespace aoscore {
@@ -26,7 +27,7 @@ Job cell_job(const StressWork& work, Key key, ArtifactKind kind, std::vector<Key
     return job;
 }
 
-// Begins the key of a setting or a cell, which hold times.
+// Begins the key of times, which a machine of another kind leaves out.
 KeyBuilder timed(std::string_view kind) {
     KeyBuilder key(kind, "stress");
     key.text(code_digest("times")).text(timed_on());
@@ -34,7 +35,7 @@ KeyBuilder timed(std::string_view kind) {
 }
 
 Key setting_key(const StressWork& work, const ViewKeys& keys) {
-    KeyBuilder key = timed("stress_setting");
+    KeyBuilder key("stress_setting", "stress");
     key.input(keys.gbuffer(work.view.drawn_inputs())).value(work.stress.has_truth);
     if (work.stress.has_truth) key.input(keys.truth(work.view.queries)).input(keys.contract());
     return key.key();
@@ -42,11 +43,16 @@ Key setting_key(const StressWork& work, const ViewKeys& keys) {
 
 Key cell_key(const StressWork& work, const ViewKeys& keys, std::size_t i, const Unstressed& unstressed) {
     const CellWork& cell = work.view.cells[i];
-    KeyBuilder key = timed("stress_cell");
+    KeyBuilder key("stress_cell", "stress");
     key.text(work.requests[i].subject->id).input(keys.image(cell)).input(unstressed.key(work.requests[i]));
     key.value(work.judgement).value(work.stress.has_truth);
     if (work.stress.has_truth) key.input(keys.own_truth(*cell.own)).input(keys.contract());
     return key.key();
+}
+
+// The reference's time is that of its truth.
+bool is_timed(const StressRequest& request) {
+    return request.contestant->timed_request() != nullptr || request.subject->kind == "reference";
 }
 
 }  // namespace
@@ -78,13 +84,20 @@ StressJobs stress_jobs(const StressWork& work, const Unstressed& unstressed) {
     }
     jobs.setting =
         graph.want(job_of(work, setting_key(work, keys), ArtifactKind::stress_setting, ground, true)).key;
+    const Key drawn_ms = timed("stress_gbuffer_times").input(sources.gbuffer.key).key();
+    jobs.gbuffer_times =
+        graph.want(job_of(work, drawn_ms, ArtifactKind::gbuffer_times, {sources.gbuffer.key}, true)).key;
     for (std::size_t i = 0; i < work.requests.size(); ++i) {
         std::vector<Key> inputs = ground;
         inputs.push_back(graph.add(sources.images[i]).key);
-        jobs.cells.push_back(graph
-                                 .want(cell_job(work, cell_key(work, keys, i, unstressed),
-                                                ArtifactKind::stress_cell, std::move(inputs), i))
-                                 .key);
+        const Key cell = cell_key(work, keys, i, unstressed);
+        jobs.cells.push_back(graph.want(cell_job(work, cell, ArtifactKind::stress_cell, inputs, i)).key);
+        std::optional<Key>& times = jobs.times.emplace_back();
+        if (!is_timed(work.requests[i])) continue;
+        Job job = cell_job(work, timed("stress_times").input(cell).key(), ArtifactKind::times,
+                           std::move(inputs), i);
+        job.after = {cell};
+        times = graph.want(std::move(job)).key;
     }
     return jobs;
 }

@@ -5,6 +5,7 @@
 #include "stress/stress_work.h"
 #include "stress/unstressed.h"
 
+#include <optional>
 #include <vector>
 
 namespace aoscore {
@@ -19,8 +20,9 @@ SourceJobs source_jobs(const StressWork& work, const ViewKeys& keys);
 /// The jobs of one stressed view.
 struct StressJobs {
     JobGraph graph;
-    Key setting;
-    std::vector<Key> cells;  ///< one for each request
+    Key setting, gbuffer_times;
+    std::vector<Key> cells;                 ///< one for each request
+    std::vector<std::optional<Key>> times;  ///< as many; empty where nothing is timed
 };
 
 /// Lays out the jobs; looks nothing up and makes nothing. Unstressed pictures come first, since one renderer

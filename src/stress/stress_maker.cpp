@@ -2,7 +2,6 @@
 
 #include "core/error.h"
 #include "core/log.h"
-#include "core/node_kind.h"
 #include "stress/stress_thumbnails.h"
 
 #include <fmt/format.h>
@@ -27,6 +26,11 @@ const StressedCell* StressMaker::cell(const Key& key) const {
     return found == cells_.end() ? nullptr : &found->second;
 }
 
+std::optional<double> StressMaker::time_ms(const Key& key) const {
+    const auto found = times_.find(key);
+    return found == times_.end() ? std::nullopt : std::optional(found->second);
+}
+
 // Takes an artifact from the store; a damaged or foreign entry counts as missing.
 bool StressMaker::take(const Job& job) {
     try {
@@ -34,6 +38,13 @@ bool StressMaker::take(const Job& job) {
             const std::optional<nlohmann::json> kept = store_.find(job.key.hex);
             if (kept) setting_ = stress_setting_from_json(*kept, job.key.hex);
             return kept.has_value();
+        }
+        if (is_of_times(job.kind)) {
+            const std::optional<nlohmann::json> kept = store_.find(job.key.hex);
+            if (!kept) return false;
+            if (!kept->is_number()) throw file_error("is no number", job.key.hex);
+            times_[job.key] = kept->get<double>();
+            return true;
         }
         if (job.kind != ArtifactKind::stress_cell) return sources_.take(job);
         const std::optional<std::filesystem::path> kept = store_.file(job.key.hex);
@@ -57,6 +68,9 @@ void StressMaker::make(const Job& job) {
             return make_setting(job);
         case ArtifactKind::stress_cell:
             return make_cell(job);
+        case ArtifactKind::times:
+        case ArtifactKind::gbuffer_times:
+            return make_times(job);
         default:
             work_.view.tools.choose(work_.stress.scene);
             sources_.make(job);
@@ -69,7 +83,6 @@ std::vector<std::string> StressMaker::make_in_turns(std::span<const Job* const> 
 
 void StressMaker::make_setting(const Job& job) {
     StressSettingRecord& setting = setting_.emplace();
-    setting.gbuffer_ms = sources_.drawn_ms();
     if (work_.stress.has_truth) {
         const CameraContract& contract = sources_.ground()->contract;
         setting.surface_pixels = contract.surface;
@@ -83,22 +96,25 @@ void StressMaker::make_setting(const Job& job) {
     store_.put(job.key.hex, to_json(setting));
 }
 
-void StressMaker::time_cell(const StressRequest& request, StressCell& cell) {
-    if (const MethodRequest* timed = request.contestant->timed_request()) {
-        const ScreenRenderer::PassTimes times = work_.view.tools.ready_renderer().time(*timed);
-        cell.time_ms = times.filter ? times.filter->ms : times.ao.ms;
-    } else if (request.subject->kind == "reference") {
-        cell.time_ms = 1000 * sources_.truth()->seconds;
-    }
+void StressMaker::make_times(const Job& job) {
+    const double ms = job.kind == ArtifactKind::gbuffer_times ? sources_.drawn_ms()
+                                                              : timed_ms(work_.requests[job.cell]);
+    times_[job.key] = ms;
+    store_.put(job.key.hex, ms);
+}
+
+double StressMaker::timed_ms(const StressRequest& request) {
+    const MethodRequest* timed = request.contestant->timed_request();
+    if (timed == nullptr) return 1000 * sources_.truth()->seconds;
+    const ScreenRenderer::PassTimes times = work_.view.tools.ready_renderer().time(*timed);
+    return times.filter ? times.filter->ms : times.ao.ms;
 }
 
 void StressMaker::make_cell(const Job& job) {
-    require_times_here("a cell of a stress test");
     const StressRequest& request = work_.requests[job.cell];
     StressedCell made;
     StressCell& cell = made.cell;
     cell.subject = request.subject->id;
-    time_cell(request, cell);
     const StressedPicture picture = stressed_picture(work_, request, sources_);
     count_faults(picture, cell);
     ImageF difference;

@@ -28,11 +28,14 @@ class StressMaker final : public Maker {
     // The artifacts that were taken or made; a cell is null where it has failed.
     const StressSettingRecord& setting() const { return setting_.value(); }
     const StressedCell* cell(const Key& key) const;
+    /// Milliseconds of one run; empty where they are left out or have failed.
+    std::optional<double> time_ms(const Key& key) const;
 
   private:
     void make_setting(const Job& job);
     void make_cell(const Job& job);
-    void time_cell(const StressRequest& request, StressCell& cell);
+    void make_times(const Job& job);
+    double timed_ms(const StressRequest& request);
 
     const StressWork& work_;
     const ArtifactStore& store_;
@@ -42,6 +45,7 @@ class StressMaker final : public Maker {
     TemporaryFolder folder_;  ///< holds files until they are stored
     std::optional<StressSettingRecord> setting_;
     std::map<Key, StressedCell> cells_;
+    std::map<Key, double> times_;  ///< of the cells and of the G-buffer
 };
 
 }  // namespace aoscore

@@ -71,6 +71,18 @@ void check_left_out(StrictObject left_out, const TuningPlan& plan,
     }
 }
 
+void keep_methods(const std::vector<std::string>& methods, TuningPlan& plan) {
+    std::vector<std::string> tuned;
+    for (const TuningPlan::Method& method : plan.methods) tuned.push_back(method.cell.method);
+    for (const std::string& method : methods) {
+        if (std::ranges::find(tuned, method) == tuned.end())
+            throw unknown_name("no method of the definition", method, tuned, "--methods");
+    }
+    std::erase_if(plan.methods, [&](const TuningPlan::Method& method) {
+        return std::ranges::find(methods, method.cell.method) == methods.end();
+    });
+}
+
 }  // namespace
 
 fs::path tuning_definition_file(const std::string& name) {
@@ -87,7 +99,8 @@ fs::path tuning_definition_file(const std::string& name) {
     return folder / (name + ".json");
 }
 
-void read_tuning_definition(const fs::path& file, const fs::path& scenes_dir, TuningPlan& plan) {
+void read_tuning_definition(const fs::path& file, const fs::path& scenes_dir,
+                            const std::vector<std::string>& methods, TuningPlan& plan) {
     const nlohmann::json definition = parse_json_file(file);
     StrictObject object = StrictObject::of_file(definition, file.string());
     plan.definition = object.text("id");
@@ -101,25 +114,15 @@ void read_tuning_definition(const fs::path& file, const fs::path& scenes_dir, Tu
     if (plan.samples % 2 != 0)
         throw file_error("is odd", object.where("samples"), "an even number: the truth has two halves");
     plan.effort = read_effort(object);
+    const std::vector<MethodDescriptor> known = load_methods();
+    for (StrictObject& method : object.objects("methods"))
+        plan.methods.push_back(read_method(std::move(method), known));
+    if (object.has("left_out")) check_left_out(object.object("left_out"), plan, known);
+    if (!methods.empty()) keep_methods(methods, plan);
+    // A scene may have to be fetched first: a misspelt method is said before that.
     for (StrictObject& scene : object.objects("scenes"))
         plan.scenes.push_back(read_scene(std::move(scene), scenes_dir));
-    const std::vector<MethodDescriptor> methods = load_methods();
-    for (StrictObject& method : object.objects("methods"))
-        plan.methods.push_back(read_method(std::move(method), methods));
-    if (object.has("left_out")) check_left_out(object.object("left_out"), plan, methods);
     object.finish();
-}
-
-void keep_methods(const std::vector<std::string>& methods, TuningPlan& plan) {
-    std::vector<std::string> tuned;
-    for (const TuningPlan::Method& method : plan.methods) tuned.push_back(method.cell.method);
-    for (const std::string& method : methods) {
-        if (std::ranges::find(tuned, method) == tuned.end())
-            throw unknown_name("no method of the definition", method, tuned, "--methods");
-    }
-    std::erase_if(plan.methods, [&](const TuningPlan::Method& method) {
-        return std::ranges::find(methods, method.cell.method) == methods.end();
-    });
 }
 
 }  // namespace aoscore

@@ -1,6 +1,7 @@
 #include "verdict/claim_verdicts.h"
 
 #include "core/error.h"
+#include "core/node_kind.h"
 #include "plan/claims/quantity.h"
 #include "plan/resolved_cell.h"
 #include "verdict/equal_cost.h"
@@ -217,7 +218,10 @@ class Judge {
                                const Quantity& quantity) {
         if (cell == nullptr) return fmt::format("{} {} on {}", kNotMeasured, name, view);
         if (!cell->error.empty()) return fmt::format("{} failed: {}", cell->id, cell->error);
-        return fmt::format("{} has no {}", cell->id, quantity.label);
+        const std::string missing = fmt::format("{} has no {}", cell->id, quantity.label);
+        return quantity.needs.timed() && !takes_times()
+                   ? fmt::format("{}: {}, and none is kept", missing, times_elsewhere_text())
+                   : missing;
     }
 
     static std::string name_of(const Found& found) {

@@ -129,7 +129,11 @@ std::string answer(const Rows& rows, std::optional<double> budget_ms) {
     Rows front;
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(front),
                  [](const SweepRow* r) { return r->on_front; });
-    if (front.empty()) return "Nothing could be measured.";
+    if (front.empty()) {
+        return std::ranges::any_of(rows, [](const SweepRow* row) { return row->error.has_value(); })
+                   ? "Errors were measured and no times, so that no setting is the best for its time."
+                   : "Nothing could be measured.";
+    }
     std::sort(front.begin(), front.end(),
               [](const SweepRow* a, const SweepRow* b) { return *a->cost_ms < *b->cost_ms; });
     std::vector<std::string> names;
