@@ -45,8 +45,8 @@ void require_times_here(const std::string& what) {
 }
 
 std::string times_elsewhere_text() {
-    return fmt::format("times are taken on nodes of kind \"{}\", and this is one of kind \"{}\"",
-                       node_kind(), own_node_kind());
+    return fmt::format("times are taken on nodes of kind \"{}\", and this is one of kind \"{}\"", node_kind(),
+                       own_node_kind());
 }
 
 std::string times_left_out_text(std::size_t count) {

@@ -7,7 +7,6 @@
 #include "core/log.h"
 
 #include <fmt/format.h>
-
 #include <unistd.h>
 
 #include <utility>

@@ -97,8 +97,8 @@ void StressMaker::make_setting(const Job& job) {
 }
 
 void StressMaker::make_times(const Job& job) {
-    const double ms = job.kind == ArtifactKind::gbuffer_times ? sources_.drawn_ms()
-                                                              : timed_ms(work_.requests[job.cell]);
+    const double ms =
+        job.kind == ArtifactKind::gbuffer_times ? sources_.drawn_ms() : timed_ms(work_.requests[job.cell]);
     times_[job.key] = ms;
     store_.put(job.key.hex, ms);
 }

@@ -194,6 +194,20 @@ TEST(Tune, MakesSomeMethodsOfADefinitionAgain) {
     EXPECT_EQ(run_aoscore(tune + " --methods sao --size 32x18", folder).exit_code, 64);
 }
 
+TEST(Tune, NamesAMisspeltMethodBeforeASceneThatIsNotThere) {
+    const auto folder = output_dir();
+    std::ofstream(folder / "own.json")
+        << R"({"id": "own", "title": "A test's", "size": [64, 36], "samples": 4,
+        "evaluations": 4, "refinements": 2, "scenes": [{"scene": "nowhere.glb", "views": ["main"]}],
+        "methods": [{"method": "sao", "parameters": ["intensity"]}]})";
+    const ProgramRun misspelt = run_aoscore("tune --definition own.json --methods sa0", folder);
+    EXPECT_EQ(misspelt.exit_code, 64);
+    EXPECT_THAT(misspelt.err, HasSubstr("no method of the definition"));
+    const ProgramRun missing = run_aoscore("tune --definition own.json --methods sao", folder);
+    EXPECT_EQ(missing.exit_code, 64);
+    EXPECT_THAT(missing.err, HasSubstr("nowhere.glb"));
+}
+
 TEST(Tune, RefusesWhatItCannotDoInWords) {
     const auto folder = output_dir();
     const std::pair<const char*, const char*> refused[] = {

@@ -3,6 +3,7 @@
 #include "core/hash.h"
 #include "image/image_file.h"
 #include "results/results.h"
+#include "results/stress_results.h"
 #include "support/support.h"
 
 #include <fmt/format.h>
@@ -90,7 +91,28 @@ TEST(Plan, RefusesWhatPartsCannotDecideAndPlansOfAnotherVersion) {
     std::string other = read_file(folder / "plan.json");
     other.replace(other.find("\"jobs\": [") + 9, 0, "\"0123\", ");
     write_atomically(folder / "other.json", other);
-    EXPECT_EQ(run_aoscore("work other.json --part 1", folder).exit_code, 64);
+    const auto changed = run_aoscore("work other.json --part 1", folder);
+    EXPECT_EQ(changed.exit_code, 64);
+    EXPECT_THAT(changed.err, ::testing::AllOf(HasSubstr("0123"), HasSubstr("make the plan again")));
+}
+
+TEST(Plan, FailsWhereItsPartsAreNotKept) {
+    const fs::path folder = output_dir();
+    ASSERT_EQ(run_aoscore("plan --parts 1 --out plan.json " + kScore, folder).exit_code, 0);
+    write_atomically(folder / "input_file", "where a folder should be");
+    const auto work = run_aoscore("work plan.json --part 1", folder, "env AOSCORE_CACHE=input_file/cache");
+    EXPECT_EQ(work.exit_code, 4) << work.err;
+    EXPECT_THAT(work.err, HasSubstr("input_file/cache"));
+}
+
+TEST(Plan, SaysWhoseTimesCount) {
+    const fs::path folder = output_dir();
+    ASSERT_EQ(run_aoscore("plan --parts 1 --out plan.json " + kScore + " --node-kind farm", folder).exit_code,
+              0);
+    const auto other = run_aoscore("work plan.json --part 1 --node-kind other", folder);
+    EXPECT_EQ(other.exit_code, 64);
+    EXPECT_THAT(other.err, ::testing::AllOf(HasSubstr("\"farm\""), HasSubstr("other")));
+    EXPECT_EQ(run_aoscore("work plan.json --part 1 --node-kind farm", folder).exit_code, 0);
 }
 
 /// How often each cell's AO pass was timed and shown, by cell.
@@ -163,6 +185,62 @@ TEST(Times, OfAPlanWithoutANamedKindAreThoseOfThePlanningNode) {
     EXPECT_EQ(refused.exit_code, 64);
     EXPECT_THAT(refused.err, HasSubstr("--budget-ms takes times"));
     EXPECT_EQ(run_aoscore(quick + " --node-kind ''", folder).exit_code, 64);
+}
+
+/// Cells of a stress test by subject and setting: what is wrong with each, and whether it was timed.
+std::map<std::string, std::pair<std::string, bool>> stressed_in(const fs::path& folder) {
+    std::map<std::string, std::pair<std::string, bool>> cells;
+    for (const StressAxisRecord& axis : read_stress_results(folder).axes) {
+        for (const StressSettingRecord& setting : axis.settings) {
+            for (const StressCell& cell : setting.cells)
+                cells[cell.subject + " " + setting.id] = {cell.error + cell.breaks, cell.time_ms.has_value()};
+        }
+    }
+    return cells;
+}
+
+TEST(Times, OfAStressTestAreLeftOutWithoutAFault) {
+    const fs::path folder = output_dir();
+    const std::string quick = "stress --quick --methods gtao --axes radius --out out",
+                      named = quick + " --node-kind timing", timing = "env AOSCORE_NODE_KIND=timing";
+    const auto run = run_aoscore(named, folder);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.err, ::testing::AllOf(HasSubstr("left out"), HasSubstr("\"timing\"")));
+    const auto untimed = stressed_in(folder / "out");
+    for (const auto& [cell, state] : untimed) EXPECT_FALSE(state.second) << cell;
+
+    // A part of its plan leaves them out too, and a node of the kind takes them.
+    ASSERT_EQ(run_aoscore("plan --parts 1 --out plan.json " + named, folder).exit_code, 0);
+    EXPECT_EQ(run_aoscore("work plan.json --part 1", folder).exit_code, 0);
+    ASSERT_EQ(run_aoscore("work plan.json --part 1", folder, timing).exit_code, 0);
+    ASSERT_EQ(run_aoscore(named, folder).exit_code, 0);
+    const auto timed = stressed_in(folder / "out");
+    ASSERT_EQ(timed.size(), untimed.size());
+    EXPECT_TRUE(timed.at("gtao " + read_stress_results(folder / "out").axes.at(0).settings.at(0).id).second);
+    for (const auto& [cell, state] : timed) EXPECT_EQ(state.first, untimed.at(cell).first) << cell;
+}
+
+TEST(Times, ThatAreMissingChooseNoSettingOfASweepAndJudgeNoClaim) {
+    const fs::path folder = output_dir();
+    const std::string sweep =
+        "sweep wall --view facing --methods sao --vary samples=4,8 --size 48x32 --samples 4 --out out"
+        " --node-kind timing";
+    const auto refused = run_aoscore(sweep + " --budget-ms 50", folder);
+    EXPECT_EQ(refused.exit_code, 64);
+    EXPECT_THAT(refused.err, HasSubstr("--budget-ms takes times"));
+    ASSERT_EQ(run_aoscore(sweep, folder).exit_code, 0);
+    EXPECT_THAT(read_file(folder / "out/index.html"),
+                ::testing::AllOf(HasSubstr("Errors were measured and no times"), HasSubstr("left out"),
+                                 ::testing::Not(HasSubstr("Nothing could be measured"))));
+    // Where they are kept, the budget chooses by them.
+    ASSERT_EQ(run_aoscore(sweep, folder, "env AOSCORE_NODE_KIND=timing").exit_code, 0);
+    EXPECT_EQ(run_aoscore(sweep + " --budget-ms 50", folder).exit_code, 0);
+
+    ASSERT_EQ(run_aoscore("claims H06 --scale 0.05 --out claims --node-kind timing", folder).exit_code, 0);
+    const Results claims = read_results(folder / "claims");
+    ASSERT_EQ(claims.claims.size(), 1U);
+    EXPECT_EQ(claims.claims[0].verdict, ClaimRecord::kCannotTell);
+    EXPECT_THAT(claims.claims[0].reason, HasSubstr("times are taken on nodes of kind \"timing\""));
 }
 
 TEST(Snakemake, MakesTheResultOfOneProcess) {

@@ -64,10 +64,17 @@ TEST_F(StressedView, DrawsWhatIsUnstressedFirstAndEverySourceOnce) {
     ASSERT_GE(maker.made.size(), 7U);
     EXPECT_THAT(std::vector(maker.made.begin(), maker.made.begin() + 5),
                 ElementsAre("unstressed", "gbuffer", "truth", "contract", "stress_setting"));
-    for (std::size_t i = 5; i < maker.made.size(); i += 2) {
-        EXPECT_EQ(maker.made[i], "image");
-        EXPECT_EQ(maker.made[i + 1], "stress_cell");
+    // Each cell follows the image that it judges, and its times, where it has some, follow the cell.
+    std::string before;
+    for (const std::string& kind : std::vector(maker.made.begin() + 5, maker.made.end())) {
+        if (kind == "stress_cell") {
+            EXPECT_EQ(before, "image");
+        } else if (kind == "times") {
+            EXPECT_EQ(before, "stress_cell");
+        }
+        before = kind;
     }
+    EXPECT_EQ(maker.made[5], "gbuffer_times");
     EXPECT_EQ(std::ranges::count(maker.made, "stress_cell"), std::ssize(subjects));
 }
 
@@ -87,6 +94,19 @@ TEST_F(StressedView, MakesNothingWhereEverythingIsThere) {
     for (const Key& key : jobs.graph.wanted()) maker.kept.insert(key.hex);
     execute(jobs.graph, maker);
     EXPECT_THAT(maker.made, IsEmpty());
+}
+
+TEST_F(StressedView, IsWholeWithoutItsTimes) {
+    const StressWork stressed = work("tilt", "89");
+    const StressJobs jobs = stress_jobs(stressed, unstressed);
+    MockMaker maker;
+    ExecutionOptions options;
+    options.times = false;
+    const Execution done = execute(jobs.graph, maker, options);
+    EXPECT_EQ(std::ranges::count(maker.made, "stress_cell"), std::ssize(subjects));
+    EXPECT_EQ(std::ranges::count(maker.made, "times"), 0);
+    EXPECT_FALSE(done.left_out.empty());
+    EXPECT_TRUE(done.failed.empty());
 }
 
 TEST_F(StressedView, LosesNoMoreThanTheCellOfAnImageThatFails) {
