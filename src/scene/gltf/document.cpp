@@ -62,7 +62,7 @@ std::optional<int> animated_node(const json& channel) {
 std::set<int> animated_nodes(const json& root) {
     std::set<int> nodes;
     for (const json& animation : root.value("animations", json::array())) {
-        const json channels = animation.is_object() ? animation.value("channels", json()) : json();
+        const json channels = animation.value("channels", json());
         for (const json& channel : channels.is_array() ? channels : json::array()) {
             if (const auto node = animated_node(channel)) nodes.insert(*node);
         }
