@@ -91,11 +91,12 @@ StressJobs stress_jobs(const StressWork& work, const Unstressed& unstressed) {
         std::vector<Key> inputs = ground;
         inputs.push_back(graph.add(sources.images[i]).key);
         const Key cell = cell_key(work, keys, i, unstressed);
-        jobs.cells.push_back(graph.want(cell_job(work, cell, ArtifactKind::stress_cell, inputs, i)).key);
+        jobs.cells.push_back(
+            graph.want(cell_job(work, cell, ArtifactKind::stress_cell, std::move(inputs), i)).key);
         std::optional<Key>& times = jobs.times.emplace_back();
         if (!is_timed(work.requests[i])) continue;
         Job job = cell_job(work, timed("stress_times").input(cell).key(), ArtifactKind::times,
-                           std::move(inputs), i);
+                           {sources.gbuffer.key, sources.images[i].key}, i);
         job.after = {cell};
         times = graph.want(std::move(job)).key;
     }
