@@ -88,6 +88,10 @@ void require_one_judgement(const WorstOptions& options) {
         throw usage_error("names no pair", "--between", "two methods: a,b");
     if (!pair.empty() && pair[0] == pair[1])
         throw usage_error(pair[0] + " cannot be behind itself", "--between", "two methods: a,b");
+    const OutcomeOptions& outcome = options.outcome;
+    const bool concludes = !outcome.fail.empty() || !outcome.warn.empty() || !outcome.exports.empty();
+    if (concludes && options.methods.size() > 1)
+        throw usage_error("limits and exports are of the views of one method", "--methods", "one method");
 }
 
 ExitCode run(const WorstOptions& options, const GlobalOptions& global) {

@@ -84,6 +84,8 @@ TEST(Worst, SaysWhatItNeeds) {
         {"--between gtao,gtao", "gtao cannot be behind itself"},
         {"--methods hbao --between hbao,gtao", "both say what to judge by"},
         {"--methods hbao --fail 'nope>1'", "nope"},
+        {"--methods hbao,gtao --fail 'rmse>1'", "one method"},
+        {"--methods hbao,gtao --export o.csv", "one method"},
         {"--methods hbao --export o.doc", "o.doc"}};
     for (const auto& [options, words] : refused) {
         const ProgramRun run = run_aoscore(
