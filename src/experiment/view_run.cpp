@@ -105,8 +105,8 @@ void warn_of_unknown_signals(ViewRecord& view) {
                      valid = static_cast<double>(view.valid_pixels);
         if (known >= kLeastShare * valid) continue;
         view.warnings.push_back(
-            fmt::format("the truth of {} is certain enough in {:.1f} % of the pixels alone, where the order of "
-                        "the methods can be another than everywhere; more --samples tell",
+            fmt::format("the truth of {} is certain enough in only {:.1f} % of the pixels, over which methods may "
+                        "rank otherwise than over all of them; more --samples make it certain",
                         record.id, 100 * known / valid));
         log_warning(fmt::format("{}: {}", view.key, view.warnings.back()));
     }

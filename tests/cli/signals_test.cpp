@@ -61,7 +61,7 @@ TEST(ScoreOfSignals, OfFewRaysSayThatTheyAreNotKnown) {
         "score pillar --view main --size 64x36 --methods gtao,hbao --no-cache --signals ";
     const auto none = run_aoscore(command + "cone_angle --samples 2 --out none", folder);
     ASSERT_EQ(none.exit_code, 0) << none.err;
-    EXPECT_THAT(none.err, HasSubstr("the truth of cone_angle is certain enough in 0.0 % of the pixels alone"));
+    EXPECT_THAT(none.err, HasSubstr("the truth of cone_angle is certain enough in only 0.0 % of the pixels"));
     EXPECT_THAT(read_file(folder / "none" / "index.html"), HasSubstr("too few rays to know these signals"));
     const auto many = run_aoscore(command + "cone_angle --samples 1024 --out many", folder);
     EXPECT_THAT(many.err, Not(HasSubstr("certain enough")));

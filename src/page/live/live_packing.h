@@ -27,8 +27,8 @@ struct PackedInput {
 std::string folded_planes(std::span<const std::uint32_t> residuals);
 
 /// Packs integers row by row, exactly: the residuals after left + up - upper left (0 outside) modulo 2^32, as
-/// folded_planes(). The bits of
-/// positive floats order as the floats do, so that this packs depth as well, at about 5 bits a pixel.
+/// folded_planes(). The bits of positive floats order as the floats do, so that this packs depth as well, at
+/// about 5 bits a pixel.
 std::string pack_integers(std::span<const std::uint32_t> values, int width);
 PackedInput pack_floats(const ImageF& image);
 
