@@ -1,22 +1,25 @@
 // Compares methods as published with their published mathematics in double precision, on the G-buffer of a
-// scene's own view, at 1,000 random pixels.
+// scene's own view, at 1,000 random pixels; writes published.md.
 #include "hand_made.h"
 #include "published_methods.h"
 #include "scene/scene.h"
 #include "support/support.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <map>
-#include <memory>
 #include <numbers>
 #include <optional>
-#include <ostream>
 #include <random>
+#include <string>
 #include <string_view>
+#include <utility>
 
 namespace aoscore::testing {
 namespace {
@@ -71,10 +74,6 @@ struct PublishedCase {
     /// edge.
     double share_off;
 };
-
-void PrintTo(const PublishedCase& c, std::ostream* out) {
-    *out << c.name;
-}
 
 constexpr double kNear = 0.005;
 
@@ -275,96 +274,116 @@ const std::vector<PublishedCase>& cases() {
     return all;
 }
 
-class Published : public ::testing::TestWithParam<PublishedCase> {
-  protected:
-    static void SetUpTestSuite() { stage_ = std::make_unique<Stage>(); }
-    static void TearDownTestSuite() { stage_.reset(); }
-    static Stage& stage() { return *stage_; }
+// Chooses random pixels that show a surface.
+std::vector<glm::ivec2> random_pixels(const Picture& picture) {
+    std::mt19937_64 random(7);
+    std::uniform_int_distribution<int> column(0, kWidth - 1), row(0, kHeight - 1);
+    std::vector<glm::ivec2> chosen;
+    while (chosen.size() < 1000) {
+        const glm::ivec2 pixel(column(random), row(random));
+        if (picture.surface(pixel.x, pixel.y)) chosen.push_back(pixel);
+    }
+    return chosen;
+}
 
-    // Chooses random pixels that show a surface.
-    static std::vector<glm::ivec2> pixels() {
-        std::mt19937_64 random(7);
-        std::uniform_int_distribution<int> column(0, kWidth - 1), row(0, kHeight - 1);
-        std::vector<glm::ivec2> chosen;
-        while (chosen.size() < 1000) {
-            const glm::ivec2 pixel(column(random), row(random));
-            if (stage().picture->surface(pixel.x, pixel.y)) chosen.push_back(pixel);
-        }
-        return chosen;
-    }
-    struct Distance {
-        double share_off = 0, rmsd = 0;
-    };
-    // Measures the distance at the random pixels, and prints it.
-    static Distance distance(const char* what, const ImageF& shader,
-                             const std::function<double(int, int)>& expected) {
-        std::size_t off = 0;
-        double squares = 0, sum = 0;
-        const auto chosen = pixels();
-        for (const glm::ivec2& p : chosen) {
-            const double difference = static_cast<double>(shader.at(p.x, p.y)) - expected(p.x, p.y);
-            off += std::abs(difference) > kNear ? 1 : 0;
-            squares += difference * difference;
-            sum += difference;
-        }
-        const auto count = static_cast<double>(chosen.size());
-        const Distance measured{static_cast<double>(off) / count, std::sqrt(squares / count)};
-        std::printf("%-20s %-17s farther off than %g: %4zu of %zu; rmsd %.5f, bias %+.5f\n", GetParam().name,
-                    what, kNear, off, chosen.size(), measured.rmsd, sum / count);
-        return measured;
-    }
-    static void expect_near(const char* what, const ImageF& shader,
-                            const std::function<double(int, int)>& expected, double share_off) {
-        const Distance measured = distance(what, shader, expected);
-        EXPECT_LE(measured.share_off, share_off) << what;
-        EXPECT_LT(measured.rmsd, 0.01) << what;
-    }
-    // Prints the distance of the method's default, which need not be near.
-    static void print_default(const PublishedCase& c, const std::function<double(int, int)>& expected) {
-        MethodRequest request =
-            request_for(find_method(stage().methods, c.method), stage().filters, "default", c.settings);
-        request.filter = nullptr;
-        request.seed = kSeed;
-        distance("raw, by default", stage().renderer.run(request).raw, expected);
-    }
-
-  private:
-    static std::unique_ptr<Stage> stage_;
+struct Distance {
+    std::size_t off = 0, pixels = 0;
+    double rmsd = 0, bias = 0;
 };
-std::unique_ptr<Stage> Published::stage_;
 
-TEST_P(Published, AgreesWithItsImplementationInDoublePrecisionOnAScenesOwnView) {
-    const PublishedCase& c = GetParam();
-    MethodRequest request =
-        request_for(find_method(stage().methods, c.method), stage().filters, c.preset, c.settings);
-    request.seed = kSeed;
-    const MethodOutput output = stage().renderer.run(request);
-    write_png((output_dir() / "raw.png").string(), output.raw);
-    write_png((output_dir() / "visibility.png").string(), output.visibility);
+// The shader's values less the expected ones, whose values above 1 read as 1.
+Distance distance(const std::vector<glm::ivec2>& pixels, const ImageF& shader, const ImageF& expected) {
+    Distance measured{.pixels = pixels.size()};
+    double squares = 0, sum = 0;
+    for (const glm::ivec2& p : pixels) {
+        const double wanted = std::min(static_cast<double>(expected.at(p.x, p.y)), 1.0);
+        const double difference = static_cast<double>(shader.at(p.x, p.y)) - wanted;
+        measured.off += std::abs(difference) > kNear ? 1 : 0;
+        squares += difference * difference;
+        sum += difference;
+    }
+    const auto count = static_cast<double>(pixels.size());
+    measured.rmsd = std::sqrt(squares / count);
+    measured.bias = sum / count;
+    return measured;
+}
 
-    // The layers are an input, like the depth: depth_layers_test.cpp tests the law by which they are drawn.
-    stage().picture->take_layers(request.method->depth_layers ? stage().renderer.read_depth_layers()
-                                                              : std::vector<ImageF>());
-    const Picture& picture = *stage().picture;
-    const Estimator estimate = c.estimator(picture);
+ImageF evaluated(const Picture& picture, const Estimator& estimate) {
     ImageF whole(kWidth, kHeight, 1.0F);
     for (int y = 0; y < kHeight; ++y) {
         for (int x = 0; x < kWidth; ++x) {
             if (picture.surface(x, y)) whole.at(x, y) = static_cast<float>(estimate(x, y));
         }
     }
-    const auto read = [](const ImageF& image) {
-        return [&image](int x, int y) { return std::min(static_cast<double>(image.at(x, y)), 1.0); };
-    };
-    expect_near("raw", output.raw, read(whole), c.share_off);
-    if (std::string_view(c.preset) != "default") print_default(c, read(whole));
-    if (!c.filter) return;
-    const ImageF filtered = c.filter(picture, whole);
-    expect_near("filtered", output.visibility, read(filtered), 2 * c.share_off);
+    return whole;
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, Published, ::testing::ValuesIn(cases()),
-                         [](const auto& tested) { return std::string(tested.param.name); });
+// Draws every method as published, holds it against its implementation, and writes both distances: those of
+// its default too, which need not be near.
+class PublishedTable {
+  public:
+    explicit PublishedTable(std::filesystem::path folder)
+        : folder_(std::move(folder)), pixels_(random_pixels(*stage_.picture)) {}
+
+    void add(const PublishedCase& c) {
+        const MethodOutput output = drawn(c, c.preset);
+        write_png((folder_ / (std::string(c.name) + "_raw.png")).string(), output.raw);
+        write_png((folder_ / (std::string(c.name) + ".png")).string(), output.visibility);
+        // The layers are an input, like the depth: depth_layers_test.cpp tests the law by which they are
+        // drawn.
+        const bool layered = find_method(stage_.methods, c.method).depth_layers.has_value();
+        stage_.picture->take_layers(layered ? stage_.renderer.read_depth_layers() : std::vector<ImageF>());
+        const ImageF whole = evaluated(*stage_.picture, c.estimator(*stage_.picture));
+        expect_near(c, "raw", output.raw, whole, c.share_off);
+        if (c.filter) {
+            expect_near(c, "filtered", output.visibility, c.filter(*stage_.picture, whole), 2 * c.share_off);
+        }
+        if (std::string_view(c.preset) != "default")
+            add_row(c, "raw, by the preset default", distance(pixels_, drawn(c, "default").raw, whole));
+    }
+
+    void write() const {
+        std::ofstream out(folder_ / "published.md");
+        out << "| implementation | method | preset | picture | pixels off by more than " << kNear
+            << " | rmsd | bias |\n|---|---|---|---|---:|---:|---:|\n"
+            << rows_;
+        ASSERT_TRUE(out.flush());
+    }
+
+  private:
+    MethodOutput drawn(const PublishedCase& c, const char* preset) {
+        MethodRequest request =
+            request_for(find_method(stage_.methods, c.method), stage_.filters, preset, c.settings);
+        request.seed = kSeed;
+        return stage_.renderer.run(request);
+    }
+
+    void expect_near(const PublishedCase& c, const char* picture, const ImageF& shader,
+                     const ImageF& expected, double share_off) {
+        const Distance measured = distance(pixels_, shader, expected);
+        add_row(c, picture, measured);
+        EXPECT_LE(static_cast<double>(measured.off), share_off * static_cast<double>(measured.pixels))
+            << c.name << ", " << picture;
+        EXPECT_LT(measured.rmsd, 0.01) << c.name << ", " << picture;
+    }
+
+    void add_row(const PublishedCase& c, const char* picture, const Distance& measured) {
+        rows_ += fmt::format("| {} | {} | {} | {} | {} of {} | {:.5f} | {:+.5f} |\n", c.name, c.method,
+                             c.preset, picture, measured.off, measured.pixels, measured.rmsd, measured.bias);
+    }
+
+    std::filesystem::path folder_;
+    Stage stage_;
+    std::vector<glm::ivec2> pixels_;
+    std::string rows_;
+};
+
+// The whole table is one test, so that it is written to one file: published.md.
+TEST(Published, EachMethodAgreesWithItsImplementationInDoublePrecisionOnAScenesOwnView) {
+    PublishedTable table(output_dir());
+    for (const PublishedCase& c : cases()) table.add(c);
+    table.write();
+}
 
 }  // namespace
 }  // namespace aoscore::testing
