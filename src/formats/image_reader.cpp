@@ -5,6 +5,7 @@
 #include "image/image_file.h"
 #include "image/image_frame.h"
 #include "image/image_limits.h"
+#include "image/radiance_header.h"
 #include "image/subsampled_exr.h"
 
 #include <OpenImageIO/imageio.h>
@@ -105,10 +106,24 @@ std::map<std::string, std::string> attributes_of(const OIIO::ImageSpec& spec, bo
     return attributes;
 }
 
+void take_off_exposure(float exposure, ImageFile& file) {
+    if (exposure == 1) return;
+    for (ImageF& image : file.channels) {
+        for (float& value : image.pixels) value /= exposure;
+    }
+}
+
 void turn_upright(ImageFile& file, const Orientation& orientation) {
     for (ImageF& image : file.channels) image = shown(image, orientation);
     for (PixelRect& covered : file.covered) covered = shown(covered, file.width, file.height, orientation);
     if (orientation.transposed) std::swap(file.width, file.height);
+}
+
+/// Whether there are pictures beside the first, which a format without layers by name does not tell apart.
+/// The first of a PSD is all of its layers.
+bool has_further_pages(OIIO::ImageInput& input) {
+    const std::string_view format = input.format_name();
+    return format != "openexr" && format != "psd" && input.seek_subimage(1, 0);
 }
 
 /// Reads all parts, into which other programs put layers. The first flat part decides the frame.
@@ -118,6 +133,7 @@ ImageFile read_all_parts(OIIO::ImageInput& input, const fs::path& path) {
     const bool exr = std::string_view(input.format_name()) == "openexr";
     const bool several = exr && input.seek_subimage(1, 0);
     ImageFile file;
+    if (has_further_pages(input)) file.left_out.emplace_back("the file's further pages");
     for (int subimage = 0; subimage == 0 || (several && input.seek_subimage(subimage, 0)); ++subimage) {
         input.seek_subimage(subimage, 0);
         const OIIO::ImageSpec spec = input.spec(subimage);
@@ -142,6 +158,7 @@ ImageFile read_all_parts(OIIO::ImageInput& input, const fs::path& path) {
         read_part(input, subimage, part, name, where, file);
     }
     if (file.channels.empty()) throw file_error("is a deep image", where, "a flat one");
+    if (std::string_view(input.format_name()) == "hdr") take_off_exposure(radiance_exposure(path), file);
     const Orientation orientation = Orientation::of_tag(input.spec(0).get_int_attribute("Orientation", 1));
     if (!orientation.upright()) turn_upright(file, orientation);
     return file;

@@ -36,7 +36,8 @@ struct ImageFile {
     std::vector<ImageF> channels;
     std::vector<PixelRect> covered;     ///< the part of the frame for which each channel has pixels;
                                         ///< the rest is NaN
-    std::vector<std::string> left_out;  ///< parts that are deep or of another frame, each with the reason
+    std::vector<std::string> left_out;  ///< parts that are deep or of another frame, each with the reason,
+                                        ///< and further pages
     std::map<std::string, std::string> attributes;
     bool integers = false;  ///< the file holds integers; values are shares of their range
 
@@ -46,11 +47,12 @@ struct ImageFile {
 };
 
 /// Reads any format of OpenImageIO (EXR, PNG, PFM, …), and EXR with channels of lower resolution; integers
-/// become value/255 or value/65535, colours are not multiplied by alpha, and an Orientation is applied. Parts
+/// become value/255 or value/65535, colours are not multiplied by alpha, an Orientation is applied, and the
+/// EXPOSURE of a Radiance file is taken off. Parts
 /// of a multi-part EXR are layers with channels named <part>.<channel>; deep parts and those whose frame is
-/// not the first one's are left out. Pixels of a data window outside of the display window are dropped.
-/// Throws file_error for a file that is absent, truncated, no image, larger than 16384 px a side, or has deep
-/// parts alone.
+/// not the first one's are left out. Of other files with several pictures the first is read. Pixels of a data
+/// window outside of the display window are dropped. Throws file_error for a file that is absent, truncated,
+/// no image, larger than 16384 px a side, or has deep parts alone.
 ImageFile read_image(const std::filesystem::path& path);
 
 /// Encodes indices into a palette of up to 256 colours (0xRRGGBB) as PNG, with the fewest of 1, 2, 4 or 8

@@ -76,7 +76,8 @@ VisibilityChannel only_picture(const std::vector<Layer>& layers, const ImageFile
                          where, kWhatQualifies);
     }
     return {pictures.front()->channels.front(),
-            pictures.front()->channels.size() == 1 ? "the only picture" : "the only picture, in grey", ""};
+            pictures.front()->channels.size() == 1 ? "the only picture" : "the only picture, in grey",
+            file.left_out.empty() ? "" : fmt::format("not looked at: {}", fmt::join(file.left_out, ", "))};
 }
 
 VisibilityChannel found(const ImageFile& file, const std::string& where) {

@@ -4,7 +4,10 @@
 #include "core/srgb.h"
 #include "image/image_file.h"
 #include "image/image_frame.h"
+#include "image/png_coding.h"
 #include "image/visibility_channel.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,6 +57,27 @@ Mask mask_of(const ImageFile& file, std::size_t channel) {
     return mask;
 }
 
+const char* name_of(Coding coding) {
+    return coding == Coding::srgb ? "sRGB-coded" : "linear";
+}
+
+/// Integers mean two things: throws where it was not said which, and warns where the file says otherwise.
+void check_coding(const std::optional<Coding>& asked, const std::filesystem::path& path,
+                  std::vector<std::string>& warnings) {
+    const std::optional<StatedCoding> stated = coding_stated_by_png(path);
+    if (!asked) {
+        throw usage_error(
+            stated ? fmt::format("holds integers, which may be sRGB-coded or linear; its {} says {}",
+                                 stated->by, name_of(stated->coding))
+                   : "holds integers, which may be sRGB-coded or linear",
+            path.string(), "--srgb, as pictures for the screen are, or --linear");
+    }
+    if (!stated || stated->coding == *asked) return;
+    warnings.push_back(fmt::format("its {} says that its values are {}, and they are read as {}: try {}",
+                                   stated->by, name_of(stated->coding), name_of(*asked),
+                                   stated->coding == Coding::srgb ? "--srgb" : "--linear"));
+}
+
 void decode_srgb(ImageF& image) {
     for (float& value : image.pixels)
         value = static_cast<float>(linear_from_srgb(static_cast<double>(value)));
@@ -78,10 +102,7 @@ VisibilityFile read_visibility(const std::filesystem::path& path, const Visibili
     if (!chosen.warning.empty()) result.warnings.push_back(result.channel + ": " + chosen.warning);
     result.covered = file.covered[chosen.index];
     result.integers = file.integers;
-    if (file.integers && !reading.coding) {
-        throw usage_error("holds integers, which may be sRGB-coded or linear", path.string(),
-                          "--srgb, as pictures for the screen are, or --linear");
-    }
+    if (file.integers) check_coding(reading.coding, path, result.warnings);
     result.mask = mask_of(file, chosen.index);
     result.visibility = std::move(file.channels[chosen.index]);
     if (reading.srgb_floats || (file.integers && reading.coding == Coding::srgb))

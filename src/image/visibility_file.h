@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/image.h"
+#include "image/coding.h"
 #include "image/pixel_rect.h"
 
 #include <filesystem>
@@ -9,9 +10,6 @@
 #include <vector>
 
 namespace aoscore {
-
-/// The coding of integers that stand for visibility.
-enum class Coding { linear, srgb };
 
 /// Options for reading an image file as visibility.
 struct VisibilityReading {
@@ -32,7 +30,7 @@ struct VisibilityFile {
     ImageF standard_error;  ///< channel SE.Y for Y, SE1.Y for V1.Y; empty without one
     std::string channel;
     std::string why;                    ///< how the channel was found, in words
-    std::vector<std::string> warnings;  ///< reasons to doubt the channel
+    std::vector<std::string> warnings;  ///< reasons to doubt the channel, or its coding
     bool integers = false;              ///< stored as integers, so that the coding mattered
 };
 

@@ -77,6 +77,22 @@ std::string tiff(const ImageF& image, int bytes_per_sample, SampleFormat format)
     return bytes;
 }
 
+/// Appends a page to a TIFF: the first page's directory once more.
+std::string with_further_page(std::string bytes) {
+    const auto number = [&](std::size_t at, int count) {
+        std::size_t value = 0;
+        for (int i = 0; i < count; ++i)
+            value |= std::size_t{static_cast<unsigned char>(bytes[at + static_cast<std::size_t>(i)])}
+                     << (8 * i);
+        return value;
+    };
+    const std::size_t directory = number(4, 4), next = directory + 2 + 12 * number(directory, 2);
+    const std::string copy = bytes.substr(directory);
+    std::string offset;
+    append(offset, bytes.size(), 4);
+    return bytes.replace(next, 4, offset) + copy;
+}
+
 /// Radiance's pixels without compression: three mantissas and one exponent each.
 std::string hdr(const ImageF& image) {
     std::string bytes = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(image.height) + " +X " +
@@ -173,6 +189,19 @@ TEST_P(CompareFormats, IntegersHaveToSayTheirCodingAndFloatsAreLinear) {
         EXPECT_EQ(silent.exit_code, 0);
         EXPECT_LE(max_error(linear + " --srgb"), step());
     }
+}
+
+TEST(FurtherPages, OfATiffAreNotLookedAtAndThatIsSaid) {
+    const auto folder = output_dir();
+    const ImageF truth = truth_image();
+    write_exr(folder / "truth.exr", std::vector<ChannelView>{{"Y", &truth}}, {});
+    const std::string one = tiff(truth, 4, SampleFormat::floating);
+    write_atomically(folder / "one.tif", one);
+    write_atomically(folder / "two.tif", with_further_page(one));
+    EXPECT_EQ(run_aoscore("compare truth.exr one.tif", folder).err, "");
+    const auto run = run_aoscore("compare truth.exr two.tif --fail 'max_error>1e-6'", folder);
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_THAT(run.err, ::testing::HasSubstr("not looked at: the file's further pages"));
 }
 
 INSTANTIATE_TEST_SUITE_P(
