@@ -107,6 +107,27 @@ TEST_F(SweepsAndClaims, VerdictsAreCountedBySourceAndOverall) {
     EXPECT_EQ(claim.at("errors").size(), 1u) << "what the truth adds";
 }
 
+TEST_F(SweepsAndClaims, EveryClaimSaysHowManyOfItsPartsHold) {
+    ClaimRecord& claim = results.claims.front();
+    claim.findings.resize(1);
+    claim.findings.push_back(claim.findings.front());
+    claim.findings[0].outcome = ClaimRecord::kHolds;
+    claim.findings[1].outcome = ClaimRecord::kFails;
+    results.claims.back().findings.clear();
+    const auto model = section::claims(source());
+    EXPECT_TRUE(model.at("several").get<bool>());
+    const auto parts = [&](const ClaimRecord& wanted) {
+        for (const auto& one : model.at("sources")) {
+            for (const auto& each : one.at("claims")) {
+                if (each.at("id") == wanted.id) return each.at("parts").get<std::string>();
+            }
+        }
+        return std::string("none");
+    };
+    EXPECT_EQ(parts(claim), "1 of 2");
+    EXPECT_EQ(parts(results.claims.back()), kNoNumber);
+}
+
 TEST_F(SweepsAndClaims, SectionsWithoutAnythingToSayAreLeftOut) {
     results.sweeps.clear();
     results.claims.clear();

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <string_view>
@@ -73,12 +74,20 @@ json error_models(const ClaimRecord& claim, const Results& results) {
     return list;
 }
 
+/// How many of a claim's parts hold, such as "4 of 6".
+std::string parts_text(const ClaimRecord& claim) {
+    if (claim.findings.empty()) return std::string(kNoNumber);
+    const auto holding = std::ranges::count(claim.findings, ClaimRecord::kHolds, &ClaimFinding::outcome);
+    return fmt::format("{} of {}", holding, claim.findings.size());
+}
+
 json claim_model(const ClaimRecord& claim, const Results& results) {
     json model = {{"id", claim.id},
                   {"place", claim.place},
                   {"claim", claim.claim},
                   {"verdict", claim.verdict},
                   {"style", style_of(claim.verdict)},
+                  {"parts", parts_text(claim)},
                   {"reason", claim.reason},
                   {"has_reason", !claim.reason.empty()},
                   {"own", claim.own},
@@ -114,7 +123,7 @@ json section::claims(const PageSource& source) {
         if (!by_source.contains(claim.source)) order.push_back(claim.source);
         by_source[claim.source].push_back(&claim);
     }
-    json model = {{"sources", json::array()}};
+    json model = {{"sources", json::array()}, {"several", source.results.claims.size() > 1}};
     std::map<std::string, std::size_t> overall;
     for (const std::string& name : order) {
         std::map<std::string, std::size_t> by_verdict;
