@@ -131,7 +131,7 @@ TEST_F(SweepsAndClaims, ASweepSaysOfEachConclusionOfItsSourceWhetherItHoldsAndBy
         EXPECT_NE(claim.at("numbers"), "");
     }
     EXPECT_THAT(model.at("claims").at(0).at("numbers").get<std::string>(),
-                HasSubstr("1.25 ms (1.00 to 1.50), claimed above 0"));
+                HasSubstr(": 1.25 ms (1.00 to 1.50), claimed above 0"));
 }
 
 TEST_F(SweepsAndClaims, VerdictsAreCountedBySourceAndOverall) {

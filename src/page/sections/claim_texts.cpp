@@ -58,7 +58,7 @@ std::string deciding_text(const ClaimRecord& claim) {
     const auto found = std::ranges::find(claim.findings, claim.verdict, &ClaimFinding::outcome);
     if (found == claim.findings.end()) return claim.reason;
     std::string text = found->about.empty() ? found->what : fmt::format("{}: {}", found->about, found->what);
-    text += fmt::format(" {}, claimed {}", measured_text(*found), claimed_text(*found));
+    text += fmt::format(": {}, claimed {}", measured_text(*found), claimed_text(*found));
     if (claim.findings.size() > 1) text += fmt::format(" (the first of {} parts)", claim.findings.size());
     return text;
 }
