@@ -426,7 +426,7 @@ std::string verdict_table(const std::vector<ClaimRecord>& claims) {
     for (Counts& line : lines) {
         const std::size_t hold = line.by_verdict[ClaimRecord::kHolds], fail = line.by_verdict[ClaimRecord::kFails],
                           open = line.by_verdict[ClaimRecord::kCannotTell];
-        text += fmt::format("{:>4} claims: {:>3} hold, {:>3} do not, {:>3} cannot be told  {}\n", hold + fail + open,
+        text += fmt::format("{:>4} judged: {:>3} hold, {:>3} do not, {:>3} cannot be told  {}\n", hold + fail + open,
                             hold, fail, open, printable(line.source));
     }
     return text;

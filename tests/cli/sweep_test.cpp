@@ -174,7 +174,7 @@ TEST(Claims, AreJudgedFromWhatWasMeasuredForThem) {
     EXPECT_THAT(read_file(folder / "out/index.html"), HasSubstr("claim-H33"));
     EXPECT_EQ(run_aoscore("claims H99", folder).exit_code, 64);
     EXPECT_THAT(run.out, HasSubstr("out/index.html\n"));
-    EXPECT_THAT(run.out, HasSubstr("   3 claims:"));
+    EXPECT_THAT(run.out, HasSubstr("   3 judged:"));
     const auto again =
         run_aoscore("claims H14 H33 G37 --scale 0.1 --out again --before out/results.json", folder);
     EXPECT_THAT(again.out, HasSubstr("no verdict has changed"));
