@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <set>
+#include <utility>
 
 namespace aoscore {
 namespace {
@@ -140,6 +142,18 @@ TEST(Experiments, HoldEveryLayeredMethodAgainstWhatOneLayerCannotKnow) {
         }
     }
     EXPECT_GT(layered, 100u);
+}
+
+TEST(Experiments, TellEverySettingOfAViewFromTheOthers) {
+    for (const ExperimentDefinition& experiment : list_experiments()) {
+        for (const SweepPlan& sweep : plan_experiments({experiment.id}, 0.1).sweeps) {
+            std::set<std::pair<std::size_t, ParameterValues>> settings;
+            for (const SweepPoint& point : sweep.points) {
+                EXPECT_TRUE(settings.emplace(point.view_index, point.at).second)
+                    << experiment.id << ": " << point.at.at("method").text();
+            }
+        }
+    }
 }
 
 TEST(Experiments, PrintTimesOfOneSettingEach) {
