@@ -36,6 +36,30 @@ TEST_F(SweepsAndClaims, TheFrontIsMadeWithinEachView) {
         EXPECT_THAT(view.at("answer").get<std::string>(), HasSubstr("Within 200 ms"));
 }
 
+TEST_F(SweepsAndClaims, ALineOfTheChartJoinsSettingsThatDifferByNumbersAlone) {
+    SweepRecord& sweep = results.sweeps[0];
+    const auto labels = [&] {
+        const auto view = section::sweeps(source()).at("sweeps").at(0).at("views").at(0);
+        std::set<std::string> all;
+        const nlohmann::json data = nlohmann::json::parse(view.at("data").get<std::string>());
+        for (const auto& curve : data.at("curves")) all.insert(curve.at("label"));
+        return all;
+    };
+    const std::set<std::string> methods = labels();
+    EXPECT_TRUE(methods.contains("Alchemy AO"));
+    for (SweepPointRecord& point : sweep.points) point.at["kernel"] = "box";
+    EXPECT_TRUE(labels().contains("Alchemy AO, box"));
+    EXPECT_EQ(labels().size(), methods.size());
+    for (std::size_t i = 0; i < sweep.points.size(); ++i) sweep.points[i].at["kernel"] = "word" + std::to_string(i);
+    EXPECT_GT(labels().size(), methods.size());
+    const std::vector<SweepPointRecord> some = sweep.points;
+    while (sweep.points.size() < 40) {
+        sweep.points.push_back(some[sweep.points.size() % some.size()]);
+        sweep.points.back().at["kernel"] = "further" + std::to_string(sweep.points.size());
+    }
+    EXPECT_EQ(labels(), methods) << "more curves than a reader can tell apart";
+}
+
 TEST_F(SweepsAndClaims, TheBudgetNamesWhatFitsIntoIt) {
     results.sweeps[0].budget_ms = 0.001;
     const auto view = section::sweeps(source()).at("sweeps").at(0).at("views").at(0);

@@ -28,14 +28,32 @@ json number(std::optional<double> value) {
     return value && std::isfinite(*value) ? json(*value) : json();
 }
 
+/// The method with its values on axes of words, such as a preset: between these there is nothing.
+std::string method_and_words(const SweepRow& row) {
+    std::string text = row.cell->method_label;
+    for (const auto& [axis, value] : row.point->at) {
+        if (axis != "method" && value.is_word()) text += ", " + value.word();
+    }
+    return text;
+}
+
+/// The rows that a chart joins by a line: those that differ by numbers, or, where these are too many curves,
+/// all of a method.
+std::map<std::string, Rows> curves_of(const Rows& rows) {
+    constexpr std::size_t kMostCurves = 8;
+    std::map<std::string, Rows> by_method, by_words;
+    for (const SweepRow* row : rows) {
+        if (!row->cost_ms || !row->error) continue;
+        by_method[row->cell->method_label].push_back(row);
+        by_words[method_and_words(*row)].push_back(row);
+    }
+    return by_words.size() <= kMostCurves ? by_words : by_method;
+}
+
 /// The points of one view for the script's charts: each method's settings by cost.
 json chart_data(const Rows& rows, std::optional<double> budget_ms) {
-    std::map<std::string, Rows> by_method;
-    for (const SweepRow* row : rows) {
-        if (row->cost_ms && row->error) by_method[row->cell->method_label].push_back(row);
-    }
     json curves = json::array();
-    for (auto& [label, points] : by_method) {
+    for (const auto& [label, points] : curves_of(rows)) {
         json list = json::array();
         for (const SweepRow* row : points) {
             list.push_back({{"at", point_text(*row->point)},
