@@ -58,6 +58,7 @@ std::vector<Part> measure_parts() {
     add("fit_strength", "", false, [](const ErrorAnalysis& a) { return a.fit.strength; });
     add("fit_exponent", "", false, [](const ErrorAnalysis& a) { return a.fit.exponent; });
     add("fit_rmse", "", false, [](const ErrorAnalysis& a) { return a.fit.rmse; });
+    add("found_beyond_layer", "", false, [](const ErrorAnalysis& a) { return a.found_beyond_layer; });
     return parts;
 }
 
