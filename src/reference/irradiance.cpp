@@ -173,11 +173,16 @@ Irradiance trace_irradiance(const Scene& scene, const CameraFrame& frame, const 
     SceneBuilds builds(scene, TraceBuild());
     const ReachableScene reachable = builds.reachable(frame, radius_m);
     const DividedLight light(environment);
-    for (int samples = goal.first;; samples *= 2) {
+    for (int samples = goal.first;;) {
         Irradiance irradiance = traced(reachable.tracer, frame, light, radius_m, samples, seed);
         const Mask lit = lit_pixels(irradiance);
         const double allowed = goal.relative_error * mean_luminance(irradiance, lit);
-        if (samples * 2 > goal.most || standard_error(irradiance, lit) <= allowed) return irradiance;
+        const double error = standard_error(irradiance, lit);
+        if (samples * 2 > goal.most || error <= allowed) return irradiance;
+        // As many as independent rays would need; each step traces all of them anew.
+        const double needed = samples * std::pow(error / allowed, 2);
+        do samples *= 2;
+        while (samples < needed && samples * 2 <= goal.most);
     }
 }
 

@@ -32,7 +32,7 @@ double mean_luminance(const Irradiance& irradiance, const Mask& counted);
 /// `most` rays.
 struct IrradianceGoal {
     double relative_error = 0.01;
-    int first = 64, most = 1024;  ///< even; each step doubles
+    int first = 64, most = 1024;  ///< even; steps double
 };
 
 /// Traces it under an environment that whatever lies within `radius_m` of a surface hides. What is much

@@ -125,7 +125,7 @@ json lit_view(const PageSource& source, const ViewRecord& view) {
     const bool has_picture = pictures != source.pictures.views.end() && pictures->second.irradiance;
     return {{"key", view.key},
             {"environment", light.environment == "sky" ? "the generated sky" : light.environment},
-            {"mean", short_text(light.mean)},
+            {"mean", fmt::format("{:.3g}", light.mean)},
             {"noise",
              percent_text(light.mean > 0 ? std::optional(light.standard_error / light.mean) : std::nullopt)},
             {"samples", count_text(static_cast<std::size_t>(light.samples))},
@@ -134,7 +134,7 @@ json lit_view(const PageSource& source, const ViewRecord& view) {
             {"rows", std::move(rows)},
             {"has_pictures", has_picture},
             {"traced", has_picture ? pictures->second.irradiance.uri : ""},
-            {"white", has_picture ? short_text(pictures->second.irradiance_white) : ""},
+            {"white", has_picture ? fmt::format("{:.3g}", pictures->second.irradiance_white) : ""},
             {"range", percent_text(kLitErrorRange, 0)},
             {"methods", std::move(methods)}};
 }
