@@ -78,16 +78,17 @@ TEST(LightSection, HasATableAndPicturesOfEveryModeThatAMethodHas) {
     const auto folder = output_dir();
     lit_results(folder);
     const std::string page = read_file(write_page(folder));
-    EXPECT_THAT(page, HasSubstr("id=\"light\""));
-    EXPECT_THAT(page, HasSubstr("court &lt;yard&gt;.hdr"));
-    for (const LightMode& mode : light_modes()) EXPECT_THAT(page, HasSubstr(std::string(mode.label)));
-    EXPECT_THAT(page, HasSubstr("title=\"10.0 to 30.0 with 95 % confidence\">12.3<"));
-    EXPECT_THAT(page, HasSubstr(">3.2<")) << "the truth's own signals";
-    EXPECT_THAT(page, HasSubstr("title=\"it lacks the signals\">–<"));
+    EXPECT_NE(page.find("id=\"light\""), std::string::npos);
+    EXPECT_NE(page.find("court &lt;yard&gt;.hdr"), std::string::npos);
+    for (const LightMode& mode : light_modes())
+        EXPECT_NE(page.find(std::string(mode.label)), std::string::npos);
+    EXPECT_NE(page.find("title=\"10.0 to 30.0 with 95 % confidence\">12.3<"), std::string::npos);
+    EXPECT_NE(page.find(">3.2<"), std::string::npos) << "the truth's own signals";
+    EXPECT_NE(page.find("title=\"it lacks the signals\">–<"), std::string::npos);
     EXPECT_EQ(count_of(page, "alt=\"Light of "), light_modes().size() + 1);
     EXPECT_EQ(count_of(page, "alt=\"Error of the light of "), light_modes().size() + 1);
     EXPECT_EQ(count_of(page, "alt=\"Ray-traced irradiance on "), 1u);
-    EXPECT_THAT(page, HasSubstr("0.50 % of that mean")) << "the standard error";
+    EXPECT_NE(page.find("0.50 % of that mean"), std::string::npos) << "the standard error";
 }
 
 /// The first pixel of a PNG of eight bits in a data URI is what a browser shows: it is compared as text.
