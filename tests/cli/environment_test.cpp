@@ -80,7 +80,8 @@ TEST(ScoreUnderAnEnvironment, TracesNothingTwice) {
     const auto listed = run_aoscore(std::string(kScore) + "--environment sky --out page --jobs", folder);
     ASSERT_EQ(listed.exit_code, 0) << listed.err;
     std::size_t kept = 0;
-    for (const auto& job : nlohmann::json::parse(listed.out).at("jobs")) {
+    const nlohmann::json jobs = nlohmann::json::parse(listed.out).at("jobs");
+    for (const nlohmann::json& job : jobs) {
         const std::string kind = job.at("kind");
         if (kind != "irradiance" && kind != "view_light" && kind != "light" && kind != "lit_file") continue;
         EXPECT_TRUE(job.at("known")) << kind << " of " << job.at("about");

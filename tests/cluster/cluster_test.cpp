@@ -118,8 +118,8 @@ TEST(Plan, SaysWhoseTimesCount) {
 TEST(Plan, LeavesNoOptionOfAPartUnheeded) {
     const fs::path folder = output_dir();
     ASSERT_EQ(run_aoscore("plan --parts 1 --out plan.json " + kScore, folder).exit_code, 0);
-    for (const std::string& option : {"--seed 2", "--threads 1", "--threads=1", "--gl osmesa"}) {
-        const auto work = run_aoscore("work plan.json --part 1 " + option, folder);
+    for (const char* option : {"--seed 2", "--threads 1", "--threads=1", "--gl osmesa"}) {
+        const auto work = run_aoscore(std::string("work plan.json --part 1 ") + option, folder);
         EXPECT_EQ(work.exit_code, 64) << option;
         EXPECT_THAT(work.err, HasSubstr("plan the command with it")) << option;
     }

@@ -52,7 +52,7 @@ TEST(CellCommand, LightsTheCellAsTheRunDid) {
     const fs::path folder = testing::output_dir();
     const ImageF dim(8, 4, 0.5F), bright(8, 4, 2);
     write_exr(folder / "light.exr", std::vector<ChannelView>{{"R", &bright}, {"G", &dim}, {"B", &dim}}, {});
-    for (const std::string& light : {"sky", "light.exr --environment-turn 30"}) {
+    for (const std::string light : {"sky", "light.exr --environment-turn 30"}) {
         const std::string score =
             "score sphere --view facing --methods gtao,alchemy --size 48x27 --samples 16 ";
         ASSERT_EQ(testing::run_aoscore(score + "--environment " + light + " --out all", folder).exit_code, 0);

@@ -29,8 +29,12 @@ ColourPlanes gray(const ViewRecord& view, float value) {
 Results lit_results(const std::filesystem::path& folder) {
     Results results = synthetic_results();
     ViewRecord& view = results.views.front();
-    view.light = {
-        .environment = "court <yard>.hdr", .file = "views/light.exr", .mean = 0.8, .standard_error = 0.004};
+    view.light = {.environment = "court <yard>.hdr",
+                  .file = "views/light.exr",
+                  .mean = 0.8,
+                  .standard_error = 0.004,
+                  .samples = 64,
+                  .of_truth = {}};
     for (const LightMode& mode : light_modes()) {
         for (const std::string& id : mode.measures())
             view.light->of_truth[id] = {0.0321, Interval{0.03, 0.034}};
