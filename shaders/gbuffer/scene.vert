@@ -11,6 +11,12 @@ layout(location = 2) in vec2 a_texcoord;
 layout(location = 3) in float a_alpha;  // 1 where the scene has none
 #endif
 
+#if defined(SAMPLING_ISOTROPIC) || defined(SAMPLING_ANISOTROPIC)
+#include "contract/mirror.glsl"
+uniform mat4 u_scene_from_view;
+out vec3 v_place;  // in scene space: thresholds.glsl takes twice as long where each fragment finds it by itself
+#endif
+
 out vec3 v_normal;
 out vec2 v_texcoord;
 #ifdef CUTOUT
@@ -23,5 +29,9 @@ void main() {
 #ifdef CUTOUT
     v_alpha = a_alpha;
 #endif
-    gl_Position = u_clip_from_view * (u_view_from_mesh * vec4(a_position, 1.0));
+    vec4 view = u_view_from_mesh * vec4(a_position, 1.0);
+#if defined(SAMPLING_ISOTROPIC) || defined(SAMPLING_ANISOTROPIC)
+    v_place = (u_scene_from_view * vec4(mirrored(view.xyz), 1.0)).xyz;
+#endif
+    gl_Position = u_clip_from_view * view;
 }

@@ -27,7 +27,7 @@ vec4 numbers(int output_index) {
 // Anchored in the scene (Wyman and McGuire, Improved Alpha Testing Using Hashed Sampling, 2017, listings 1 and 2): hashes
 // of the place in voxels of about a pixel, at the two nearest powers of two, mixed. The paper makes every mixed number even
 // by its distribution function, and compares with alpha; here alpha goes through the inverse, once a fragment.
-uniform mat4 u_scene_from_view;
+in vec3 v_place;  // in scene space
 uvec3 voxel_low = uvec3(0u), voxel_high = uvec3(0u);
 float mixing = 0.0;
 const float kLeastChange = 1e-18;  // metres from pixel to pixel, where floats see none
@@ -40,27 +40,32 @@ float quantile(float probability, float t) {
     return probability < least ? tail : 1.0 - probability < least ? 1.0 - tail : probability * b + 0.5 * a;
 }
 
-// The greatest power of two that is not above a positive number: its exponent alone.
-vec3 power_of_two(vec3 x) { return uintBitsToFloat(floatBitsToUint(x) & 0x7f800000u); }
+// Of positive numbers, in steps of 2^-23: a float's bits are its binary logarithm, straight from power to power of two. The
+// paper's is the true one, which moves the mixing by .04 at most, and no probability.
+const int kOctave = 1 << 23, kLogarithmOfOne = 127 * kOctave;
+int logarithm(float x) { return floatBitsToInt(x) - kLogarithmOfOne; }
+ivec3 logarithm(vec3 x) { return floatBitsToInt(x) - kLogarithmOfOne; }
+float power_of_two_below(int logarithm) { return intBitsToFloat((logarithm & -kOctave) + kLogarithmOfOne); }
+vec3 power_of_two_below(ivec3 logarithm) { return intBitsToFloat((logarithm & -kOctave) + kLogarithmOfOne); }
 
 float threshold_of_alpha() {
-    vec3 view = mirrored(view_position(gl_FragCoord.xy, linear_depth()));
-    vec3 place = (u_scene_from_view * vec4(view, 1.0)).xyz;
-    vec3 dx = dFdx(place), dy = dFdy(place);
+    vec3 dx = dFdx(v_place), dy = dFdy(v_place);
 #if defined(SAMPLING_ISOTROPIC)
-    vec3 scale = vec3(inversesqrt(max(max(dot(dx, dx), dot(dy, dy)), kLeastChange * kLeastChange)));
-    vec3 low = power_of_two(scale);
-    mixing = log2(scale.x / low.x);
+    // Of 1 / the change: half of its square's.
+    int scale = -logarithm(max(max(dot(dx, dx), dot(dy, dy)), kLeastChange * kLeastChange)) >> 1;
+    float low = power_of_two_below(scale);
+    mixing = float(scale & (kOctave - 1)) / float(kOctave);
 #else
     // An axis along which nothing changes has no scale: it gets a thousandth of the largest change's.
     vec3 change = max(abs(dx), abs(dy));
     change = max(change, max(1e-3 * max(change.x, max(change.y, change.z)), kLeastChange));
-    vec3 scale = 0.707 / change, low = power_of_two(scale), above = log2(scale / low);
+    ivec3 scale = logarithm(0.707) - logarithm(change);
+    vec3 low = power_of_two_below(scale), above = vec3(scale & (kOctave - 1)) / float(kOctave);
     float to_low = length(above), to_high = length(1.0 - above);
     mixing = to_low / (to_low + to_high);
 #endif
-    voxel_low = floatBitsToUint(floor(low * place) + 0.0);  // no -0
-    voxel_high = floatBitsToUint(floor(2.0 * low * place) + 0.0);
+    voxel_low = floatBitsToUint(floor(low * v_place) + 0.0);  // no -0
+    voxel_high = floatBitsToUint(floor(2.0 * low * v_place) + 0.0);
     return quantile(u_alpha, mixing);
 }
 

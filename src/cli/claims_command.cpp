@@ -2,10 +2,12 @@
 #include "cli/number_range.h"
 #include "cli/run_and_page.h"
 #include "cli/shared_options.h"
+#include "core/output.h"
 #include "results/results_folder.h"
 #include "verdict/claim_verdicts.h"
 
 #include <memory>
+#include <optional>
 
 namespace aoscore {
 namespace {
@@ -15,10 +17,13 @@ struct ClaimsOptions {
     double scale = 1;
     std::filesystem::path truth_cache;
     std::filesystem::path out;
+    std::filesystem::path before;  ///< results.json of an earlier run; empty: none
     OutcomeOptions outcome;
 };
 
 ExitCode run(const ClaimsOptions& options, const GlobalOptions& global) {
+    std::optional<Results> before;
+    if (!options.before.empty()) before = read_results(options.before);
     std::vector<ClaimList> lists = chosen_claims(load_claims(), options.ids);
     scale_views(lists, options.scale);
     ExperimentPlan plan;
@@ -31,7 +36,11 @@ ExitCode run(const ClaimsOptions& options, const GlobalOptions& global) {
     for (const ClaimList& list : lists) {
         for (const Claim& claim : list.claims) plan.claim_ids.push_back(claim.id);
     }
-    return run_and_page(plan, results_folder(options.out, "claims"), options.outcome, global);
+    const auto print_verdicts = [&before](const Results& results) {
+        print_result("{}", verdict_table(results.claims));
+        if (before) print_result("{}", changed_verdicts(results.claims, before->claims));
+    };
+    return run_and_page(plan, results_folder(options.out, "claims"), options.outcome, global, print_verdicts);
 }
 
 }  // namespace
@@ -47,6 +56,8 @@ CommandEntry add_claims_command(CLI::App& program, const GlobalOptions& global) 
         ->check(number_in(0.05, 8.0))
         ->capture_default_str();
     add_cache_option(*app, options->truth_cache);
+    app->add_option("--before", options->before,
+                    "results.json of an earlier run: also print which verdicts have changed since");
     app->add_option("--out", options->out, "Folder of page and results [reports/out/claims]");
     add_outcome_options(*app, options->outcome);
     add_job_options(*app, options->outcome.jobs);

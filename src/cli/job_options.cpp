@@ -18,6 +18,7 @@ namespace {
 constexpr const char* kPartsFile = "--parts-file";
 constexpr const char* kParts = "--parts";
 constexpr const char* kNodeKind = "--node-kind";
+constexpr const char* kQuiet = "--quiet";
 
 std::vector<std::string> words_for_parts(const std::filesystem::path& file, std::size_t parts) {
     return {kPartsFile, file.string(), kParts, std::to_string(parts)};
@@ -30,8 +31,25 @@ std::string command_line_of(const std::vector<std::string>& words) {
     return line;
 }
 
+/// Whether the word is that option, alone or with its value.
+bool names(const std::string& word, const std::string& option) {
+    return word == option || word.starts_with(option + "=");
+}
+
 bool names_node_kind(const std::string& word) {
-    return word == kNodeKind || word.starts_with(std::string(kNodeKind) + "=");
+    return names(word, kNodeKind);
+}
+
+/// Throws usage_error where these words choose what the planned command has decided: their jobs would have
+/// other keys.
+void require_as_planned(const std::vector<std::string>& words) {
+    for (const std::string& word : words) {
+        for (const char* option : {"--seed", "--threads", "--gl"}) {
+            if (names(word, option))
+                throw usage_error("the command that planned these jobs decides it", option,
+                                  fmt::format("no {} here; plan the command with it", option));
+        }
+    }
 }
 
 /// The words, with the kind of node whose times count: whoever makes a job on another machine finds it under
@@ -114,12 +132,15 @@ ExitCode run_division(std::vector<std::string> words, const std::filesystem::pat
 }
 
 ExitCode run_jobs(std::vector<std::string> words, const std::vector<std::string>& keys,
-                  const std::string& node_kind) {
+                  const GlobalOptions& given) {
+    require_as_planned(given.words);
+    const std::string& node_kind = given.node_kind;
     if (const std::string planned = named_node_kind(words); !node_kind.empty() && node_kind != planned)
         throw usage_error(fmt::format("these jobs' times are those of nodes of kind \"{}\"", planned),
                           fmt::format("{} {}", kNodeKind, node_kind),
                           "no --node-kind; the command that planned them takes another kind");
     const std::string line = command_line_of(words);
+    if (given.quiet && std::ranges::find(words, kQuiet) == words.end()) words.emplace_back(kQuiet);
     for (const std::string& key : keys) words.insert(words.end(), {"--job", key});
     return run_words(words, line);
 }

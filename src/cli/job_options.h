@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cli/command.h"
 #include "core/error.h"
 
 #include <CLI/CLI.hpp>
@@ -37,9 +38,10 @@ std::optional<ExitCode> list_or_make_some(
 ExitCode run_division(std::vector<std::string> words, const std::filesystem::path& file, std::size_t parts);
 
 /// Has the command of these words make these jobs alone. The artifacts name the command, which asked for all
-/// of them, and the kind of node whose times count: throws usage_error where `node_kind` is another, which
-/// the user gave; empty: none was given.
+/// of them, and the kind of node whose times count. Of the options that the user gave with the jobs, --quiet
+/// is heeded; throws usage_error for --seed, --threads and --gl, and for another --node-kind, which the
+/// command decides.
 ExitCode run_jobs(std::vector<std::string> words, const std::vector<std::string>& keys,
-                  const std::string& node_kind);
+                  const GlobalOptions& given);
 
 }  // namespace aoscore

@@ -8,6 +8,7 @@
 #include "plan/plan.h"
 #include "plan/scene_views.h"
 #include "plan/view_description.h"
+#include "results/light_modes.h"
 #include "scene/scene.h"
 #include "scene/view_file.h"
 #include "screen/gl/context.h"
@@ -106,6 +107,12 @@ void list_metrics() {
     for (const SignalMetric& metric : signal_metrics()) {
         print_result("{:<16} {}: {} (of {}, with --signals)\n", metric.id, metric.label, metric.meaning,
                      metric.signal);
+    }
+    for (const LightMode& mode : light_modes()) {
+        print_result(
+            "{}{:<10} Error of light by the {}: {} Over the mean of the traced irradiance (with "
+            "--environment)\n",
+            kLightPrefix, mode.relative_error(), mode.label, mode.meaning);
     }
 }
 

@@ -73,8 +73,7 @@ void Outcome::print_summary(const Gates::Tripped& tripped, const std::string& wh
 ExitCode Outcome::conclude(const Results& results) {
     require_cells(results, gates_);
     std::map<std::string, Gates::Tripped> by_cell;
-    for (const CellRecord& cell : results.cells)
-        by_cell[cell.id] = gates_.check(limited_measures(cell.ranked, cell.analysis));
+    for (const CellRecord& cell : results.cells) by_cell[cell.id] = gates_.check(limited_measures(cell));
     if (results.baseline) {
         for (const ChangeRecord& change : results.baseline->changes)
             by_cell[change.cell_id].add(gates_.check(change));

@@ -44,7 +44,7 @@ class Pages {
 }  // namespace
 
 ExitCode run_and_page(ExperimentPlan plan, const std::filesystem::path& folder, const OutcomeOptions& options,
-                      const GlobalOptions& global) {
+                      const GlobalOptions& global, const std::function<void(const Results&)>& finish) {
     if (!options.jobs.parts_file.empty() && has_score_goal(plan)) {
         throw usage_error("how many rays a ranking needs is decided by all of its cells together",
                           "--score-error", "--samples, --error or --exact, whose rays every part knows");
@@ -71,6 +71,7 @@ ExitCode run_and_page(ExperimentPlan plan, const std::filesystem::path& folder, 
     for (const AdviceRecord& advice : results.advice) print_result("\n{}", advice_table(results, advice));
     if (!results.advice.empty() && is_software_renderer(results.gl_renderer))
         print_result("\nMilliseconds are those of a software renderer; fetches carry over to a GPU.\n");
+    if (finish) finish(results);
     return outcome.conclude(results);
 }
 

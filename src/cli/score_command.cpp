@@ -1,4 +1,5 @@
 #include "cli/command.h"
+#include "cli/environment_options.h"
 #include "cli/frame_options.h"
 #include "cli/method_options.h"
 #include "cli/run_and_page.h"
@@ -26,6 +27,7 @@ struct ScoreOptions {
     FrameOptions frame;
     std::vector<std::string> methods;
     MethodOptions method_options;
+    EnvironmentOptions environment;
     ImageSize size;
     std::vector<double> radii;
     TruthEffort effort;
@@ -124,8 +126,11 @@ ExitCode run(ScoreOptions options, const GlobalOptions& global) {
     plan.preset_files = options.method_options.preset_files();
     view.cells = plan_cells(methods, load_filters(), options.method_options, plan.warnings);
     view.extras |= extras_for(options.method_options.signals);
+    if (options.frame.given() && options.environment.given())
+        throw usage_error("a frame has no scene to trace light in", "--environment", "with SCENE");
     if (options.frame.given()) take_frame(options, methods, plan, view);
     if (!options.contestants.empty()) add_contestants(options, plan, view);
+    light_view(options.environment, methods, view);
     for (const std::string& id :
          options.frame.given() ? std::vector<std::string>{"frame"} : planned_views(options.choice.view)) {
         view.view = id;
@@ -149,6 +154,7 @@ CommandEntry add_score_command(CLI::App& program, const GlobalOptions& global) {
         ->allow_extra_args(false);
     add_method_options(*app, options->method_options);
     add_signals_option(*app, options->method_options.signals);
+    add_environment_options(*app, options->environment);
     add_size_option(*app, options->size);
     add_radii_option(*app, options->radii);
     add_score_truth_options(*app, options->effort);

@@ -1,7 +1,7 @@
 #include "compare/picture_doubts.h"
 
 #include "compare/tried_readings.h"
-#include "metrics/measures/convolution.h"
+#include "metrics/measures/bands.h"
 #include "metrics/measures/srgb_values.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "compare/tried_readings.h"
 
-#include "metrics/measures/convolution.h"
+#include "metrics/measures/bands.h"
 
 #include <algorithm>
 #include <cmath>

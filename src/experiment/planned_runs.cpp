@@ -117,6 +117,19 @@ TruthSettings truth_settings(const ViewPlan& plan, std::uint64_t seed) {
     return settings;
 }
 
+bool is_lit(const CellPlan& cell, const ExperimentPlan& plan) {
+    return cell.lit_by_environment && !cell.step && !plan.first_answer;
+}
+
+/// What the view is lit by; null where none of its cells is lit.
+std::shared_ptr<const Environment> environment_of(const PreparedView& view, const ExperimentPlan& plan) {
+    static const auto sky = std::make_shared<const Environment>(generated_sky());
+    const bool any =
+        std::ranges::any_of(view.cells, [&](const ResolvedCell& cell) { return is_lit(cell.plan, plan); });
+    if (!any) return nullptr;
+    return view.plan->environment != nullptr ? view.plan->environment : sky;
+}
+
 CellWork cell_work(const ResolvedCell& cell, const ExperimentPlan& plan, const PreparedView& view,
                    const Registry& registry, std::optional<double> drawn_for_m) {
     CellWork work;
@@ -129,7 +142,7 @@ CellWork cell_work(const ResolvedCell& cell, const ExperimentPlan& plan, const P
     work.whole_frames = cell.plan.whole_frames;
     work.repeats = cell.plan.repeats && !plan.first_answer;
     work.converged = cell.converged;
-    work.lit_by_sky = cell.plan.lit_by_sky;
+    work.lit_by_environment = is_lit(cell.plan, plan);
     if (work.whole_frames) light(work.timed, registry.lighting, drawn_for_m);
     return work;
 }
@@ -173,6 +186,7 @@ ViewWork view_work(const ExperimentPlan& plan, const PreparedView& p, const Regi
             .timed = !plan.first_answer,
             .untold = !plan.first_answer,
             .seed = plan.seed,
+            .environment = environment_of(p, plan),
             .keep_gbuffer = plan.keep_gbuffer,
             .kept_inputs = gbuffer_inputs_of(registry),
             .truth_cache = plan.truth_cache,

@@ -104,12 +104,24 @@ void warn_of_unknown_signals(ViewRecord& view) {
         const double known = static_cast<double>(record.known_pixels),
                      valid = static_cast<double>(view.valid_pixels);
         if (known >= kLeastShare * valid) continue;
-        view.warnings.push_back(
-            fmt::format("the truth of {} is certain enough in only {:.1f} % of the pixels, over which methods may "
-                        "rank otherwise than over all of them; more --samples make it certain",
-                        record.id, 100 * known / valid));
+        view.warnings.push_back(fmt::format(
+            "the truth of {} is certain enough in only {:.1f} % of the pixels, over which methods may "
+            "rank otherwise than over all of them; more --samples make it certain",
+            record.id, 100 * known / valid));
         log_warning(fmt::format("{}: {}", view.key, view.warnings.back()));
     }
+}
+
+// Errors of light are told without the noise of the truth's rays; how sure they are follows from it.
+void warn_of_noisy_light(ViewRecord& view) {
+    if (!view.light || view.light->standard_error <= IrradianceGoal{}.relative_error * view.light->mean)
+        return;
+    view.warnings.push_back(fmt::format(
+        "the ray-traced irradiance has a standard error of {:.1f} % of its mean after {} rays a "
+        "pixel, because {} is bright in small parts: errors of light are less sure than their "
+        "intervals say",
+        100 * view.light->standard_error / view.light->mean, view.light->samples, view.light->environment));
+    log_warning(fmt::format("{}: {}", view.key, view.warnings.back()));
 }
 
 void record_times(const StoredTimes& times, const ViewRecord& view, CellRecord& record) {
@@ -156,9 +168,15 @@ class Assembly {
         if (maker_.gbuffer_runs() != nullptr) view.gbuffer = summarize(*maker_.gbuffer_runs());
         if (there(run_.jobs.truth_file)) view.truth_file = run_.work.truth_file();
         if (there(run_.jobs.gbuffer_file)) view.gbuffer_file = run_.work.gbuffer_file();
+        if (there(run_.jobs.irradiance) && maker_.view_light() != nullptr) {
+            view.light = *maker_.view_light();
+            view.light->file = run_.work.irradiance_file();
+            view.light->environment = run_.work.environment->id();
+        }
         for (std::size_t i = 0; i < run_.jobs.cells.size(); ++i) add_own_truth(i, view.truths);
         warn_of_small_radius(run_.work.view, view);
         warn_of_unknown_signals(view);
+        warn_of_noisy_light(view);
         return view;
     }
 
@@ -186,11 +204,15 @@ class Assembly {
             record.analysis = score->analysis;
             record.raw = score->raw;
             record.signals = score->signals;
-            record.light = score->light;
             if (score->reported_ms) {
                 record.parameters["reported_ms"] = *score->reported_ms;
                 record.parameters["reported_on"] = score->reported_on;
             }
+        }
+        if (keys.light && maker_.light(*keys.light) != nullptr) record.light = *maker_.light(*keys.light);
+        if (there(keys.lit_file)) {
+            const Job& lit = run_.jobs.graph.at(*keys.lit_file);
+            record.lit_file = run_.work.lit_file(run_.work.cells[lit.cell]);
         }
         if (const OwnScore* own = own_score(i)) record.own = sure_metrics(*own, run_.plan.score_goal);
         if (keys.fetches && maker_.fetches(*keys.fetches) != nullptr)
@@ -219,8 +241,9 @@ class Assembly {
 
     /// The reason why the cell failed; empty where it did not.
     std::string first_error(const CellKeys& keys) const {
-        for (const std::optional<Key>& key : {std::optional(keys.image), std::optional(keys.score),
-                                              keys.own_score, keys.fetches, keys.times, keys.repeats}) {
+        for (const std::optional<Key>& key :
+             {std::optional(keys.image), std::optional(keys.score), keys.own_score, keys.fetches, keys.times,
+              keys.repeats, keys.light, keys.lit_file}) {
             if (key && done_.has_failed(*key)) return done_.failed.at(*key);
         }
         return "";

@@ -3,6 +3,7 @@
 #include "core/counted.h"
 #include "core/hash.h"
 #include "core/machine.h"
+#include "core/pace.h"
 #include "core/threads.h"
 
 #include <fmt/format.h>
@@ -16,20 +17,38 @@ double megapixels(const ViewRun& run) {
     return run.work.width * 1e-6 * run.work.height;
 }
 
-/// Seconds for a million pixels: of the truth for each ray, and of all else for each cell.
-struct Pace {
-    double truth = 0, cell = 0;
+/// Of truths by millions of pixels times rays a pixel, and of cells by millions of pixels.
+struct Paces {
+    // Of two cores at 3 GHz.
+    Pace truth{.fixed_s = 0.1, .unit_s = 0.1}, cell{.fixed_s = 0.3, .unit_s = 2};
 };
 
 std::string pace_key() {
-    return Digest().text("pace").text(cpu_name()).value(thread_count()).hex();
+    return Digest().text("paces").text(cpu_name()).value(thread_count()).hex();
 }
 
-std::optional<Pace> find_pace(const ArtifactStore& store) {
+/// What is kept of a pace; the guess stays ours.
+nlohmann::json kept(const Pace& pace) {
+    return {pace.count, pace.sizes, pace.squares, pace.seconds, pace.products};
+}
+
+void take(const nlohmann::json& kept, Pace& pace) {
+    if (!kept.is_array() || kept.size() != 5) return;
+    std::size_t i = 0;
+    for (double* sum : {&pace.count, &pace.sizes, &pace.squares, &pace.seconds, &pace.products}) {
+        const nlohmann::json& number = kept[i++];
+        *sum = number.is_number() ? number.get<double>() : 0;
+    }
+}
+
+/// Empty where nothing was measured.
+std::optional<Paces> find_paces(const ArtifactStore& store) {
     const auto found = store.find(pace_key());
     if (!found || !found->is_object()) return std::nullopt;
-    const Pace pace{found->value("truth", 0.0), found->value("cell", 0.0)};
-    return pace.truth > 0 && pace.cell > 0 ? std::optional(pace) : std::nullopt;
+    Paces paces;
+    take(found->value("truth", nlohmann::json()), paces.truth);
+    take(found->value("cell", nlohmann::json()), paces.cell);
+    return paces.cell.count > 0 ? std::optional(paces) : std::nullopt;
 }
 
 /// Whether a cell's numbers are all in the store.
@@ -37,7 +56,7 @@ bool is_known(const ViewJobs& jobs, const CellKeys& keys, const ArtifactStore& s
     const auto known = [&](const std::optional<Key>& key) { return !key || store.has(key->hex); };
     const bool pictured = std::ranges::find(jobs.graph.wanted(), keys.image) != jobs.graph.wanted().end();
     return known(keys.score) && known(keys.own_score) && known(keys.fetches) && known(keys.times) &&
-           (!pictured || known(keys.image));
+           known(keys.light) && known(keys.lit_file) && (!pictured || known(keys.image));
 }
 
 std::string duration_text(double seconds) {
@@ -64,7 +83,7 @@ std::string WorkPlan::rest_text() const {
 
 WorkPlan plan_work(std::span<const ViewRun> runs, const ArtifactStore& store) {
     WorkPlan plan;
-    const std::optional<Pace> pace = find_pace(store);
+    const std::optional<Paces> paces = find_paces(store);
     double seconds = 0;
     for (const ViewRun& run : runs) {
         const auto known = static_cast<std::size_t>(std::ranges::count_if(
@@ -74,11 +93,11 @@ WorkPlan plan_work(std::span<const ViewRun> runs, const ArtifactStore& store) {
         plan.views_known += view_known;
         plan.cells += run.cells.size();
         plan.cells_known += known;
-        if (!pace || is_known(run, store)) continue;
-        seconds += megapixels(run) * pace->cell * static_cast<double>(run.cells.size() - known);
-        if (!view_known) seconds += megapixels(run) * pace->truth * run.plan.samples;
+        if (!paces || is_known(run, store)) continue;
+        seconds += paces->cell.predicted_s(megapixels(run)) * static_cast<double>(run.cells.size() - known);
+        if (!view_known) seconds += paces->truth.predicted_s(megapixels(run) * run.plan.samples);
     }
-    if (pace) plan.seconds = seconds;
+    if (paces) plan.seconds = seconds;
     return plan;
 }
 
@@ -93,13 +112,16 @@ bool is_scored(const ViewRun& run, const ArtifactStore& store) {
 
 void learn_pace(const ArtifactStore& store, const ViewRun& run, const ViewOutcome& outcome, double seconds) {
     if (!store.enabled() || outcome.measured == 0 || outcome.rays == 0) return;
+    // Other programs take what time they will: nothing follows from it for ours.
+    const bool has_foreign = std::ranges::any_of(
+        run.work.cells, [](const CellWork& cell) { return cell.contestant->timed_request() == nullptr; });
+    if (has_foreign) return;
     const double truth_s = outcome.view.truth_seconds;
-    const Pace now{
-        truth_s / (megapixels(run) * run.plan.samples),
-        std::max(seconds - truth_s, 0.0) / (megapixels(run) * static_cast<double>(outcome.measured))};
-    const Pace before = find_pace(store).value_or(now);
-    store.put(pace_key(),
-              {{"truth", (before.truth + now.truth) / 2}, {"cell", (before.cell + now.cell) / 2}});
+    Paces paces = find_paces(store).value_or(Paces());
+    paces.truth.observe(megapixels(run) * run.plan.samples, truth_s);
+    paces.cell.observe(megapixels(run),
+                       std::max(seconds - truth_s, 0.0) / static_cast<double>(outcome.measured));
+    store.put(pace_key(), {{"truth", kept(paces.truth)}, {"cell", kept(paces.cell)}});
 }
 
 }  // namespace aoscore

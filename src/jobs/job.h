@@ -31,14 +31,18 @@ enum class ArtifactKind : std::uint8_t {
     unstressed,      ///< pictures of a stress test's subjects without stress
     stress_setting,  ///< facts of a stressed view, whatever subject runs on it
     stress_cell,     ///< one subject on a stressed view
+    irradiance,      ///< ray-traced under an environment, in a file
+    view_light,      ///< the record of the irradiance in the results
+    light,           ///< errors of a method's light against it
+    lit_file,        ///< a method's lit pictures
     repeats,         ///< what other seeds and other depth layers show of a method's image
 };
-inline constexpr std::size_t kArtifactKinds = 17;
+inline constexpr std::size_t kArtifactKinds = 21;
 /// Their names in lists of jobs, in the order of ArtifactKind.
 inline constexpr std::array<std::string_view, kArtifactKinds> kArtifactKindIds{
-    "gbuffer_times", "gbuffer",      "truth",          "own_truth",   "contract",  "view",
-    "truth_file",    "gbuffer_file", "image",          "score",       "own_score", "fetches",
-    "times",         "unstressed",   "stress_setting", "stress_cell", "repeats"};
+    "gbuffer_times",  "gbuffer",     "truth",      "own_truth",  "contract", "view",     "truth_file",
+    "gbuffer_file",   "image",       "score",      "own_score",  "fetches",  "times",    "unstressed",
+    "stress_setting", "stress_cell", "irradiance", "view_light", "light",    "lit_file", "repeats"};
 constexpr std::string_view id_of(ArtifactKind kind) {
     return kArtifactKindIds[static_cast<std::size_t>(kind)];
 }

@@ -21,11 +21,10 @@ struct Score {
     std::size_t nonfinite = 0;  ///< valid pixels that are NaN or infinite: then there are no numbers
     MetricMap ranked;
     std::optional<ErrorAnalysis> analysis;
-    MetricMap raw;                               ///< metrics before the filter; empty without one
-    std::map<std::string, MetricMap> signals;    ///< metrics of the image's signals beside visibility, by id
-    std::map<std::string, MeasureRecord> light;  ///< see light_errors(); empty where it was not asked for
-    std::optional<double> reported_ms;           ///< the cost that the contestant reports of itself
-    std::string reported_on;                     ///< what that was measured on
+    MetricMap raw;                             ///< metrics before the filter; empty without one
+    std::map<std::string, MetricMap> signals;  ///< metrics of the image's signals beside visibility, by id
+    std::optional<double> reported_ms;         ///< the cost that the contestant reports of itself
+    std::string reported_on;                   ///< what that was measured on
 
     /// Says why there are no numbers; empty where there are.
     std::string error() const;
@@ -38,7 +37,6 @@ void visit_members(Visit& visit, Record& score) {
     visit("analysis", score.analysis);
     visit("raw", score.raw);
     visit("signals", score.signals);
-    visit("light", score.light);
     visit("reported_ms", score.reported_ms);
     visit("reported_on", score.reported_on);
 }

@@ -8,7 +8,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
+#include <list>
 #include <map>
 #include <span>
 #include <string>
@@ -19,6 +21,28 @@ namespace aoscore {
 namespace {
 
 constexpr const char *kReportedMs = "aoscore:reported_ms", *kReportedOn = "aoscore:reported_on";
+
+constexpr const char* kSamples = "aoscore:samples";
+const std::array<std::string, 3> kColours{"R", "G", "B"};
+const std::array<std::string, 3> kHalfDifferences{"half_difference.R", "half_difference.G",
+                                                  "half_difference.B"};
+
+/// Pictures in colour as channels of a file.
+class ColourChannels {
+  public:
+    void add(const std::array<std::string, 3>& names, const Image<glm::vec3>& picture) {
+        for (int c = 0; c < 3; ++c) {
+            ImageF& plane = planes_.emplace_back(picture.width, picture.height);
+            for (std::size_t i = 0; i < picture.size(); ++i) plane.pixels[i] = picture.pixels[i][c];
+            views_.push_back({names[static_cast<std::size_t>(c)], &plane});
+        }
+    }
+    std::span<const ChannelView> views() const { return views_; }
+
+  private:
+    std::list<ImageF> planes_;  // a list: its elements stay where they are
+    std::vector<ChannelView> views_;
+};
 
 }  // namespace
 
@@ -49,6 +73,48 @@ void write_image_file(const ViewWork& work, const CellWork& cell, const Contesta
         attributes[kReportedOn] = image.cost->on;
     }
     write_exr(work.folder / work.image_file(cell), channels, attributes);
+}
+
+void write_irradiance_file(const ViewWork& work, const Irradiance& irradiance) {
+    const int width = irradiance.halves[0].width, height = irradiance.halves[0].height;
+    Image<glm::vec3> mean(width, height), half_difference(width, height);
+    for (std::size_t i = 0; i < mean.size(); ++i) {
+        mean.pixels[i] = glm::vec3(irradiance.mean(i));
+        half_difference.pixels[i] = (irradiance.halves[0].pixels[i] - irradiance.halves[1].pixels[i]) / 2.0F;
+    }
+    ColourChannels channels;
+    channels.add(kColours, mean);
+    channels.add(kHalfDifferences, half_difference);
+    write_exr(work.folder / work.irradiance_file(), channels.views(),
+              {{"aoscore:view", work.key},
+               {"aoscore:environment", work.environment->id()},
+               {kSamples, fmt::format("{}", irradiance.samples)}});
+}
+
+std::optional<Irradiance> irradiance_of(const ImageFile& file) {
+    Irradiance irradiance;
+    irradiance.halves.fill(Image<glm::vec3>(file.width, file.height));
+    for (int c = 0; c < 3; ++c) {
+        const auto name = static_cast<std::size_t>(c);
+        const ImageF *mean = file.channel(kColours[name]), *apart = file.channel(kHalfDifferences[name]);
+        if (mean == nullptr || apart == nullptr) return std::nullopt;
+        for (std::size_t i = 0; i < mean->size(); ++i) {
+            irradiance.halves[0].pixels[i][c] = mean->pixels[i] + apart->pixels[i];
+            irradiance.halves[1].pixels[i][c] = mean->pixels[i] - apart->pixels[i];
+        }
+    }
+    const auto samples = file.attributes.find(kSamples);
+    if (samples == file.attributes.end()) return std::nullopt;
+    const std::string& text = samples->second;
+    std::from_chars(text.data(), text.data() + text.size(), irradiance.samples);
+    return irradiance;
+}
+
+void write_lit_file(const ViewWork& work, const CellWork& cell, std::span<const LitPicture> pictures) {
+    ColourChannels channels;
+    for (const LitPicture& picture : pictures) channels.add(picture.mode.channels(), picture.irradiance);
+    write_exr(work.folder / work.lit_file(cell), channels.views(),
+              {{"aoscore:cell", cell.id}, {"aoscore:environment", work.environment->id()}});
 }
 
 std::optional<ReportedCost> reported_cost(const ImageFile& file) {

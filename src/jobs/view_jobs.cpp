@@ -24,6 +24,12 @@ class Layout {
             if (work_.keep_gbuffer)
                 jobs_.gbuffer_file = want(keys_.gbuffer_file(), ArtifactKind::gbuffer_file, {gbuffer_});
         }
+        if (work_.environment != nullptr) {
+            irradiance_ = want(keys_.irradiance(), ArtifactKind::irradiance, {});
+            jobs_.irradiance = irradiance_;
+            jobs_.view_light =
+                want(keys_.view_light(), ArtifactKind::view_light, {irradiance_, truth_, contract_});
+        }
         for (std::size_t i = 0; i < work_.cells.size(); ++i) lay_out_cell(i);
         return std::move(jobs_);
     }
@@ -67,6 +73,17 @@ class Layout {
             own.after = {keys.score};
             keys.own_score = jobs_.graph.want(own).key;
         }
+        if (cell.lit_by_environment && work_.environment != nullptr) {
+            const std::vector<Key> inputs{keys.image, irradiance_, truth_, contract_};
+            Job light = of_cell(keys_.light(cell), ArtifactKind::light, inputs);
+            light.after = {keys.score};
+            keys.light = jobs_.graph.want(light).key;
+            if (cell.keep_image) {
+                Job file = of_cell(keys_.lit_file(cell), ArtifactKind::lit_file, inputs);
+                file.after = {keys.score};
+                keys.lit_file = jobs_.graph.want(file).key;
+            }
+        }
         if (cell.repeats && cell.contestant->timed_request() != nullptr) {
             Job repeats = of_cell(keys_.repeats(cell), ArtifactKind::repeats, {gbuffer_, truth_, contract_});
             repeats.after = {keys.score};
@@ -89,7 +106,7 @@ class Layout {
     const ViewWork& work_;
     ViewKeys keys_;
     ViewJobs jobs_;
-    Key gbuffer_, truth_, own_truth_, contract_;
+    Key gbuffer_, truth_, own_truth_, contract_, irradiance_;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace aoscore {
 /// The keys of one cell's artifacts.
 struct CellKeys {
     Key image, score;
+    std::optional<Key> light, lit_file;  ///< empty where it is not lit
     std::optional<Key> own_score;
     std::optional<Key> fetches, times;  ///< empty for a contestant without a cost
     std::optional<Key> repeats;         ///< empty where they are not asked for, or nothing is drawn
@@ -21,7 +22,8 @@ struct ViewJobs {
     JobGraph graph;
     Key view;
     std::optional<Key> gbuffer_times, truth_file, gbuffer_file;
-    std::vector<CellKeys> cells;  ///< in the order of the work's cells
+    std::optional<Key> irradiance, view_light;  ///< empty where nothing is lit
+    std::vector<CellKeys> cells;                ///< in the order of the work's cells
 };
 
 /// The keys of a view's artifacts that a contestant's image is made of.

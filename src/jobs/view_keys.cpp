@@ -49,6 +49,11 @@ const std::string& ViewKeys::fixed_pass() const {
     return *fixed_pass_;
 }
 
+const std::string& ViewKeys::environment() const {
+    if (!environment_) environment_ = work_.environment->digest();
+    return *environment_;
+}
+
 Key ViewKeys::gbuffer(const std::set<std::string>& inputs) const {
     KeyBuilder key("gbuffer", "image");
     key.text(work_.gl_renderer).text(work_.gl_version).text(work_.scene.digest).camera(work_.view.camera);
@@ -123,7 +128,6 @@ Key ViewKeys::score(const CellWork& cell) const {
     KeyBuilder key("score");
     key.input(image(cell)).input(truth(std::span(work_.queries).first(1))).input(contract());
     key.value(work_.mask_threshold).value(work_.seed).value(work_.untold);
-    if (cell.lit_by_sky) key.text(code_digest("light")).text(code_digest("irradiance"));
     return key.key();
 }
 
@@ -134,6 +138,28 @@ Key ViewKeys::own_score(const CellWork& cell) const {
 
 Key ViewKeys::fetches(const CellWork& cell) const {
     return KeyBuilder("fetches", "image").input(image(cell)).input(contract()).key();
+}
+
+Key ViewKeys::irradiance() const {
+    KeyBuilder key("irradiance");
+    key.text(code_digest("files")).text(work_.scene.digest).camera(work_.view.camera);
+    key.value(work_.width).value(work_.height).value(work_.radius_m).value(work_.seed);
+    return key.text(environment()).key();
+}
+
+Key ViewKeys::view_light() const {
+    KeyBuilder key("view_light", "light");
+    key.input(irradiance()).input(truth(std::span(work_.queries).first(1))).input(contract());
+    return key.key();
+}
+
+// Of the truth it takes the normals alone, which no number of rays changes.
+Key ViewKeys::light(const CellWork& cell) const {
+    return KeyBuilder("light").input(image(cell)).input(irradiance()).input(contract()).key();
+}
+
+Key ViewKeys::lit_file(const CellWork& cell) const {
+    return KeyBuilder("lit_file", "files").text(code_digest("light")).input(light(cell)).key();
 }
 
 Key ViewKeys::repeats(const CellWork& cell) const {

@@ -34,6 +34,10 @@ class ViewKeys {
     Key score(const CellWork& cell) const;
     Key own_score(const CellWork& cell) const;
     Key fetches(const CellWork& cell) const;
+    Key irradiance() const;
+    Key view_light() const;
+    Key light(const CellWork& cell) const;
+    Key lit_file(const CellWork& cell) const;
     Key repeats(const CellWork& cell) const;
     Key times(const CellWork& cell) const;
 
@@ -41,11 +45,12 @@ class ViewKeys {
     bool orthographic() const;
     const std::string& albedo() const;
     const std::string& fixed_pass() const;
+    const std::string& environment() const;
     KeyBuilder timed(std::string_view kind) const;
 
     const ViewWork& work_;
     // Slow digests, computed once.
-    mutable std::optional<std::string> albedo_, fixed_pass_;
+    mutable std::optional<std::string> albedo_, fixed_pass_, environment_;
     mutable std::map<const CellWork*, Key> images_;
 };
 

@@ -5,14 +5,11 @@
 #include "image/image_file.h"
 #include "jobs/draw_image.h"
 #include "jobs/recorded/recorded_view.h"
-#include "jobs/sky_light.h"
 #include "jobs/time_requests.h"
 #include "jobs/view_files.h"
 #include "jobs/view_record.h"
 
 #include <fmt/format.h>
-
-#include <algorithm>
 
 namespace aoscore {
 namespace {
@@ -54,6 +51,10 @@ const Repeats* ViewMaker::repeats(const Key& key) const {
     return found_in(repeats_, key);
 }
 
+const LightErrors* ViewMaker::light(const Key& key) const {
+    return found_in(lights_, key);
+}
+
 const StoredTimes* ViewMaker::times(const Key& key) const {
     return found_in(times_, key);
 }
@@ -66,6 +67,10 @@ bool ViewMaker::take(const Job& job) {
             return store_.fetch_file(job.key.hex, work_.folder / work_.gbuffer_file());
         case ArtifactKind::image:
             return store_.fetch_file(job.key.hex, work_.folder / work_.image_file(cell(job)));
+        case ArtifactKind::irradiance:
+            return store_.fetch_file(job.key.hex, work_.folder / work_.irradiance_file());
+        case ArtifactKind::lit_file:
+            return store_.fetch_file(job.key.hex, work_.folder / work_.lit_file(cell(job)));
         default:
             return take_payload(job);
     }
@@ -113,6 +118,12 @@ void ViewMaker::read_payload(const Job& job, const nlohmann::json& payload) {
         case ArtifactKind::repeats:
             repeats_[job.key] = repeats_from_json(payload, where);
             break;
+        case ArtifactKind::view_light:
+            view_light_ = light_record_from_json(payload, where);
+            break;
+        case ArtifactKind::light:
+            lights_[job.key] = light_errors_from_json(payload, where);
+            break;
         default:
             throw internal_error("is kept in no entry of its own", std::string(id_of(job.kind)));
     }
@@ -128,11 +139,23 @@ bool ViewMaker::take_input(const Job& job) {
             return own_truth_.has_value();
         case ArtifactKind::contract:
             return ground_.has_value();
+        case ArtifactKind::irradiance:
+            return take_irradiance(job);
         case ArtifactKind::image:
-            break;
+            return take_image(job);
         default:
             throw internal_error("is nobody's input", std::string(id_of(job.kind)));
     }
+}
+
+bool ViewMaker::take_irradiance(const Job& job) {
+    if (irradiance_) return true;
+    const std::optional<std::filesystem::path> file = store_.file(job.key.hex);
+    if (file) irradiance_ = irradiance_of(read_image(*file));
+    return irradiance_.has_value();
+}
+
+bool ViewMaker::take_image(const Job& job) {
     if (image_ && image_->first == job.key) return true;
     const std::optional<std::filesystem::path> file = store_.file(job.key.hex);
     if (!file) return false;
@@ -195,6 +218,14 @@ void ViewMaker::make(const Job& job) {
             return keep(job, fetches_[job.key]);
         case ArtifactKind::repeats:
             return make_repeats(job);
+        case ArtifactKind::irradiance:
+            return make_irradiance(job);
+        case ArtifactKind::view_light:
+            return make_view_light(job);
+        case ArtifactKind::light:
+            return make_light(job);
+        case ArtifactKind::lit_file:
+            return make_lit_file(job);
         default:
             throw internal_error("is not made by itself", std::string(id_of(job.kind)));
     }
@@ -246,7 +277,6 @@ void ViewMaker::make_score(const Job& job) {
     Score& score = scores_[job.key] =
         score_image(truth_->truth, *ground_, *truth_side_, image_->second, settings);
     if (!score.error().empty()) throw internal_error(score.error());
-    if (cell(job).lit_by_sky) light_by_sky(score);
     if (const std::optional<ReportedCost>& cost = image_->second.cost) {
         score.reported_ms = cost->ms;
         score.reported_on = cost->on;
@@ -254,16 +284,39 @@ void ViewMaker::make_score(const Job& job) {
     keep(job, to_json(score));
 }
 
-void ViewMaker::light_by_sky(Score& score) {
-    static const SkyCones cones(generated_sky());
-    const Truth& truth = truth_->truth;
-    if (!irradiance_) {
-        const int samples = std::max(truth.samples + truth.samples % 2, 2);
-        irradiance_ =
-            trace_irradiance(work_.scene, frame_, generated_sky(), work_.radius_m, samples, work_.seed);
-    }
-    score.light = light_errors({cones, frame_, truth.hits.normal}, image_->second, *irradiance_,
+void ViewMaker::make_irradiance(const Job& job) {
+    irradiance_ = trace_irradiance(work_.scene, frame_, *work_.environment, work_.radius_m, IrradianceGoal{},
+                                   work_.seed);
+    write_irradiance_file(work_, *irradiance_);
+    store_.put_file(job.key.hex, work_.folder / work_.irradiance_file());
+}
+
+EnvironmentLight ViewMaker::light() {
+    if (!cones_) cones_.emplace(*work_.environment);
+    return {*cones_, frame_, truth_->truth.hits.normal};
+}
+
+void ViewMaker::make_view_light(const Job& job) {
+    view_light_ = light_record(light(), *work_.environment, truth_->truth, *irradiance_,
                                ground_->contract.valid, work_.seed);
+    keep(job, to_json(*view_light_));
+}
+
+void ViewMaker::make_light(const Job& job) {
+    const LightErrors& errors = lights_[job.key] =
+        light_errors(light(), image_->second, *irradiance_, ground_->contract.valid, work_.seed);
+    keep(job, to_json(errors));
+}
+
+void ViewMaker::make_lit_file(const Job& job) {
+    std::vector<LitPicture> pictures;
+    for (const LightMode& mode : light_modes()) {
+        if (!applies(mode, image_->second)) continue;
+        // All that is seen is lit, edges too, on which no error is counted.
+        pictures.push_back({mode, lit_image(mode, light(), image_->second, truth_->truth.hits.surface)});
+    }
+    write_lit_file(work_, cell(job), pictures);
+    store_.put_file(job.key.hex, work_.folder / work_.lit_file(cell(job)));
 }
 
 void ViewMaker::make_own_score(const Job& job) {

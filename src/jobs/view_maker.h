@@ -1,5 +1,6 @@
 #pragma once
 
+#include "jobs/environment_light.h"
 #include "jobs/executor.h"
 #include "jobs/ground.h"
 #include "jobs/repeats.h"
@@ -41,6 +42,8 @@ class ViewMaker final : public Maker {
     const OwnScore* own_score(const Key& key) const;
     const double* fetches(const Key& key) const;
     const Repeats* repeats(const Key& key) const;
+    const LightRecord* view_light() const { return view_light_ ? &*view_light_ : nullptr; }
+    const LightErrors* light(const Key& key) const;
     const StoredTimes* times(const Key& key) const;
 
     // The artifacts in memory that others are made of; null where there is none.
@@ -56,6 +59,8 @@ class ViewMaker final : public Maker {
 
   private:
     bool take_payload(const Job& job);
+    bool take_irradiance(const Job& job);
+    bool take_image(const Job& job);
     void read_payload(const Job& job, const nlohmann::json& payload);
     void keep(const Job& job, const nlohmann::json& payload) { store_.put(job.key.hex, payload); }
 
@@ -64,7 +69,11 @@ class ViewMaker final : public Maker {
     void make_gbuffer_file(const Job& job);
     void make_image(const Job& job);
     void make_score(const Job& job);
-    void light_by_sky(Score& score);
+    void make_irradiance(const Job& job);
+    void make_view_light(const Job& job);
+    void make_light(const Job& job);
+    void make_lit_file(const Job& job);
+    EnvironmentLight light();
     void make_own_score(const Job& job);
     void make_repeats(const Job& job);
 
@@ -82,8 +91,9 @@ class ViewMaker final : public Maker {
     std::optional<CachedTruth> truth_, own_truth_;
     std::optional<Ground> ground_;
     std::optional<std::pair<Key, ContestantImage>> image_;
-    std::optional<Irradiance> irradiance_;  ///< under the generated sky
-    std::optional<TruthSide> truth_side_;   ///< side of the ranking's truth on the ground
+    std::optional<Irradiance> irradiance_;
+    std::optional<EnvironmentCones> cones_;  ///< of the environment
+    std::optional<TruthSide> truth_side_;    ///< side of the ranking's truth on the ground
     std::uint64_t rays_ = 0;
     LayersDrawn layers_drawn_;
 
@@ -93,6 +103,8 @@ class ViewMaker final : public Maker {
     std::map<Key, OwnScore> own_scores_;
     std::map<Key, double> fetches_;
     std::map<Key, Repeats> repeats_;
+    std::optional<LightRecord> view_light_;
+    std::map<Key, LightErrors> lights_;
     std::map<Key, StoredTimes> times_;
 };
 

@@ -61,8 +61,16 @@ std::string ViewWork::gbuffer_file() const {
     return fmt::format("views/{}-gbuffer.exr", file_name(key));
 }
 
+std::string ViewWork::irradiance_file() const {
+    return fmt::format("views/{}-irradiance.exr", file_name(key));
+}
+
 std::string ViewWork::image_file(const CellWork& cell) const {
     return fmt::format("cells/{}.exr", file_name(cell.id));
+}
+
+std::string ViewWork::lit_file(const CellWork& cell) const {
+    return fmt::format("cells/{}-lit.exr", file_name(cell.id));
 }
 
 }  // namespace aoscore

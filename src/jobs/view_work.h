@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/environment.h"
 #include "jobs/contest/contestant.h"
 #include "jobs/scene_tools.h"
 #include "jobs/timing.h"
@@ -29,8 +30,8 @@ struct CellWork {
     bool wants_times = true;        ///< whether its passes are timed, where the view's costs are wanted
     /// Whole lit frames are timed too, with a wait at their end and with one after every pass.
     bool whole_frames = false;
-    bool repeats = false;     ///< whether it is drawn again with other seeds (jobs/repeats.h)
-    bool lit_by_sky = false;  ///< whether its light is held against ray-traced irradiance (jobs/sky_light.h)
+    bool repeats = false;             ///< whether it is drawn again with other seeds (jobs/repeats.h)
+    bool lit_by_environment = false;  ///< whether its light is held against the view's irradiance
     /// Its own converged picture, against which it is held with its repeats.
     std::optional<MethodRequest> converged = {};
     MethodRequest timed;  ///< the contestant's, with its lighting where whole frames are timed
@@ -56,6 +57,8 @@ struct ViewWork {
     bool untold = true;  ///< whether metrics are wanted that the truth's noise hides; see ScoreSettings
     double mask_threshold = 0.1;
     std::uint64_t seed = 1;
+    /// What irradiance is traced and cells are lit under; null: nothing is lit.
+    std::shared_ptr<const Environment> environment = nullptr;
     bool keep_gbuffer = true;
     std::set<std::string> kept_inputs;  ///< G-buffer inputs in its file beside those that cells read
     std::filesystem::path truth_cache;  ///< empty: none
@@ -85,7 +88,9 @@ struct ViewWork {
     /// Paths of files below `folder`.
     std::string truth_file() const;
     std::string gbuffer_file() const;
+    std::string irradiance_file() const;
     std::string image_file(const CellWork& cell) const;
+    std::string lit_file(const CellWork& cell) const;
 };
 
 /// Makes a file's name of an id: "atrium-wide".

@@ -2,13 +2,13 @@
 
 #include "core/known_names.h"
 #include "metrics/intervals/extrapolation.h"
-#include "metrics/measures/finest_similarity.h"
-#include "metrics/measures/mean_error.h"
+#include "metrics/measures/shared_sums.h"
 #include "metrics/prepared_halves.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -25,9 +25,13 @@ class Evaluation {
             inputs_[0].prepared_truth = &input.halves->prepared->whole;
             for (const std::size_t half : {0U, 1U}) inputs_.push_back(against_half(input, half));
         }
-        finest_.resize(inputs_.size());
-        for (std::size_t i = 0; i < inputs_.size(); ++i) inputs_[i].finest = &finest_[i];
+        shared_.resize(inputs_.size());
+        for (std::size_t i = 0; i < inputs_.size(); ++i) inputs_[i].shared = &shared_[i];
     }
+
+    /// Whether all valid pixels of the image and of the truth are finite: no sum of squares of floats is too
+    /// large.
+    bool finite() const { return std::isfinite(difference_sums(inputs_[0]).squared); }
 
     MetricValue measured(const Metric& row) const {
         const MetricValue whole = row.measure(inputs_[0]);
@@ -42,12 +46,12 @@ class Evaluation {
         MetricInput noisy = inputs_[0];
         noisy.prepared_truth = &noisy.halves->prepared->noisy;
         noisy.maps = noisy.halves->noisy_maps;
-        noisy.finest = nullptr;
+        noisy.shared = nullptr;
         if (noisy.maps != nullptr) row.measure(noisy);
     }
 
     std::vector<MetricInput> inputs_;
-    std::vector<std::optional<FinestSimilarity>> finest_;
+    std::vector<SharedSums> shared_;
 };
 
 }  // namespace
@@ -82,7 +86,6 @@ std::map<std::string, MetricValue> evaluate(const MetricInput& input, std::span<
         for (const Metric& row : metrics()) rows.push_back(&row);
     }
 
-    const std::size_t nonfinite = nonfinite_pixels(input.truth, input.test, input.valid);
     const PreparedImage test(input.test, input.valid);
     MetricInput shared = input;
     std::optional<TruthHalves> halves;
@@ -96,6 +99,8 @@ std::map<std::string, MetricValue> evaluate(const MetricInput& input, std::span<
     // cost memory.
     if (input.halves != nullptr && input.prepared_test == nullptr) shared.prepared_test = &test;
     const Evaluation evaluation(shared);
+    const std::size_t nonfinite =
+        evaluation.finite() ? 0 : nonfinite_pixels(input.truth, input.test, input.valid);
     std::map<std::string, MetricValue> values;
     for (const Metric* row : rows) {
         values[std::string(row->id)] =

@@ -14,9 +14,9 @@ namespace aoscore {
 
 class PreparedHalves;
 class PreparedImage;
-struct FinestSimilarity;
 struct DrawnSums;
 struct MapSums;
+struct SharedSums;
 
 /// The two independent halves whose mean a truth is. The difference of a value between them shows the effect
 /// of the truth's noise.
@@ -42,9 +42,9 @@ struct MetricInput {
     /// Of `truth` and `valid`, where shared; evaluate() has PreparedHalves for a truth of two halves.
     const PreparedImage* prepared_truth = nullptr;
     const PreparedImage* prepared_test = nullptr;  ///< made of `test` and `valid`
-    /// Receives what SSIM and MS-SSIM of this very pair have in common, if not null, so that the second of
-    /// them need not measure it again. The halves have their own.
-    std::optional<FinestSimilarity>* finest = nullptr;
+    /// Receives what several metrics of this very pair have in common, if not null, so that only the first of
+    /// them needs to measure it. The halves have their own.
+    SharedSums* shared = nullptr;
 };
 
 struct MetricValue {

@@ -46,6 +46,7 @@ nlohmann::json failures(const PageSource& source);
 nlohmann::json distributions(const PageSource& source);
 nlohmann::json live(const PageSource& source);
 nlohmann::json signals(const PageSource& source);
+nlohmann::json light(const PageSource& source);
 nlohmann::json published(const PageSource& source);
 nlohmann::json sweeps(const PageSource& source);
 nlohmann::json claims(const PageSource& source);

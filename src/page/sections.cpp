@@ -33,6 +33,10 @@ bool has_signals(const Results& results) {
     return std::ranges::any_of(results.views, [](const ViewRecord& view) { return !view.signals.empty(); });
 }
 
+bool has_light(const Results& results) {
+    return std::ranges::any_of(results.views, [](const ViewRecord& view) { return view.light.has_value(); });
+}
+
 bool has_claims(const Results& results) {
     return !results.claims.empty();
 }
@@ -59,6 +63,7 @@ const std::vector<Section>& sections() {
         {"failures", "Where it fails", section::failures, ranked, has_analyses},
         {"distributions", "Errors in detail", section::distributions, ranked, has_analyses},
         {"signals", "Bent normals and cones", section::signals, pictured, has_signals},
+        {"light", "Light of an environment", section::light, pictured, has_light},
         {"live", "Live parameters", section::live, pictured, has_views},
         {"published", "Published tables beside ours", section::published, all, has_tables},
         {"claims", "Published claims", section::claims, all, has_claims},

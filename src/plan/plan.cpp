@@ -9,6 +9,7 @@
 #include "core/strict_json.h"
 #include "jobs/truth_signals.h"
 #include "plan/claims/claim.h"
+#include "plan/lit_cells.h"
 #include "plan/resolved_cell.h"
 #include "plan/run_modes.h"
 #include "plan/sweep.h"
@@ -62,7 +63,8 @@ CellPlan read_row(StrictObject row) {
 
 bool same_picture(const ViewPlan& a, const ViewPlan& b) {
     return a.scene == b.scene && a.load == b.load && a.view == b.view && a.width == b.width &&
-           a.height == b.height && a.radius_m == b.radius_m && a.own_parameters == b.own_parameters;
+           a.height == b.height && a.radius_m == b.radius_m && a.own_parameters == b.own_parameters &&
+           a.environment == b.environment;
 }
 
 void set_size(ViewPlan& view, ImageSize size, double scale) {
@@ -102,7 +104,7 @@ SweepRequest read_sweep(StrictObject object) {
         const std::string where = object.where("vary") + "." + id;
         if (!values.is_array() || values.empty()) throw file_error("is no list of values", where);
         SweepAxis& axis = request.axes.emplace_back(id);
-        for (const json& value : values) axis.values.push_back(parameter_value(value, where));
+        for (const nlohmann::json& value : values) axis.values.push_back(parameter_value(value, where));
     }
     object.finish();
     return request;
@@ -143,10 +145,13 @@ void add_sweep(ExperimentPlan& plan, const ExperimentDefinition& experiment, dou
     view.own_parameters = true;
     view.timing_goal = TimingGoal();
     view.lit = object.boolean_or("lit", true);
+    const std::string environment = object.text_or("environment", "");
+    if (!environment.empty()) view.environment = named_environment(environment, 0);
     const Registry registry = load_registry();
     std::vector<SweepRequest> requests;
     for (StrictObject& one : object.objects("sweeps")) {
-        const SweepRequest& request = requests.emplace_back(read_sweep(std::move(one)));
+        SweepRequest& request = requests.emplace_back(read_sweep(std::move(one)));
+        request.base.lit_by_environment = !environment.empty();
         view.extras |= extras_for(request.base.signals);
         view.extras.causes |= request.base.repeats;
     }
@@ -300,7 +305,7 @@ std::size_t shared_cell(ViewPlan& view, CellPlan cell) {
     found->whole_frames |= cell.whole_frames;
     found->repeats |= cell.repeats;
     found->step &= cell.step;
-    found->lit_by_sky |= cell.lit_by_sky;
+    found->lit_by_environment |= cell.lit_by_environment;
     return static_cast<std::size_t>(found - view.cells.begin());
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/environment.h"
 #include "jobs/contest/outside_method.h"
 #include "jobs/timing.h"
 #include "plan/run_modes.h"
@@ -46,8 +47,8 @@ struct CellPlan {
     /// Changes of its parameters that make it its own converged picture, against which it is held with its
     /// repeats; empty: it is not.
     ParameterValues converged = {};
-    /// What it lights a surface with under the generated sky is held against ray-traced irradiance.
-    bool lit_by_sky = false;
+    /// What it lights a surface with under the view's environment is held against ray-traced irradiance.
+    bool lit_by_environment = false;
     /// Added to the run's seed, for other random kernels and noise.
     int draw = 0;
     /// Signals beside visibility to score where the method gives them (see core/signal.h).
@@ -84,6 +85,8 @@ struct ViewPlan {
     std::optional<double> radius_m;  ///< of the ranking; empty: the view's own, else automatic
     /// Methods keep their descriptors' lengths, as published, instead of following the view's radius.
     bool own_parameters = false;
+    /// What cells are lit by; null: the generated sky.
+    std::shared_ptr<const Environment> environment = nullptr;
     std::vector<CellPlan> cells;
     /// Where given, passes are timed until the median's interval is this narrow.
     std::optional<TimingGoal> timing_goal;

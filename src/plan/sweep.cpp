@@ -150,6 +150,9 @@ class Expansion {
         cells_.push_back(point.cell);
         ViewPlan wanted = view_;
         wanted.cells.clear();
+        // What a method over several layers is for: the occlusion that no method over one can find.
+        const MethodDescriptor& method = find_method(registry_.methods, point.cell.method);
+        wanted.extras.one_layer_bound |= method.depth_layers || method.side_layers;
         if (point.size) {
             wanted.width = point.size->width;
             wanted.height = point.size->height;

@@ -56,6 +56,24 @@ struct SignalRecord {
     std::size_t known_pixels = 0;        ///< valid pixels certain enough to count (metrics/angle_errors.h)
 };
 
+/// A measured number with its interval.
+struct MeasureRecord {
+    double value = 0;
+    std::optional<Interval> interval;  ///< 95 % confidence; empty where nothing can be resampled
+};
+
+/// The ray-traced irradiance of a view under an environment.
+struct LightRecord {
+    std::string environment;  ///< "sky", or how the command names the picture
+    std::string file;  ///< EXR: R, G, B, the irradiance over pi; half_difference.R…, of two estimates
+    double mean = 0;   ///< its luminance over valid pixels
+    double standard_error = 0;  ///< root mean variance of that luminance, in the same unit
+    int samples = 0;            ///< rays a pixel
+    /// The errors of lighting by the truth's own visibility, bent normal and cone, as CellRecord::light has
+    /// them: what is left of them where a method makes no error.
+    std::map<std::string, MeasureRecord> of_truth;
+};
+
 /// The part of the ranking's occlusion that has one cause (see comparison by cause in references/README.md).
 struct CauseRecord {
     std::string id;             ///< "outside", "hidden", "grazing", "visible"
@@ -102,6 +120,7 @@ struct ViewRecord {
     std::vector<TruthRecord> truths;     ///< the first is the ranking's
     std::vector<CauseRecord> causes;     ///< parts of the ranking's occlusion; empty where not traced
     std::vector<SignalRecord> signals;   ///< signals beside visibility; empty where none was asked for
+    std::optional<LightRecord> light;    ///< empty where nothing is lit by an environment
     std::string one_layer_channel;       ///< channel of the truth file with the occlusion that one depth
                                          ///< layer can show at most; empty where not traced
     int samples = 0;                     ///< rays a pixel (the mean where they differ)
@@ -162,12 +181,6 @@ struct LengthRecord {
 inline constexpr const char* kMethodRole = "method";
 inline constexpr const char* kBoundRole = "bound";
 
-/// A measured number with its interval.
-struct MeasureRecord {
-    double value = 0;
-    std::optional<Interval> interval;  ///< 95 % confidence; empty where nothing can be resampled
-};
-
 /// One scene x view x method x preset.
 struct CellRecord {
     std::string id;  ///< unique in the run: "atrium/wide/hbao/performance-wide"
@@ -207,9 +220,11 @@ struct CellRecord {
     std::map<std::string, MetricMap> signals;
     std::optional<ErrorAnalysis> analysis;  ///< against the ranking's truth; empty for a failed cell
     std::optional<Repeats> repeats;         ///< empty where they were not asked for
-    /// The errors of its light under the generated sky, see light_errors(); empty where they were not asked
-    /// for.
+    /// The errors of its light under the view's environment by every light mode that it has the signals for:
+    /// "rmse.MODE" of luminance, "relative_rmse.MODE" and "bias.MODE" over the mean of the traced irradiance,
+    /// "gain.MODE", what it takes off the rmse of the mode before. Empty where they were not asked for.
     std::map<std::string, MeasureRecord> light;
+    std::string lit_file;    ///< EXR: the channels of LightMode::channels(); empty when not kept
     std::string image_file;  ///< EXR: Y (output), raw.Y (before the filter), channels of its signals; empty
                              ///< when not kept
 };
@@ -340,7 +355,7 @@ struct WorkRecord {
 };
 
 struct Results {
-    static constexpr int kSchemaVersion = 10;
+    static constexpr int kSchemaVersion = 11;
     int schema_version = kSchemaVersion;  ///< of the file they were read from; written is kSchemaVersion
     std::string program_version;
     std::string created_utc;  ///< 2026-11-22T02:11:47Z
@@ -374,8 +389,8 @@ CellRecord cell_record_from_json(const nlohmann::json& json, const std::string& 
 
 nlohmann::json to_json(const Results& results);
 nlohmann::json to_json(const ErrorAnalysis& analysis);
-/// Results of an older schema are upgraded (see results/upgrade/). Throws file_error for a newer one, one that
-/// is too old, or a missing member. `where` names the file in errors.
+/// Results of an older schema are upgraded (see results/upgrade/). Throws file_error for a newer one, one
+/// that is too old, or a missing member. `where` names the file in errors.
 Results results_from_json(const nlohmann::json& json, const std::string& where);
 
 /// Writes folder/results.json.

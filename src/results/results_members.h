@@ -92,6 +92,22 @@ void visit_members(Visit& visit, Record& signal) {
     visit("known_pixels", signal.known_pixels);
 }
 
+template <class Visit, RecordOf<MeasureRecord> Record>
+void visit_members(Visit& visit, Record& record) {
+    visit("value", record.value);
+    visit("interval", record.interval);
+}
+
+template <class Visit, RecordOf<LightRecord> Record>
+void visit_members(Visit& visit, Record& light) {
+    visit("environment", light.environment);
+    visit("file", light.file);
+    visit("mean", light.mean);
+    visit("standard_error", light.standard_error);
+    visit("samples", light.samples);
+    visit("of_truth", light.of_truth);
+}
+
 template <class Visit, RecordOf<TruthSavings> Record>
 void visit_members(Visit& visit, Record& savings) {
     visit("most_samples", savings.most_samples);
@@ -134,6 +150,7 @@ void visit_members(Visit& visit, Record& view) {
     visit("truths", view.truths);
     visit("causes", view.causes);
     visit("signals", view.signals);
+    visit("light", view.light);
     visit("one_layer_channel", view.one_layer_channel);
     visit("samples", view.samples);
     visit("max_error", view.max_error);
@@ -216,6 +233,7 @@ void visit_members(Visit& visit, Record& cell) {
     visit("analysis", cell.analysis);
     visit("repeats", cell.repeats);
     visit("light", cell.light);
+    visit("lit_file", cell.lit_file);
     visit("image_file", cell.image_file);
 }
 
@@ -238,12 +256,6 @@ void visit_members(Visit& visit, Record& record) {
     visit("ties", record.ties);
     visit("behind_first", record.behind_first);
     visit("measures", record.measures);
-}
-
-template <class Visit, RecordOf<MeasureRecord> Record>
-void visit_members(Visit& visit, Record& record) {
-    visit("value", record.value);
-    visit("interval", record.interval);
 }
 
 template <class Visit, RecordOf<RankingRecord> Record>

@@ -86,6 +86,7 @@ std::string line_of(const SweepRecord& sweep, const SweepRow& row, const std::st
     line.add(of_view(view != nullptr ? std::optional(view->radius_px_median) : std::nullopt));
     line.add(view != nullptr ? lengths_text(cell) : std::string());
     line.add(row.error).add(row.noisy_error).add(row.fitted_error).add(row.unfiltered_error).add(row.bias);
+    line.add(row.beyond_layer).add(row.found_of_layers).add(row.found_of_truth).add(row.noise);
     for (const char* id : {kStructureMetric, kPerceptualMetric}) line.add(of_view(value_of(cell.ranked, id)));
     line.add(std::string(row.on_front ? "1" : "0")).add(cell.error);
     return line.text();
@@ -108,7 +109,8 @@ std::string sweeps_as_csv(const Results& results) {
                              "lengths", kRankingMetric, kNoisyRankingMetric})
         head.add(std::string(name));
     for (const char* of : {"_fitted", "_unfiltered"}) head.add(std::string(kRankingMetric) + of);
-    for (const char* name : {kBiasMetric, kStructureMetric, kPerceptualMetric, "pareto", "failed"})
+    for (const char* name : {kBiasMetric, "found_beyond_layer", "found_of_layers", "found_of_truth", "noise",
+                             kStructureMetric, kPerceptualMetric, "pareto", "failed"})
         head.add(std::string(name));
     std::string csv = head.text();
     for (const SweepRecord& sweep : results.sweeps) {

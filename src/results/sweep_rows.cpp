@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/known_names.h"
+#include "metrics/analysis/repeat_values.h"
 #include "metrics/intervals/median_interval.h"
 #include "metrics/intervals/over_views.h"
 #include "metrics/pareto.h"
@@ -54,6 +55,16 @@ void mark_front(std::vector<SweepRow>& rows, const std::vector<std::size_t>& ind
     }
     const std::vector<bool> front = pareto_front(points);
     for (std::size_t k = 0; k < indices.size(); ++k) rows[indices[k]].on_front = front[k];
+}
+
+void add_findings(SweepRow& row) {
+    const CellRecord& cell = *row.cell;
+    if (cell.analysis) row.beyond_layer = cell.analysis->found_beyond_layer;
+    if (!cell.repeats) return;
+    row.found_of_layers = found_share(cell.repeats->of_layers);
+    row.found_of_truth = found_share(cell.repeats->of_truth);
+    const std::optional<double> noise = noise_over_seeds(*cell.repeats);
+    if (noise && cell.repeats->of_truth) row.noise = *noise * cell.repeats->of_truth->strength;
 }
 
 using Number = std::optional<double> SweepRow::*;
@@ -123,6 +134,7 @@ std::vector<SweepRow> sweep_rows(const Results& results, const SweepRecord& swee
             if (row.cell->analysis) row.fitted_error = row.cell->analysis->fit.rmse_debiased;
             row.unfiltered_error = value_of(row.cell->raw, kRankingMetric);
             row.bias = value_of(row.cell->ranked, kBiasMetric);
+            add_findings(row);
         }
         by_view[row.view].push_back(rows.size());
         rows.push_back(row);

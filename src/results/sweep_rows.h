@@ -23,6 +23,13 @@ struct SweepRow {
     std::optional<double> fitted_error;      ///< debiased RMSE after the best fit of strength and exponent
     std::optional<double> unfiltered_error;  ///< debiased RMSE before the filter
     std::optional<double> bias;
+    /// The part that is shown of the occlusion that one depth layer cannot know (found_beyond_layer()); empty
+    /// where that was not traced.
+    std::optional<double> beyond_layer;
+    /// The parts of what the first layer hides that are found at the fitted strength, of what the estimator
+    /// finds over all layers and of the truth's; and the noise over seeds at that strength. Empty where the
+    /// setting was not drawn again.
+    std::optional<double> found_of_layers, found_of_truth, noise;
     bool on_front = false;              ///< on the front of cost and error of its view; never a bound
     std::optional<bool> within_budget;  ///< empty without a budget
 };

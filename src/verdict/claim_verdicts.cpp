@@ -1,7 +1,9 @@
 #include "verdict/claim_verdicts.h"
 
 #include "core/error.h"
+#include "core/known_names.h"
 #include "core/node_kind.h"
+#include "core/printable.h"
 #include "plan/claims/quantity.h"
 #include "plan/resolved_cell.h"
 #include "verdict/equal_cost.h"
@@ -404,6 +406,41 @@ std::vector<ClaimRecord> judge_claims(const std::vector<ClaimList>& lists, const
 
 std::string verdict_text(const ClaimRecord& claim) {
     return fmt::format("{} {}: {} ({}, {})", claim.id, claim.verdict, claim.claim, claim.source, claim.place);
+}
+
+std::string verdict_table(const std::vector<ClaimRecord>& claims) {
+    struct Counts {
+        std::string source;
+        std::map<std::string, std::size_t> by_verdict;
+    };
+    std::vector<Counts> lines;
+    Counts all{"all", {}};
+    for (const ClaimRecord& claim : claims) {
+        auto line = std::ranges::find(lines, claim.source, &Counts::source);
+        if (line == lines.end()) line = lines.insert(line, {claim.source, {}});
+        ++line->by_verdict[claim.verdict];
+        ++all.by_verdict[claim.verdict];
+    }
+    lines.push_back(all);
+    std::string text;
+    for (Counts& line : lines) {
+        const std::size_t hold = line.by_verdict[ClaimRecord::kHolds], fail = line.by_verdict[ClaimRecord::kFails],
+                          open = line.by_verdict[ClaimRecord::kCannotTell];
+        text += fmt::format("{:>4} judged: {:>3} hold, {:>3} do not, {:>3} cannot be told  {}\n", hold + fail + open,
+                            hold, fail, open, printable(line.source));
+    }
+    return text;
+}
+
+std::string changed_verdicts(const std::vector<ClaimRecord>& now, const std::vector<ClaimRecord>& before) {
+    std::string text;
+    for (const ClaimRecord& claim : now) {
+        const ClaimRecord* earlier = find_row(before, claim.id);
+        if (earlier != nullptr && earlier->verdict == claim.verdict) continue;
+        text += fmt::format("{} {}, before: {}\n", claim.id, claim.verdict,
+                            earlier == nullptr ? "not judged" : printable(earlier->verdict));
+    }
+    return text.empty() ? "no verdict has changed\n" : text;
 }
 
 }  // namespace aoscore

@@ -16,4 +16,11 @@ std::vector<ClaimRecord> judge_claims(const std::vector<ClaimList>& lists, const
 /// The verdict in a line: "H01 holds: … (Hussain, …, 2022, section 5.2)".
 std::string verdict_text(const ClaimRecord& claim);
 
+/// A table of how many claims hold, do not, and cannot be told: a line for each source and one for all.
+std::string verdict_table(const std::vector<ClaimRecord>& claims);
+
+/// A line for each claim that has another verdict than `before`, or none there: "V13 holds, before: does not
+/// hold"; one that says so where none has.
+std::string changed_verdicts(const std::vector<ClaimRecord>& now, const std::vector<ClaimRecord>& before);
+
 }  // namespace aoscore

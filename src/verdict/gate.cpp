@@ -5,6 +5,8 @@
 #include "core/text.h"
 #include "metrics/intervals/bootstrap.h"
 #include "metrics/metric.h"
+#include "metrics/signal_metric.h"
+#include "results/light_modes.h"
 
 #include <fmt/format.h>
 
@@ -29,6 +31,10 @@ constexpr std::array<std::pair<const char*, Gate::Relation>, 4> kRelations{{
 
 constexpr const char* kForm = "a metric, one of > >= < <=, a number: rmse>0.02";
 
+std::string light_id(const std::string& measure) {
+    return std::string(kLightPrefix) + measure;
+}
+
 const MeasuredMetric* find(const MetricMap& metrics, const std::string& id) {
     const auto found = metrics.find(id);
     return found != metrics.end() && found->second.value ? &found->second : nullptr;
@@ -39,11 +45,33 @@ const MeasuredMetric* find(const MetricMap& metrics, const std::string& id) {
 std::vector<std::string> limited_ids() {
     std::vector<std::string> ids = ids_of(metrics());
     for (const MaskArea& area : mask_areas()) ids.emplace_back(area.id);
+    for (const SignalMetric& metric : signal_metrics()) ids.emplace_back(metric.id);
+    for (const LightMode& mode : light_modes()) {
+        for (const std::string& id : mode.measures()) ids.push_back(light_id(id));
+    }
     return ids;
+}
+
+MetricMap limited_measures(const CellRecord& cell) {
+    MetricMap measures = limited_measures(cell.ranked, cell.analysis);
+    for (const auto& [signal, metrics] : cell.signals) {
+        for (const auto& [id, value] : metrics) measures[id] = value;
+    }
+    for (const auto& [id, measure] : cell.light) measures[light_id(id)] = {measure.value, ""};
+    return measures;
 }
 
 MetricMap limited_measures(const MetricMap& metrics, const std::optional<ErrorAnalysis>& analysis) {
     MetricMap measures = metrics;
+    for (const SignalMetric& metric : signal_metrics()) {
+        measures[std::string(metric.id)].note = fmt::format(
+            "it is measured by score --signals {}, of methods that give that signal", metric.signal);
+    }
+    for (const LightMode& mode : light_modes()) {
+        for (const std::string& id : mode.measures())
+            measures[light_id(id)].note =
+                "it is measured by score --environment, of methods with its signals";
+    }
     if (!analysis) return measures;
     for (const MaskArea& area : mask_areas()) measures[std::string(area.id)].value = area.value(*analysis);
     return measures;

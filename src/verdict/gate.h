@@ -8,10 +8,13 @@
 
 namespace aoscore {
 
-/// The ids of measures that can be limited: every metric, and the areas of missing and false occlusion
-/// (mask_areas()).
+/// The ids of measures that can be limited: every metric, the areas of missing and false occlusion
+/// (mask_areas()), every metric of a signal beside visibility, and the errors of light: "light.rmse.cone".
 std::vector<std::string> limited_ids();
-/// The values of these measures for one comparison; without an analysis the areas are missing.
+/// The values of these measures of a cell; those of signals and of light say why they are missing.
+MetricMap limited_measures(const CellRecord& cell);
+/// The same of a comparison of images, which have visibility alone; without an analysis the areas are
+/// missing.
 MetricMap limited_measures(const MetricMap& metrics, const std::optional<ErrorAnalysis>& analysis);
 
 /// A limit on a measure, written as the condition that trips it: "rmse>0.02", blanks allowed.

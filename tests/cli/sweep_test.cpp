@@ -2,11 +2,14 @@
 #include "core/files.h"
 #include "results/results.h"
 #include "results/sweep_rows.h"
+#include "screen/method/method.h"
 #include "support/support.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +18,7 @@
 namespace aoscore {
 namespace {
 
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using testing::output_dir;
 using testing::run_aoscore;
@@ -118,6 +122,43 @@ TEST(Sweep, DoesNotMixScenesThatAreRankedAtDifferentRadii) {
     EXPECT_THAT(read_file(folder / "out/index.html"), HasSubstr("different radii or sizes"));
 }
 
+std::string with_commas(const std::vector<std::string>& ids) {
+    return fmt::format("{}", fmt::join(ids, ","));
+}
+
+/// The methods of the registry that read several depths a texel, of the view's own camera or of others.
+std::vector<std::string> layered_methods() {
+    std::vector<std::string> ids;
+    for (const MethodDescriptor& method : load_methods()) {
+        if (method.depth_layers || method.side_layers) ids.push_back(method.id);
+    }
+    return ids;
+}
+
+TEST(EveryLayeredMethod, StandsBesideWhatOneLayerCannotKnow) {
+    const std::vector<std::string> methods = layered_methods();
+    ASSERT_GE(methods.size(), 6u);
+    const auto folder = output_dir();
+    for (const char* command : {"score", "sweep --vary preset=default"}) {
+        const auto run = run_aoscore(fmt::format("{} pillar --view main --methods {} --size 96x54 --samples 16 "
+                                                 "--out out --export numbers.csv",
+                                                 command, with_commas(methods)),
+                                     folder);
+        ASSERT_EQ(run.exit_code, 0) << run.err;
+        const Results results = read_results(folder / "out");
+        for (const std::string& id : methods) {
+            const auto cell = std::ranges::find(results.cells, id, &CellRecord::method);
+            ASSERT_NE(cell, results.cells.end()) << command << " " << id;
+            ASSERT_TRUE(cell->analysis && cell->analysis->found_beyond_layer) << command << " " << id;
+            EXPECT_GE(*cell->analysis->found_beyond_layer, 0) << id;
+            EXPECT_LE(*cell->analysis->found_beyond_layer, 1) << id;
+        }
+        EXPECT_THAT(read_file(folder / "out/index.html"), HasSubstr("Beyond one layer")) << command;
+        EXPECT_THAT(read_file(folder / "numbers.csv"), HasSubstr("found_beyond_layer")) << command;
+    }
+    EXPECT_THAT(read_file(folder / "out/sweep.csv"), HasSubstr(",found_beyond_layer,found_of_layers,"));
+}
+
 TEST(Claims, AreJudgedFromWhatWasMeasuredForThem) {
     const auto folder = output_dir();
     const auto run = run_aoscore("claims H14 H33 G37 --scale 0.1 --out out", folder);
@@ -132,6 +173,22 @@ TEST(Claims, AreJudgedFromWhatWasMeasuredForThem) {
     EXPECT_THAT(by_id["G37"].reason, HasSubstr("frames"));
     EXPECT_THAT(read_file(folder / "out/index.html"), HasSubstr("claim-H33"));
     EXPECT_EQ(run_aoscore("claims H99", folder).exit_code, 64);
+    EXPECT_THAT(run.out, HasSubstr("out/index.html\n"));
+    EXPECT_THAT(run.out, HasSubstr("   3 judged:"));
+    const auto again =
+        run_aoscore("claims H14 H33 G37 --scale 0.1 --out again --before out/results.json", folder);
+    EXPECT_THAT(again.out, HasSubstr("no verdict has changed"));
+    nlohmann::json earlier = nlohmann::json::parse(read_file(folder / "out/results.json"));
+    earlier["claims"][1]["verdict"] = "none";
+    earlier["claims"].erase(2);
+    write_atomically(folder / "earlier.json", earlier.dump());
+    const auto changed =
+        run_aoscore("claims H14 H33 G37 --scale 0.1 --out again --before earlier.json", folder);
+    const auto line = [](const ClaimRecord& claim, const char* before) {
+        return fmt::format("{} {}, before: {}\n", claim.id, claim.verdict, before);
+    };
+    EXPECT_THAT(changed.out, EndsWith(line(results.claims.at(1), "none") + line(results.claims.at(2), "not judged")));
+    EXPECT_EQ(run_aoscore("claims H14 --scale 0.1 --before missing.json", folder).exit_code, 4);
 }
 
 // One view at several radii is several pictures: none may take another's place.

@@ -115,6 +115,19 @@ TEST(Plan, SaysWhoseTimesCount) {
     EXPECT_EQ(run_aoscore("work plan.json --part 1 --node-kind farm", folder).exit_code, 0);
 }
 
+TEST(Plan, LeavesNoOptionOfAPartUnheeded) {
+    const fs::path folder = output_dir();
+    ASSERT_EQ(run_aoscore("plan --parts 1 --out plan.json " + kScore, folder).exit_code, 0);
+    for (const char* option : {"--seed 2", "--threads 1", "--threads=1", "--gl osmesa"}) {
+        const auto work = run_aoscore(std::string("work plan.json --part 1 ") + option, folder);
+        EXPECT_EQ(work.exit_code, 64) << option;
+        EXPECT_THAT(work.err, HasSubstr("plan the command with it")) << option;
+    }
+    const auto quiet = run_aoscore("work plan.json --part 1 --quiet", folder);
+    EXPECT_EQ(quiet.exit_code, 0);
+    EXPECT_EQ(quiet.err, "");
+}
+
 /// How often each cell's AO pass was timed and shown, by cell.
 std::map<std::string, std::vector<double>> times_in(const fs::path& folder) {
     std::map<std::string, std::vector<double>> times;

@@ -1,6 +1,7 @@
 #include "metrics/measures/power.h"
 
 #include "core/srgb.h"
+#include "metrics/measures/power_of_lanes.h"
 #include "metrics/measures/srgb_values.h"
 
 #include <gtest/gtest.h>
@@ -40,6 +41,17 @@ TEST(Raise, OfZeroIsZeroButForTheExponentZero) {
     values[3] = 0.5;
     raise(values, 0);
     EXPECT_EQ(values, std::vector<double>(9, 1.0));
+}
+
+TEST(Roots, AgreeWithTheLibraryToFourteenDigits) {
+    std::mt19937_64 random(2);
+    std::uniform_real_distribution<double> log2(-12, 0);
+    for (int i = 0; i < 100000; ++i) {
+        const double x = std::exp2(log2(random));
+        const auto wide = static_cast<long double>(x);
+        ASSERT_NEAR(cube_root(x) / static_cast<double>(cbrtl(wide)), 1, 1e-14) << x;
+        ASSERT_NEAR(to_the_2_4(x) / static_cast<double>(powl(wide, 2.4L)), 1, 1e-14) << x;
+    }
 }
 
 TEST(SrgbValues, FollowTheCurveOfOneValue) {

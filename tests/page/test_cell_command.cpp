@@ -1,3 +1,4 @@
+#include "image/image_file.h"
 #include "page/sections/cell_command.h"
 #include "results/results.h"
 #include "support/support.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 /// The command of a cell alone, held to what it is for: run, it measures the same numbers.
 namespace aoscore {
@@ -43,6 +45,24 @@ TEST(CellCommand, MeasuresTheCellsNumbersAlone) {
         EXPECT_EQ(alone.cells[0].parameters, cell.parameters) << command;
         for (const auto& [id, measured] : cell.ranked)
             EXPECT_EQ(alone.cells[0].ranked.at(id).value, measured.value) << id << ": " << command;
+    }
+}
+
+TEST(CellCommand, LightsTheCellAsTheRunDid) {
+    const fs::path folder = testing::output_dir();
+    const ImageF dim(8, 4, 0.5F), bright(8, 4, 2);
+    write_exr(folder / "light.exr", std::vector<ChannelView>{{"R", &bright}, {"G", &dim}, {"B", &dim}}, {});
+    for (const std::string light : {"sky", "light.exr --environment-turn 30"}) {
+        const std::string score =
+            "score sphere --view facing --methods gtao,alchemy --size 48x27 --samples 16 ";
+        ASSERT_EQ(testing::run_aoscore(score + "--environment " + light + " --out all", folder).exit_code, 0);
+        const Results all = read_results(folder / "all");
+        const std::string command = cell_command(all, all.views.front(), all.cells.front());
+        ASSERT_EQ(testing::run_aoscore(without_program(command) + " --out alone", folder).exit_code, 0);
+        const Results alone = read_results(folder / "alone");
+        ASSERT_TRUE(alone.views.front().light) << command;
+        EXPECT_EQ(alone.views.front().light->environment, all.views.front().light->environment) << command;
+        EXPECT_EQ(to_json(alone.cells.at(0)).at("light"), to_json(all.cells.front()).at("light")) << command;
     }
 }
 

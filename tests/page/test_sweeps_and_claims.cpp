@@ -36,6 +36,30 @@ TEST_F(SweepsAndClaims, TheFrontIsMadeWithinEachView) {
         EXPECT_THAT(view.at("answer").get<std::string>(), HasSubstr("Within 200 ms"));
 }
 
+TEST_F(SweepsAndClaims, ALineOfTheChartJoinsSettingsThatDifferByNumbersAlone) {
+    SweepRecord& sweep = results.sweeps[0];
+    const auto labels = [&] {
+        const auto view = section::sweeps(source()).at("sweeps").at(0).at("views").at(0);
+        std::set<std::string> all;
+        const nlohmann::json data = nlohmann::json::parse(view.at("data").get<std::string>());
+        for (const auto& curve : data.at("curves")) all.insert(curve.at("label"));
+        return all;
+    };
+    const std::set<std::string> methods = labels();
+    EXPECT_TRUE(methods.contains("Alchemy AO"));
+    for (SweepPointRecord& point : sweep.points) point.at["kernel"] = "box";
+    EXPECT_TRUE(labels().contains("Alchemy AO, box"));
+    EXPECT_EQ(labels().size(), methods.size());
+    for (std::size_t i = 0; i < sweep.points.size(); ++i) sweep.points[i].at["kernel"] = "word" + std::to_string(i);
+    EXPECT_GT(labels().size(), methods.size());
+    const std::vector<SweepPointRecord> some = sweep.points;
+    while (sweep.points.size() < 40) {
+        sweep.points.push_back(some[sweep.points.size() % some.size()]);
+        sweep.points.back().at["kernel"] = "further" + std::to_string(sweep.points.size());
+    }
+    EXPECT_EQ(labels(), methods) << "more curves than a reader can tell apart";
+}
+
 TEST_F(SweepsAndClaims, TheBudgetNamesWhatFitsIntoIt) {
     results.sweeps[0].budget_ms = 0.001;
     const auto view = section::sweeps(source()).at("sweeps").at(0).at("views").at(0);
@@ -85,6 +109,53 @@ TEST_F(SweepsAndClaims, PrintedTimesStandBesideThoseOfTheSameSettingAsPartsOfThe
     EXPECT_EQ(rows[0].at("layers_ms"), kNoNumber);
     EXPECT_EQ(rows[1].at("layers"), "1.00") << "the first that has one is itself";
     EXPECT_EQ(rows[1].at("found"), kNoNumber) << "not drawn again";
+}
+
+TEST_F(SweepsAndClaims, SettingsOverSeveralLayersStandBesideWhatOneLayerCannotKnow) {
+    const auto first_view = [&] { return section::sweeps(source()).at("sweeps").at(0).at("views").at(0); };
+    EXPECT_FALSE(first_view().at("has_findings").get<bool>()) << "no method reads layers";
+    EXPECT_EQ(first_view().at("finder"), "");
+    const std::string second = results.sweeps[0].points[1].cell_id;
+    for (CellRecord& cell : results.cells) {
+        cell.layer_bytes = 1e6;
+        cell.analysis->found_beyond_layer = cell.id == second ? 0.625 : 0.25;
+        Repeats& repeats = cell.repeats.emplace();
+        repeats.counts = {100};
+        repeats.variance = {1};  // 0.01 a pixel
+        repeats.of_layers.emplace().hidden = {10};
+        repeats.of_layers->found_fitted = {8};
+        repeats.of_truth.emplace().strength = 2;
+        repeats.of_truth->hidden = {10};
+        repeats.of_truth->found_fitted = {5};
+    }
+    const auto view = first_view();
+    ASSERT_TRUE(view.at("has_findings").get<bool>());
+    EXPECT_EQ(view.at("rows").at(0).at("beyond_layer"), "25.0");
+    EXPECT_EQ(view.at("rows").at(1).at("beyond_layer"), "62.5");
+    EXPECT_EQ(view.at("rows").at(0).at("found_of_layers"), "80.0");
+    EXPECT_EQ(view.at("rows").at(0).at("noise"), "0.2000") << "0.1 at twice the strength";
+    EXPECT_THAT(view.at("finder").get<std::string>(), HasSubstr("shows the most: 62.5 %"));
+}
+
+TEST_F(SweepsAndClaims, ASweepSaysOfEachConclusionOfItsSourceWhetherItHoldsAndByWhichNumbers) {
+    SweepRecord& sweep = results.sweeps[0];
+    std::vector<std::string> ids;
+    for (const ClaimRecord& claim : results.claims) ids.push_back(claim.id);
+    sweep.definition = {{"source", {{"author", "A"}, {"title", "T"}, {"year", 2020}}},
+                        {"hardware", "a card"},
+                        {"claims", ids},
+                        {"views", {nlohmann::json::object()}}};
+    const auto model = section::sweeps(source()).at("sweeps").at(0).at("source");
+    EXPECT_EQ(model.at("conclusion"), "of 3 claims, 1 holds, 1 does not hold and 1 cannot be told here");
+    ASSERT_EQ(model.at("claims").size(), ids.size());
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const auto& claim = model.at("claims").at(i);
+        EXPECT_EQ(claim.at("id"), ids[i]);
+        EXPECT_EQ(claim.at("verdict"), results.claims[i].verdict);
+        EXPECT_NE(claim.at("numbers"), "");
+    }
+    EXPECT_THAT(model.at("claims").at(0).at("numbers").get<std::string>(),
+                HasSubstr(": 1.25 ms (1.00 to 1.50), claimed above 0"));
 }
 
 TEST_F(SweepsAndClaims, VerdictsAreCountedBySourceAndOverall) {

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/folders.h"
+#include "screen/method/method.h"
 #include "support/support.h"
 
 #include <gmock/gmock.h>
@@ -11,6 +12,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <set>
+#include <utility>
 
 namespace aoscore {
 namespace {
@@ -120,6 +123,36 @@ TEST(Experiments, PlanTheClaimsThatTheyName) {
         const ExperimentPlan plan = plan_experiments({experiment.id}, 0.1);
         EXPECT_EQ(plan.claim_ids, definition.value("claims", std::vector<std::string>{})) << experiment.id;
         EXPECT_FALSE(plan.views.empty()) << experiment.id;
+    }
+}
+
+TEST(Experiments, HoldEveryLayeredMethodAgainstWhatOneLayerCannotKnow) {
+    const std::vector<MethodDescriptor> methods = load_methods();
+    std::size_t layered = 0;
+    for (const ExperimentDefinition& experiment : list_experiments()) {
+        const ExperimentPlan plan = plan_experiments({experiment.id}, 0.1);
+        for (const SweepPlan& sweep : plan.sweeps) {
+            for (const SweepPoint& point : sweep.points) {
+                const ViewPlan& view = plan.views.at(point.view_index);
+                const MethodDescriptor& method = find_method(methods, view.cells.at(point.cell_index).method);
+                if (!method.depth_layers && !method.side_layers) continue;
+                ++layered;
+                EXPECT_TRUE(view.extras.one_layer_bound) << experiment.id << " " << view.scene << " " << method.id;
+            }
+        }
+    }
+    EXPECT_GT(layered, 100u);
+}
+
+TEST(Experiments, TellEverySettingOfAViewFromTheOthers) {
+    for (const ExperimentDefinition& experiment : list_experiments()) {
+        for (const SweepPlan& sweep : plan_experiments({experiment.id}, 0.1).sweeps) {
+            std::set<std::pair<std::size_t, ParameterValues>> settings;
+            for (const SweepPoint& point : sweep.points) {
+                EXPECT_TRUE(settings.emplace(point.view_index, point.at).second)
+                    << experiment.id << ": " << point.at.at("method").text();
+            }
+        }
     }
 }
 

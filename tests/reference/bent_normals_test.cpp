@@ -1,18 +1,28 @@
 #include "core/sampling.h"
 #include "reference/test_scenes.h"
 #include "reference/truth.h"
+#include "support/support.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
 #include <numbers>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace aoscore {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kPi = std::numbers::pi, kDegree = 180 / kPi;
+
+std::string degrees(double angle_rad) {
+    return fmt::format("{:.2f}°", angle_rad * kDegree);
+}
 
 /// The expected signal of a scene's middle pixel, at the origin with its normal upward.
 struct Expected {
@@ -70,8 +80,31 @@ Scene floor_only() {
     return scene;
 }
 
-/// A cylinder's wall about the y axis, so tall that from the bottom its rim lies at this zenith angle.
-Scene pit(double rim_rad) {
+/// A scene whose signal is known at the origin, seen by an eye that looks there.
+struct ClosedForm {
+    std::string name;
+    Scene scene;
+    glm::dvec3 eye;
+    Expected expected;
+};
+
+ClosedForm open_plane() {
+    return {"open plane", floor_only(), {0.5, 3, 1}, {{0, 0.5, 0}, kPi / 2}};
+}
+
+/// The open quarter of the sphere: its mean direction lies at 45 degrees, sqrt(2)/2 long.
+ClosedForm endless_wall() {
+    Scene walled = floor_only();
+    testing::add(walled, testing::quad({-1e-3, 0, -4000}, {-1e-3, 4000, -4000}, {-1e-3, 4000, 4000},
+                                       {-1e-3, 0, 4000}));
+    return {"endless wall, a quarter of the sphere",
+            std::move(walled),
+            {0.5, 3, 1},
+            {{0.5, 0.5, 0}, kPi / 2 * (2 - std::numbers::sqrt2)}};
+}
+
+/// The bottom of a cylinder about the y axis, so tall that its rim lies at this zenith angle.
+ClosedForm pit(double rim_rad) {
     Scene scene = floor_only();
     constexpr int kSides = 256;
     const double height = 1 / std::tan(rim_rad);
@@ -81,57 +114,94 @@ Scene pit(double rim_rad) {
         const glm::dvec3 up(0, height, 0);
         testing::add(scene, testing::quad(from, to, to + up, from + up));
     }
-    return scene;
-}
-
-/// Tests each closed form at three scales.
-class BentNormalsAtScale : public ::testing::TestWithParam<double> {
-  protected:
-    /// Expects the signal in a view from above, a millionth of a radian wide.
-    void expect_seen(const Scene& scene, const glm::dvec3& eye, const Expected& expected) const {
-        const testing::Similarity by{.scale = GetParam()};
-        const Camera camera = testing::looking(eye, {0, 0, 0}, 1e-6);
-        expect_closed_form(moved(scene, by), moved(camera, by), expected);
-    }
-};
-
-TEST_P(BentNormalsAtScale, OfAnOpenPlaneAreHalfTheNormal) {
-    expect_seen(floor_only(), {0.5, 3, 1}, {{0, 0.5, 0}, kPi / 2});
-}
-
-TEST_P(BentNormalsAtScale, BeforeAnEndlessWallLeanAwayFromIt) {
-    // The open quarter of the sphere: its mean direction lies at 45 degrees, sqrt(2)/2 long.
-    Scene walled = floor_only();
-    testing::add(walled, testing::quad({-1e-3, 0, -4000}, {-1e-3, 4000, -4000}, {-1e-3, 4000, 4000},
-                                       {-1e-3, 0, 4000}));
-    expect_seen(walled, {0.5, 3, 1}, {{0.5, 0.5, 0}, kPi / 2 * (2 - std::numbers::sqrt2)});
-    EXPECT_NEAR(kPi / 2 * (2 - std::numbers::sqrt2) * 180 / kPi, 52.7, 0.05);
-}
-
-TEST_P(BentNormalsAtScale, AtTheBottomOfAPitAreAsLongAsItsRimIsNarrow) {
-    for (const double rim : {0.4, 0.8, 1.2}) {
-        expect_seen(pit(rim), {0.3, 3, 0.2},
-                    {{0, (1 + std::cos(rim)) / 2, 0}, kPi / 2 * (1 - std::cos(rim))});
-    }
+    return {"pit, rim at " + degrees(rim_rad),
+            std::move(scene),
+            {0.3, 3, 0.2},
+            {{0, (1 + std::cos(rim_rad)) / 2, 0}, kPi / 2 * (1 - std::cos(rim_rad))}};
 }
 
 /// A wall of finite height h at distance d, endless along z, takes the elevations below atan(h / d) in its
 /// own plane: its shadow ends at the plane through z and the wall's top. The open part is the lune between
 /// that plane and the floor on the other side, of angle t = pi - atan(h / d); its mean direction lies in
 /// its middle, sin(t/2)/t * pi/2 long.
-TEST_P(BentNormalsAtScale, BeforeAWallLieInTheMiddleOfTheLuneThatItLeaves) {
-    for (const double elevation : {0.3, 0.9}) {
-        Scene walled = floor_only();
-        const double h = std::tan(elevation);
-        testing::add(walled, testing::quad({-1, 0, -4e4}, {-1, h, -4e4}, {-1, h, 4e4}, {-1, 0, 4e4}));
-        const double lune = kPi - elevation, length = kPi / 2 * std::sin(lune / 2) / lune;
-        const Expected expected{length * glm::dvec3(std::cos(lune / 2), std::sin(lune / 2), 0),
-                                kPi / 2 * (1 - std::max(2 * length - 1, 0.0))};
-        expect_seen(walled, {0.5, 3, 1}, expected);
-    }
+ClosedForm wall(double elevation_rad) {
+    Scene walled = floor_only();
+    const double h = std::tan(elevation_rad);
+    testing::add(walled, testing::quad({-1, 0, -4e4}, {-1, h, -4e4}, {-1, h, 4e4}, {-1, 0, 4e4}));
+    const double lune = kPi - elevation_rad, length = kPi / 2 * std::sin(lune / 2) / lune;
+    return {"wall, top at " + degrees(elevation_rad),
+            std::move(walled),
+            {0.5, 3, 1},
+            {length * glm::dvec3(std::cos(lune / 2), std::sin(lune / 2), 0),
+             kPi / 2 * (1 - std::max(2 * length - 1, 0.0))}};
 }
 
-INSTANTIATE_TEST_SUITE_P(Scales, BentNormalsAtScale, ::testing::Values(1e-3, 1.0, 1e3));
+constexpr std::array kRims{0.4, 0.8, 1.2}, kElevations{0.3, 0.9, 1.4};
+constexpr std::array kScales{1e-3, 1.0, 1e3};
+
+/// A view of its origin from above, a millionth of a radian wide.
+Camera view_of(const ClosedForm& form) {
+    return testing::looking(form.eye, {0, 0, 0}, 1e-6);
+}
+
+/// Tests each closed form at three scales.
+class BentNormalsAtScale : public ::testing::TestWithParam<double> {
+  protected:
+    void expect_seen(const ClosedForm& form) const {
+        SCOPED_TRACE(form.name);
+        const testing::Similarity by{.scale = GetParam()};
+        expect_closed_form(moved(form.scene, by), moved(view_of(form), by), form.expected);
+    }
+};
+
+TEST_P(BentNormalsAtScale, OfAnOpenPlaneAreHalfTheNormal) {
+    expect_seen(open_plane());
+}
+
+TEST_P(BentNormalsAtScale, BeforeAnEndlessWallLeanAwayFromIt) {
+    expect_seen(endless_wall());
+    EXPECT_NEAR(endless_wall().expected.cone_rad * kDegree, 52.7, 0.05);
+}
+
+TEST_P(BentNormalsAtScale, AtTheBottomOfAPitAreAsLongAsItsRimIsNarrow) {
+    for (const double rim : kRims) expect_seen(pit(rim));
+}
+
+TEST_P(BentNormalsAtScale, BeforeAWallLieInTheMiddleOfTheLuneThatItLeaves) {
+    for (const double elevation : kElevations) expect_seen(wall(elevation));
+}
+
+INSTANTIATE_TEST_SUITE_P(Scales, BentNormalsAtScale, ::testing::ValuesIn(kScales));
+
+// Leaves cones.md: the means over a picture of 64 pixels with 1024 rays each, beside the closed forms.
+TEST(BentNormals, LeaveATableOfClosedFormsAtThreeScales) {
+    std::vector<ClosedForm> forms{open_plane(), endless_wall()};
+    for (const double rim : kRims) forms.push_back(pit(rim));
+    for (const double elevation : kElevations) forms.push_back(wall(elevation));
+    std::string table = "| scene | scale | length of n' | expected | cone | expected | standard error |\n"
+                        "|---|---|---|---|---|---|---|\n";
+    for (const ClosedForm& form : forms) {
+        for (const double scale : kScales) {
+            const testing::Similarity by{.scale = scale};
+            const Truth truth =
+                bent_truth(moved(form.scene, by), moved(view_of(form), by), INFINITY, 1024, 1);
+            double length = 0, cone = 0, squares = 0;
+            const auto pixels = static_cast<double>(truth.bent_normal.size());
+            for (std::size_t i = 0; i < truth.bent_normal.size(); ++i) {
+                length += double{glm::length(truth.bent_normal.pixels[i])} / pixels;
+                cone += double{truth.cone_angle_rad.pixels[i]} / pixels;
+                squares += std::pow(double{truth.cone_error_rad.pixels[i]}, 2) / pixels;
+            }
+            const double error = std::sqrt(squares / pixels);
+            EXPECT_NEAR(cone, form.expected.cone_rad, 5 * error + 1e-4) << form.name << ", scale " << scale;
+            table += fmt::format("| {} | {:g} | {:.4f} | {:.4f} | {} | {} | {} |\n", form.name, scale, length,
+                                 glm::length(form.expected.bent_normal), degrees(cone),
+                                 degrees(form.expected.cone_rad), degrees(error));
+        }
+    }
+    std::ofstream(testing::output_dir() / "cones.md") << table;
+    std::printf("%s", table.c_str());
+}
 
 TEST(BentNormals, OfClosedPixelsAreTheirNormalsAndSaidToBeUnknown) {
     Scene closed = floor_only();

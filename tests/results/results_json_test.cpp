@@ -108,6 +108,7 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     cell.layers_processor = {{3}, 3.0, 0.0};
     cell.repeats.emplace();
     cell.light["rmse.cone"] = {0.25, Interval{0.2, 0.3}};
+    cell.lit_file = "c-lit.exr";
     cell.frame_ms = 3.25;
     cell.fixed_pass = {{12.5}, 12.5, 0.0, {20}};
     cell.lighting = {{8}, 8.0, 0.0};
@@ -127,8 +128,8 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     const auto& [id, view_key, method, method_label, role, preset, setting, filter, parameters, lengths,
                  error, ao, filter_pass, layers_processor, fixed_pass, lighting, gbuffer, gbuffer_bytes,
                  layer_bytes, frame_ms, frame, frame_at_once, frame_by_pass, fetches_per_pixel, nonfinite,
-                 ranked_truth, own_truth, ranked, own, raw, signals, analysis, repeats, light, image_file] =
-        back;
+                 ranked_truth, own_truth, ranked, own, raw, signals, analysis, repeats, light, lit_file,
+                 image_file] = back;
     EXPECT_EQ(std::tie(id, view_key, method, method_label, role, preset, setting, filter, parameters, error),
               std::tie(cell.id, cell.view_key, cell.method, cell.method_label, cell.role, cell.preset,
                        cell.setting, cell.filter, cell.parameters, cell.error));
@@ -146,6 +147,7 @@ TEST(Results, ComeBackWithEveryMemberOfACell) {
     EXPECT_EQ(layers_processor.median_ms, 3.0);
     EXPECT_TRUE(repeats);
     EXPECT_EQ(light.at("rmse.cone").value, 0.25);
+    EXPECT_EQ(lit_file, "c-lit.exr");
     EXPECT_EQ(light.at("rmse.cone").interval->high, 0.3);
     EXPECT_EQ(frame_ms, 3.25);
     EXPECT_EQ(fetches_per_pixel, std::nullopt);

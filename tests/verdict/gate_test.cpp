@@ -3,10 +3,16 @@
 #include "core/error.h"
 #include "metrics/intervals/mask_areas.h"
 #include "metrics/metric.h"
+#include "metrics/signal_metric.h"
+#include "results/light_modes.h"
 #include "verdict/gates.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
 
 namespace aoscore {
 namespace {
@@ -50,6 +56,35 @@ TEST(Gate, TakesEveryRowOfTheTableAndTheAreas) {
     for (const Metric& row : metrics()) EXPECT_EQ(Gate::parse(std::string(row.id) + ">0.5").metric, row.id);
     for (const MaskArea& area : mask_areas())
         EXPECT_EQ(Gate::parse(std::string(area.id) + ">0.5").metric, area.id);
+}
+
+TEST(Gate, TakesEveryMetricOfASignalAndEveryErrorOfLight) {
+    CellRecord cell;
+    double next = 1;
+    std::vector<std::string> ids;
+    for (const SignalMetric& row : signal_metrics()) {
+        cell.signals[std::string(row.signal)][std::string(row.id)].value = ++next;
+        ids.emplace_back(row.id);
+    }
+    for (const LightMode& mode : light_modes()) {
+        for (const std::string& id : mode.measures()) {
+            cell.light[id].value = ++next;
+            ids.push_back("light." + id);
+        }
+    }
+    double value = 1;
+    for (const std::string& id : ids) {
+        const auto trips = [&](double limit) {
+            return Gate::parse(fmt::format("{}>{}", id, limit)).tripped_by(limited_measures(cell));
+        };
+        ++value;
+        EXPECT_TRUE(trips(value - 0.5)) << id;
+        EXPECT_FALSE(trips(value + 0.5)) << id;
+        const Gate gate = Gate::parse(id + ">0.5");
+        const MetricMap unmeasured = limited_measures(CellRecord());
+        EXPECT_TRUE(gate.tripped_by(unmeasured)) << id;
+        EXPECT_THAT(gate.explain(unmeasured), HasSubstr("it is measured by score --")) << id;
+    }
 }
 
 TEST(Gates, RefuseALimitBelowTheNoiseWhereTheRowSaysThatNoiseAdds) {

@@ -1,7 +1,7 @@
 #include "metrics/analysis/error_distribution.h"
 
 #include "metrics/intervals/block_grid.h"
-#include "metrics/measures/convolution.h"
+#include "metrics/measures/bands.h"
 #include "metrics/measures/mean_error.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "metrics/analysis/occlusion_masks.h"
 
 #include "core/threads.h"
-#include "metrics/measures/convolution.h"
+#include "metrics/measures/bands.h"
 #include "metrics/measures/mean_error.h"
 #include "metrics/measures/wide_lanes.h"
 

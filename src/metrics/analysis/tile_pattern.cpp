@@ -1,6 +1,6 @@
 #include "metrics/analysis/tile_pattern.h"
 
-#include "metrics/measures/convolution.h"
+#include "metrics/measures/bands.h"
 #include "metrics/measures/mean_error.h"
 #include "metrics/measures/wide_lanes.h"
 

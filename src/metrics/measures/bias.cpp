@@ -4,7 +4,7 @@
 namespace aoscore {
 
 MetricValue measure::bias(const MetricInput& input) {
-    const auto mean = mean_over_valid(input, [](double difference) { return difference; });
+    const std::optional<double> mean = mean_error(input);
     return mean ? defined(*mean) : undefined(kNoValidPixel);
 }
 

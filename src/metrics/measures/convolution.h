@@ -1,9 +1,13 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
-#include <span>
+#include "metrics/measures/wide_lanes.h"
 
+#include <array>
+#include <cstddef>
+
+// Sums of neighbouring values, each times its weight, with filters that are even or odd, so that the two
+// values at a distance need one multiplication. They are inlined into loops that are built for wide registers
+// (see wide_lanes.h); rounding is the same on every machine.
 namespace aoscore {
 
 /// One of several filters of the same values. `half` holds the weight of the middle value and those of the
@@ -14,17 +18,55 @@ struct HalfFilter {
     const double* half;
 };
 
-/// filter.sums[i] = the sum of from[k][i], each times its weight, for i in [0, count) and every filter.
-/// `from` holds 2 n + 1 pointers, and a filter n + 1 weights. Rounding is the same on every machine.
-void even_sums(std::span<const double* const> from, std::size_t count, HalfFilter even);
-void odd_and_even_sums(std::span<const double* const> from, std::size_t count, HalfFilter odd,
-                       HalfFilter even);
-void odd_and_even_sums(std::span<const double* const> from, std::size_t count, HalfFilter odd,
-                       const HalfFilter (&even)[3]);
+namespace lanes {
 
-/// Calls body(band, first_row, rows) for fixed bands of rows on all cores; returns how many bands there are
-/// for a height, so that sums of bands can be kept and added in order.
-std::size_t band_count(int height);
-void for_each_band(int height, const std::function<void(std::size_t band, int first_row, int rows)>& body);
+/// The sums of `kBlock` neighbouring Values, beginning with the value at `i`. They stay in registers, as all
+/// inner loops are unrolled.
+template <class Value, std::size_t kBlock, std::size_t kReach, std::size_t kOdd, std::size_t kEven, class Row>
+[[gnu::always_inline]] inline void sums_at(std::size_t i, const Row& row, const HalfFilter* odd,
+                                           const HalfFilter* even) {
+    constexpr std::size_t kWidth = sizeof(Value) / sizeof(double);
+    Value odd_sums[kOdd + 1][kBlock], even_sums[kEven][kBlock];
+#pragma GCC unroll 4
+    for (std::size_t b = 0; b < kBlock; ++b) {
+        Value value;
+        load(value, row(kReach) + i + b * kWidth);
+#pragma GCC unroll 4
+        for (std::size_t f = 0; f < kOdd; ++f) odd_sums[f][b] = Value{};
+#pragma GCC unroll 4
+        for (std::size_t f = 0; f < kEven; ++f) even_sums[f][b] = even[f].half[0] * value;
+    }
+    for (std::size_t k = 1; k <= kReach; ++k) {
+        const double *after = row(kReach + k) + i, *before = row(kReach - k) + i;
+#pragma GCC unroll 4
+        for (std::size_t b = 0; b < kBlock; ++b) {
+            Value one, other;
+            load(one, after + b * kWidth);
+            load(other, before + b * kWidth);
+            const Value difference = one - other, sum = one + other;
+#pragma GCC unroll 4
+            for (std::size_t f = 0; f < kOdd; ++f) odd_sums[f][b] += odd[f].half[k] * difference;
+#pragma GCC unroll 4
+            for (std::size_t f = 0; f < kEven; ++f) even_sums[f][b] += even[f].half[k] * sum;
+        }
+    }
+#pragma GCC unroll 4
+    for (std::size_t b = 0; b < kBlock; ++b) {
+#pragma GCC unroll 4
+        for (std::size_t f = 0; f < kOdd; ++f) store(odd[f].sums + i + b * kWidth, odd_sums[f][b]);
+#pragma GCC unroll 4
+        for (std::size_t f = 0; f < kEven; ++f) store(even[f].sums + i + b * kWidth, even_sums[f][b]);
+    }
+}
 
+template <std::size_t kBlock, std::size_t kReach, std::size_t kOdd, std::size_t kEven, class Row>
+[[gnu::always_inline]] inline void all_sums(std::size_t count, const Row& row, const HalfFilter* odd,
+                                            const HalfFilter* even) {
+    std::size_t i = 0;
+    for (; i + kBlock * kLanes <= count; i += kBlock * kLanes)
+        sums_at<Lanes, kBlock, kReach, kOdd, kEven>(i, row, odd, even);
+    for (; i < count; ++i) sums_at<double, 1, kReach, kOdd, kEven>(i, row, odd, even);
+}
+
+}  // namespace lanes
 }  // namespace aoscore

@@ -20,7 +20,7 @@ struct FinestSimilarity {
     SsimSums by_square;  ///< by similarity_squares()
 };
 
-/// Measures it, or takes it from `input.finest`, where an earlier metric has left it.
+/// Measures it, or takes it from `input.shared`, where an earlier metric has left it.
 FinestSimilarity finest_similarity(const MetricInput& input);
 
 }  // namespace aoscore

@@ -30,7 +30,7 @@ double sum_where(const std::uint8_t* valid, const double* map, std::size_t count
     for (; i + kLanes <= count; i += kLanes) {
         Lanes values;
         load(values, map + i);
-        clear_invalid(values, valid + i);
+        replace_invalid(values, valid + i);
         sums += values;
     }
     double sum = sum_of(sums);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 
 namespace aoscore {
@@ -14,11 +15,11 @@ namespace {
 constexpr double kExponent = 0.7;
 constexpr double kKnee = 0.4, kAtKnee = 0.95;
 
-/// CIELAB's L* of a luminance in [0,1]; `root` is its cube root.
+/// CIELAB's L* of a luminance in [0,1]; `root` is its cube root, which may be NaN for 0.
 [[gnu::always_inline]] inline double lightness(double luminance, double root) {
     constexpr double kDelta = 6.0 / 29;
     const double line = luminance * (1 / (3 * kDelta * kDelta)) + 4.0 / 29;
-    return 116 * (luminance > kDelta * kDelta * kDelta ? root : line) - 16;
+    return 116 * lanes::if_less(luminance, kDelta * kDelta * kDelta, line, root) - 16;
 }
 
 double lightness(double luminance) {
@@ -46,34 +47,78 @@ double largest_color_difference() {
     return std::pow(hyab, kExponent);
 }
 
-}  // namespace
+/// The curve of a raised difference: steep below the knee, flat beyond it, up to 1 at the largest.
+struct Curve {
+    double knee, knee_lightness;  ///< the knee, and the difference of L* that is raised to it
+    double below, log2_below;     ///< the slope below it
+    double above;                 ///< the slope beyond it
 
+    Curve() {
+        const double largest = largest_color_difference();
+        knee = kKnee * largest;
+        knee_lightness = std::pow(knee, 1 / kExponent);
+        below = kAtKnee / knee;
+        log2_below = std::log2(below);
+        above = (1 - kAtKnee) / (largest - knee);
+    }
+};
+
+[[gnu::always_inline]] inline double exponent_at(const SeenRow& a, const SeenRow& b, std::size_t i) {
+    const double feature = std::max(std::abs(a.edges[i] - b.edges[i]), std::abs(a.points[i] - b.points[i]));
+    return std::max(1 - std::sqrt(feature / std::numbers::sqrt2), 0.0);
+}
+
+[[gnu::always_inline]] inline double length(double x, double y) {
+    return std::sqrt(x * x + y * y);
+}
+
+/// FLIP of the pixels whose lightness differs by less than at the knee, where a product of powers needs one
+/// logarithm alone; whether there are others.
 AOSCORE_WIDER_WHERE_POSSIBLE
-void to_lightness(std::span<double> luminances) {
-    double* luminance = luminances.data();
-    for (std::size_t i = 0; i < luminances.size(); ++i) {
-        const double clamped = std::min(std::max(luminance[i], 0.0), 1.0);
-        luminance[i] = lightness(clamped, power(clamped, 1.0 / 3));
+bool find_small_differences(const Curve& curve, const SeenRow& truth, const SeenRow& test,
+                            double* differences, std::size_t count) {
+    const double knee = curve.knee_lightness, log2_below = curve.log2_below;
+    std::uint64_t others = 0;
+#pragma GCC ivdep  // No row overlaps another.
+    for (std::size_t i = 0; i < count; ++i) {
+        const double light = std::abs(truth.lightness[i] - test.lightness[i]);
+        others |= 1 - lanes::is_less(light, knee);
+        differences[i] =
+            power_by_log2(light, log2_below + kExponent * log2_of(light), exponent_at(truth, test, i));
+    }
+    return others != 0;
+}
+
+/// FLIP of the other pixels.
+AOSCORE_WIDER_WHERE_POSSIBLE
+void find_large_differences(const Curve& curve, const SeenRow& truth, const SeenRow& test,
+                            double* differences, std::size_t count) {
+    const double at_knee = curve.knee, knee = curve.knee_lightness, above = curve.above;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double light = std::abs(truth.lightness[i] - test.lightness[i]);
+        const double large = kAtKnee + (power(light, kExponent) - at_knee) * above;
+        const double raised = power(large, exponent_at(truth, test, i));
+        differences[i] = light < knee ? differences[i] : raised;
     }
 }
 
+}  // namespace
+
 AOSCORE_WIDER_WHERE_POSSIBLE
-void flip_differences(std::span<double> differences, const SeenRow& truth, const SeenRow& test) {
-    static const double largest = largest_color_difference();
-    const double knee = kKnee * largest;
-    const double below = kAtKnee / knee, above = (1 - kAtKnee) / (largest - knee);
-    double* difference = differences.data();
-    const double *light = truth.lightness, *other_light = test.lightness;
-    const double *edge = truth.edges, *other_edge = test.edges;
-    const double *point = truth.points, *other_point = test.points;
-    for (std::size_t i = 0; i < differences.size(); ++i) {
-        const double hyab = power(std::abs(light[i] - other_light[i]), kExponent);  // of grays
-        const double small = below * hyab, large = kAtKnee + (hyab - knee) * above;
-        const double feature =
-            std::max(std::abs(edge[i] - other_edge[i]), std::abs(point[i] - other_point[i]));
-        const double exponent = std::max(1 - std::sqrt(feature / std::numbers::sqrt2), 0.0);
-        difference[i] = power(hyab < knee ? small : large, exponent);
+void find_features(const ResponseRow& responses, const FeatureRow& features, std::size_t count) {
+#pragma GCC ivdep  // No row overlaps another.
+    for (std::size_t i = 0; i < count; ++i) {
+        const double luminance = std::min(std::max(responses.seen[i], 0.0), 1.0);
+        features.lightness[i] = lightness(luminance, cube_root(luminance));
+        features.edges[i] = length(responses.edge_x[i], responses.edge_y[i]);
+        features.points[i] = length(responses.point_x[i], responses.point_y[i]);
     }
+}
+
+void flip_differences(std::span<double> differences, const SeenRow& truth, const SeenRow& test) {
+    static const Curve curve;
+    if (find_small_differences(curve, truth, test, differences.data(), differences.size()))
+        find_large_differences(curve, truth, test, differences.data(), differences.size());
 }
 
 }  // namespace aoscore

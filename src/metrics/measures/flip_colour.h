@@ -2,13 +2,25 @@
 
 #include "metrics/measures/seen_image.h"
 
+#include <cstddef>
 #include <span>
 
 namespace aoscore {
 
-/// Replaces luminances, clamped to [0,1], by CIELAB's L*, 0 to 100. A gray stays gray under the paper's
-/// filters: both opponent channels are 0, and only luminance is left (its channel Yy is 116 Y - 16).
-void to_lightness(std::span<double> luminances);
+/// A row of responses to FLIP's filters: the luminances that the eye sees, and the derivatives in x and y.
+struct ResponseRow {
+    const double *seen, *edge_x, *edge_y, *point_x, *point_y;
+};
+
+/// A row of features to be filled.
+struct FeatureRow {
+    double *lightness, *edges, *points;
+};
+
+/// Finds the features of `count` pixels: CIELAB's L*, 0 to 100, of luminances, which are clamped to [0,1],
+/// and the lengths of the derivatives. A gray stays gray under the paper's filters: both opponent channels
+/// are 0, and only luminance is left (its channel Yy is 116 Y - 16).
+void find_features(const ResponseRow& responses, const FeatureRow& features, std::size_t count);
 
 /// FLIP of each pixel of a row, in [0,1]: the perceived difference of two grays, of which small ones are
 /// spread over most of the range and large ones compressed into the rest, raised to a power that comes nearer

@@ -73,6 +73,48 @@ const Kernels& kernels() {
     return all;
 }
 
+constexpr std::size_t kReach = FlipFilter::kMargin_px;
+
+/// A row filtered down in every way.
+struct DownRow {
+    double *contrast, *smooth, *edge, *point;
+};
+
+AOSCORE_WIDER_WHERE_POSSIBLE
+void filter_down(const std::array<const double*, FlipFilter::kRows>& rows, const DownRow& to,
+                 std::size_t count) {
+    const Kernels& k = kernels();
+    const HalfFilter odd{to.edge, k.edge.data()};
+    const HalfFilter even[] = {
+        {to.contrast, k.contrast.data()}, {to.smooth, k.smooth.data()}, {to.point, k.point.data()}};
+    lanes::all_sums<2, kReach, 1, 3>(
+        count, [&rows](std::size_t i) { return rows[i]; }, &odd, even);
+}
+
+// These filter across a row with its margins.
+
+AOSCORE_WIDER_WHERE_POSSIBLE
+void contrast_across(const double* row, double* to, std::size_t count) {
+    const HalfFilter contrast{to, kernels().contrast.data()};
+    const double* from = row + (kReach - kContrastReach_px);
+    lanes::all_sums<4, kContrastReach_px, 0, 1>(
+        count, [from](std::size_t i) { return from + i; }, nullptr, &contrast);
+}
+
+AOSCORE_WIDER_WHERE_POSSIBLE
+void smooth_across(const double* row, double* to, std::size_t count) {
+    const HalfFilter smooth{to, kernels().smooth.data()};
+    lanes::all_sums<4, kReach, 0, 1>(
+        count, [row](std::size_t i) { return row + i; }, nullptr, &smooth);
+}
+
+AOSCORE_WIDER_WHERE_POSSIBLE
+void derive_across(const double* row, double* edge, double* point, std::size_t count) {
+    const HalfFilter odd{edge, kernels().edge.data()}, even{point, kernels().point.data()};
+    lanes::all_sums<2, kReach, 1, 1>(
+        count, [row](std::size_t i) { return row + i; }, &odd, &even);
+}
+
 }  // namespace
 
 FlipFilter::FlipFilter(std::size_t width)
@@ -86,29 +128,16 @@ std::span<double> FlipFilter::push() {
     return {&kept_[pushed_++ % kRows * with_margins_], with_margins_};
 }
 
-template <std::size_t reach>
-std::array<const double*, 2 * reach + 1> FlipFilter::around(Down what) {
-    std::array<const double*, 2 * reach + 1> shifted{};
-    for (std::size_t k = 0; k < shifted.size(); ++k) shifted[k] = down(what) + kMargin_px - reach + k;
-    return shifted;
-}
-
 void FlipFilter::respond() {
     assert(pushed_ >= kRows);
-    const auto half = [](const HalfKernel& kernel) { return kernel.data(); };
-    const auto to = [this](Response response) { return (*this)[response].data(); };
-    const Kernels& k = kernels();
     std::array<const double*, kRows> rows{};
     for (std::size_t i = 0; i < kRows; ++i) rows[i] = row(pushed_ + i);
-    odd_and_even_sums(rows, with_margins_, {down(kEdge), half(k.edge)},
-                      {{down(kContrast), half(k.contrast)},
-                       {down(kSmooth), half(k.smooth)},
-                       {down(kPoint), half(k.point)}});
-    even_sums(around<kContrastReach_px>(kContrast), width_, {to(kSeen), half(k.contrast)});
-    odd_and_even_sums(around<kMargin_px>(kSmooth), width_, {to(kEdgeX), half(k.edge)},
-                      {to(kPointX), half(k.point)});
-    even_sums(around<kMargin_px>(kEdge), width_, {to(kEdgeY), half(k.smooth)});
-    even_sums(around<kMargin_px>(kPoint), width_, {to(kPointY), half(k.smooth)});
+    const auto response = [this](Response which) { return (*this)[which].data(); };
+    filter_down(rows, {down(kContrast), down(kSmooth), down(kEdge), down(kPoint)}, with_margins_);
+    contrast_across(down(kContrast), response(kSeen), width_);
+    derive_across(down(kSmooth), response(kEdgeX), response(kPointX), width_);
+    smooth_across(down(kEdge), response(kEdgeY), width_);
+    smooth_across(down(kPoint), response(kPointY), width_);
 }
 
 }  // namespace aoscore

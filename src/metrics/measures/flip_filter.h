@@ -45,10 +45,6 @@ class FlipFilter {
 
     const double* row(std::size_t pushed) const { return &kept_[pushed % kRows * with_margins_]; }
     double* down(Down what) { return &down_[what * with_margins_]; }
-    /// The row filtered down, shifted by up to `reach` pixels to both sides.
-    template <std::size_t reach>
-    std::array<const double*, 2 * reach + 1> around(Down what);
-
     std::size_t width_, with_margins_, pushed_ = 0;
     std::vector<double> kept_, down_, responses_;
 };

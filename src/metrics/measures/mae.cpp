@@ -1,12 +1,10 @@
 #include "metrics/measures.h"
 #include "metrics/measures/mean_error.h"
 
-#include <cmath>
-
 namespace aoscore {
 
 MetricValue measure::mae(const MetricInput& input) {
-    const auto mean = mean_over_valid(input, [](double difference) { return std::abs(difference); });
+    const std::optional<double> mean = mean_absolute_error(input);
     return mean ? defined(*mean) : undefined(kNoValidPixel);
 }
 

@@ -2,8 +2,6 @@
 
 #include "metrics/metric.h"
 
-#include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 
@@ -23,32 +21,27 @@ void require_one_size(const MetricInput& input);
 /// Whether any pixel counts. Throws sizes_differ unless all images have one size.
 bool has_valid_pixel(const MetricInput& input);
 
-/// A sum over valid pixels, and their number.
-struct PixelSum {
-    double sum = 0;
-    std::size_t count = 0;
-    /// The mean; empty without a pixel.
-    std::optional<double> mean() const;
-};
-/// Sums row(y) for every row of the image, on all cores; rows are added in order.
-PixelSum sum_of_rows(int height, const std::function<PixelSum(int y)>& row);
+/// Sums over valid pixels of test - truth.
+struct DifferenceSums {
+    double count = 0, signed_sum = 0, absolute = 0, squared = 0;
 
-/// Mean of term(test - truth) over the valid pixels; empty without any.
-template <class Term>
-std::optional<double> mean_over_valid(const MetricInput& input, Term term) {
-    require_one_size(input);
-    const auto row = [&](int y) {
-        PixelSum all;
-        const std::size_t first = input.valid.index(0, y);
-        for (std::size_t i = first; i < first + static_cast<std::size_t>(input.valid.width); ++i) {
-            if (input.valid.pixels[i] == 0) continue;
-            all.sum += term(double{input.test.pixels[i]} - double{input.truth.pixels[i]});
-            ++all.count;
-        }
-        return all;
-    };
-    return sum_of_rows(input.valid.height, row).mean();
-}
+    void add(const DifferenceSums& other) {
+        count += other.count;
+        signed_sum += other.signed_sum;
+        absolute += other.absolute;
+        squared += other.squared;
+    }
+};
+
+/// Adds the rows on all cores, and then the sums in order; or takes them from `input.shared`. Throws
+/// sizes_differ unless all images have one size.
+DifferenceSums difference_sums(const MetricInput& input);
+/// The same of values themselves, as if they differed from 0.
+DifferenceSums value_sums(const ImageF& values, const Mask& valid);
+
+/// Means over the valid pixels; empty without any. Throw sizes_differ.
+std::optional<double> mean_error(const MetricInput& input);
+std::optional<double> mean_absolute_error(const MetricInput& input);
 std::optional<double> mean_squared_error(const MetricInput& input);
 
 }  // namespace aoscore

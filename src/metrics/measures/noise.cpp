@@ -5,13 +5,9 @@
 namespace aoscore {
 
 std::optional<NoiseFloor> noise_floor(const ImageF& standard_error, const Mask& valid) {
-    // The squared standard error is a squared difference from 0.
-    const ImageF zero(standard_error.width, standard_error.height);
-    const MetricInput input{zero, standard_error, valid};
-    const std::optional<double> variance = mean_squared_error(input);
-    if (!variance) return std::nullopt;
-    const double mean = *mean_over_valid(input, [](double error) { return error; });
-    return NoiseFloor{mean, *variance};
+    const DifferenceSums sums = value_sums(standard_error, valid);
+    if (sums.count == 0) return std::nullopt;
+    return NoiseFloor{sums.signed_sum / sums.count, sums.squared / sums.count};
 }
 
 std::optional<double> mean_noise_variance(const MetricInput& input) {

@@ -1,6 +1,7 @@
 #include "metrics/measures/pixel_weights.h"
 
 #include "core/threads.h"
+#include "metrics/measures/image_area.h"
 #include "metrics/measures/wide_lanes.h"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ float weighted_mean(const float* above, const float* below, const double* upper,
 }  // namespace
 
 PixelWeights::PixelWeights(const Mask& valid) : width_(valid.width), height_(valid.height), mask_(&valid) {
-    all_one_ = std::ranges::find(valid.pixels, 0) == valid.pixels.end();
+    all_one_ = all_count(valid.pixels.data(), valid.size());
 }
 
 PixelWeights::PixelWeights(ImageF halved)
@@ -61,7 +62,9 @@ PixelWeights::PixelWeights(ImageF halved)
 }
 
 void PixelWeights::read_row(int x, int y, std::span<double> weights) const {
-    if (mask_ != nullptr) {
+    if (all_one_) {
+        std::ranges::fill(weights, 1.0);
+    } else if (mask_ != nullptr) {
         const std::uint8_t* row = &mask_->at(x, y);
         for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = row[i] != 0 ? 1 : 0;
     } else {

@@ -5,7 +5,7 @@
 #include "metrics/measures/wide_lanes.h"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -32,21 +32,21 @@ void read_valid(const std::uint8_t* valid, double* row, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) row[i] = valid[i] == 0 ? 0 : 1;
 }
 
-/// Reads values, clamped to [0,1].
+/// Reads values, clamped to [0,1], as luminances: as integers floats have the same order from 0 on, and
+/// negative ones are negative.
 AOSCORE_WIDER_WHERE_POSSIBLE
-void read_clamped(const float* values, double* row, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) row[i] = std::min(std::max(double{values[i]}, 0.0), 1.0);
+void read_luminances(const float* values, double* row, std::size_t count) {
+    constexpr std::int32_t kOne = std::bit_cast<std::int32_t>(1.0F);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::int32_t clamped = std::min(std::max(std::bit_cast<std::int32_t>(values[i]), 0), kOne);
+        row[i] = lanes::linear_from_srgb(double{std::bit_cast<float>(clamped)});
+    }
 }
 
 /// Replaces values of invalid pixels, which may be NaN, by 0.
 AOSCORE_WIDER_WHERE_POSSIBLE
 void clear_invalid(const std::uint8_t* valid, double* row, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) row[i] = valid[i] == 0 ? 0.0 : row[i];
-}
-
-AOSCORE_WIDER_WHERE_POSSIBLE
-void find_lengths(const double* x, const double* y, double* lengths, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) lengths[i] = std::sqrt(x[i] * x[i] + y[i] * y[i]);
 }
 
 /// Replaces invalid pixels, which were filtered as 0, by the value of the pixel itself: in a derivative they
@@ -82,7 +82,7 @@ bool ValidRows::has_invalid() const {
     const int bottom = std::min(area_.top + area_.height + kMargin_px, valid_.height);
     for (int y = top; y < bottom; ++y) {
         const std::uint8_t* row = &valid_.at(0, y);
-        if (std::find(row + left, row + right, 0) != row + right) return true;
+        if (!all_count(row + left, static_cast<std::size_t>(right - left))) return true;
     }
     return false;
 }
@@ -106,16 +106,18 @@ FilteredRows::FilteredRows(const ImageF& image, ValidRows& valid)
     : image_(image),
       valid_(valid),
       filter_(static_cast<std::size_t>(valid.area().width)),
-      edges_(static_cast<std::size_t>(valid.area().width)),
-      points_(edges_),
+      lightness_(static_cast<std::size_t>(valid.area().width)),
+      edges_(lightness_),
+      points_(lightness_),
       next_(valid.area().top) {}
 
 void FilteredRows::push(int y) {
+    const ImageArea& area = valid_.area();
+    fetch_ahead(image_, area.left - kMargin_px, area.left + area.width + kMargin_px, y + kRowsAhead);
     const float* values = &image_.at(0, y);
     const std::uint8_t* valid = &valid_.mask().at(0, y);
     fill_row(filter_.push(), valid_.area(), image_.width, [&](std::span<double> row, int x) {
-        read_clamped(values + x, row.data(), row.size());
-        take_srgb_off(row);
+        read_luminances(values + x, row.data(), row.size());
         if (!valid_.all_valid()) clear_invalid(valid + x, row.data(), row.size());
     });
 }
@@ -134,10 +136,10 @@ SeenRow FilteredRows::next() {
     filter_.respond();
     if (const FlipFilter* valid = valid_.responses(next_)) without_invalid(*valid);
     ++next_;
-    to_lightness(filter_[kSeen]);
-    find_lengths(filter_[kEdgeX].data(), filter_[kEdgeY].data(), edges_.data(), edges_.size());
-    find_lengths(filter_[kPointX].data(), filter_[kPointY].data(), points_.data(), points_.size());
-    return {filter_[kSeen].data(), edges_.data(), points_.data()};
+    const auto from = [this](FlipFilter::Response response) { return filter_[response].data(); };
+    find_features({from(kSeen), from(kEdgeX), from(kEdgeY), from(kPointX), from(kPointY)},
+                  {lightness_.data(), edges_.data(), points_.data()}, lightness_.size());
+    return {lightness_.data(), edges_.data(), points_.data()};
 }
 
 SeenRow StoredRows::next() {

@@ -58,7 +58,7 @@ class FilteredRows final : public SeenRows {
     const ImageF& image_;
     ValidRows& valid_;
     FlipFilter filter_;
-    std::vector<double> edges_, points_;
+    std::vector<double> lightness_, edges_, points_;
     int next_;
 };
 

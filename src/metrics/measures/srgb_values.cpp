@@ -1,6 +1,5 @@
 #include "metrics/measures/srgb_values.h"
 
-#include "metrics/measures/power_of_lanes.h"
 #include "metrics/measures/wide_lanes.h"
 
 #include <cstddef>
@@ -10,11 +9,7 @@ namespace aoscore {
 AOSCORE_WIDER_WHERE_POSSIBLE
 void take_srgb_off(std::span<double> values) {
     double* value = values.data();
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const double v = value[i];
-        const double line = v * (1 / 12.92), curve = power((v + 0.055) * (1 / 1.055), 2.4);
-        value[i] = v <= 0.04045 ? line : curve;
-    }
+    for (std::size_t i = 0; i < values.size(); ++i) value[i] = lanes::linear_from_srgb(value[i]);
 }
 
 AOSCORE_WIDER_WHERE_POSSIBLE

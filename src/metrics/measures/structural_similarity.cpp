@@ -83,13 +83,17 @@ class Side {
         return values_;
     }
 
-    /// `y` counts from the first row inside the border.
-    MomentRow moments(int y, const double* scales) {
-        if (image_.moments == nullptr) return moving_.row(scales);
-        return {&image_.moments->mean.at(left_, y), &image_.moments->variance.at(left_, y)};
+    /// Of two rows from `y` on, which counts from the first row inside the border.
+    MomentRows moments(int y, const RowPair& scales) {
+        if (image_.moments == nullptr) return moving_.rows(scales);
+        return {stored(y), stored(std::min(y + 1, image_.moments->mean.height - 1))};
     }
 
   private:
+    MomentRow stored(int y) const {
+        return {&image_.moments->mean.at(left_, y), &image_.moments->variance.at(left_, y)};
+    }
+
     const WindowedImage& image_;
     int left_;
     std::vector<double> values_;
@@ -117,17 +121,8 @@ class AreaSums {
     }
 
     std::vector<SsimSums> sums() {
-        constexpr int kBorders_px = 2 * kSsimBorder_px;
-        for (int y = area_.top; y < area_.top + area_.height + kBorders_px; ++y) {
-            push_row(y);
-            if (y < area_.top + kBorders_px) continue;
-            const double* scales = moving_weights_.scales();
-            const MomentRow truth = truth_.moments(y - kBorders_px, scales);
-            const MomentRow test = test_.moments(y - kBorders_px, scales);
-            find_indices(truth, test, products_.sums(), scales, indices_.ssim.data(),
-                         indices_.contrast_structure.data(), indices_.ssim.size());
-            add_row(y - kSsimBorder_px);
-        }
+        for_each_pair(
+            area_, [this](int y) { push_row(y); }, [this](int y) { add_pair(y); });
         return std::move(sums_);
     }
 
@@ -137,6 +132,18 @@ class AreaSums {
         const std::vector<double>&truths = truth_.push(y, weights), &tests = test_.push(y, weights);
         find_products(truths.data(), tests.data(), weights.data(), product_row_.data(), product_row_.size());
         products_.push(product_row_.data());
+    }
+
+    /// Adds the indices of two rows, or of the area's last one.
+    void add_pair(int y) {
+        const RowPair scales = moving_weights_.scales(), products = products_.sums();
+        const MomentRows truth = truth_.moments(y, scales), test = test_.moments(y, scales);
+        for (int i = 0; i < std::min(2, area_.top + area_.height - y); ++i) {
+            const auto row = static_cast<std::size_t>(i);
+            find_indices(truth[row], test[row], products[row], scales[row], indices_.ssim.data(),
+                         indices_.contrast_structure.data(), indices_.ssim.size());
+            add_row(y + i + kSsimBorder_px);
+        }
     }
 
     /// Adds the indices of row `y` of the image.

@@ -25,18 +25,33 @@ template <class Value>
 [[gnu::always_inline]] inline void load(Value& value, const double* from) {
     std::memcpy(&value, from, sizeof value);
 }
+/// Loads floats.
+[[gnu::always_inline]] inline void load(Lanes& values, const float* from) {
+    typedef float Floats __attribute__((vector_size(kLanes * sizeof(float))));
+    Floats floats;
+    std::memcpy(&floats, from, sizeof floats);
+    values = __builtin_convertvector(floats, Lanes);
+}
+[[gnu::always_inline]] inline void load(double& value, const float* from) {
+    value = double{*from};
+}
 template <class Value>
 [[gnu::always_inline]] inline void store(double* to, const Value& value) {
     std::memcpy(to, &value, sizeof value);
 }
 
-/// Sets the lanes of pixels that do not count, which may be NaN, to 0.
-[[gnu::always_inline]] inline void clear_invalid(Lanes& values, const std::uint8_t* valid) {
+/// Gives the lanes of pixels that do not count, which may be NaN, another value.
+[[gnu::always_inline]] inline void replace_invalid(Lanes& values, const std::uint8_t* valid,
+                                                   double other = 0) {
     typedef std::uint8_t Bytes __attribute__((vector_size(kLanes)));
     typedef std::int64_t Longs __attribute__((vector_size(kLanes * sizeof(std::int64_t))));
     Bytes bytes;
     std::memcpy(&bytes, valid, sizeof bytes);
-    values = __builtin_convertvector(bytes, Longs) != 0 ? values : Lanes{};
+    values = __builtin_convertvector(bytes, Longs) != 0 ? values : Lanes{} + other;
+}
+[[gnu::always_inline]] inline void replace_invalid(double& value, const std::uint8_t* valid,
+                                                   double other = 0) {
+    if (*valid == 0) value = other;
 }
 
 /// The lanes added in order.
@@ -44,6 +59,11 @@ template <class Value>
     double sum = 0;
     for (std::size_t lane = 0; lane < kLanes; ++lane) sum += lanes[lane];
     return sum;
+}
+
+/// Leaves their sizes alone.
+[[gnu::always_inline]] inline void take_sign_off(Lanes& lanes) {
+    lanes = lanes < 0 ? -lanes : lanes;
 }
 
 }  // namespace aoscore

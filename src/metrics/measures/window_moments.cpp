@@ -51,7 +51,7 @@ MovingWeights::MovingWeights(const PixelWeights& weights, const ImageArea& area)
       left_(area.left),
       filter_(with_borders(area)),
       row_(with_borders(area), 1.0),
-      scales_(static_cast<std::size_t>(area.width), 1.0) {}
+      scales_(2 * static_cast<std::size_t>(area.width), 1.0) {}
 
 const std::vector<double>& MovingWeights::push(int y) {
     if (weights_.all_one()) return row_;
@@ -60,9 +60,13 @@ const std::vector<double>& MovingWeights::push(int y) {
     return row_;
 }
 
-const double* MovingWeights::scales() {
-    if (!weights_.all_one()) find_scales(filter_.sums(), scales_.data(), scales_.size());
-    return scales_.data();
+RowPair MovingWeights::scales() {
+    const std::size_t width = scales_.size() / 2;
+    if (!weights_.all_one()) {
+        const RowPair sums = filter_.sums();
+        for (const std::size_t i : {0U, 1U}) find_scales(sums[i], &scales_[i * width], width);
+    }
+    return {scales_.data(), scales_.data() + width};
 }
 
 MovingMoments::MovingMoments(std::size_t width)
@@ -70,7 +74,7 @@ MovingMoments::MovingMoments(std::size_t width)
       squares_(width),
       terms_(width),
       squared_terms_(width),
-      mean_(width - 2 * kSsimBorder_px),
+      mean_(2 * (width - 2 * kSsimBorder_px)),
       variance_(mean_) {}
 
 void MovingMoments::push(const std::vector<double>& values, const std::vector<double>& weights) {
@@ -79,13 +83,21 @@ void MovingMoments::push(const std::vector<double>& values, const std::vector<do
     squares_.push(squared_terms_.data());
 }
 
-MomentRow MovingMoments::row(const double* scales) {
-    find_moments(values_.sums(), squares_.sums(), scales, mean_.data(), variance_.data(), mean_.size());
-    return {mean_.data(), variance_.data()};
+MomentRows MovingMoments::rows(const RowPair& scales) {
+    const RowPair sums = values_.sums(), squares = squares_.sums();
+    const std::size_t width = mean_.size() / 2;
+    MomentRows rows{};
+    for (const std::size_t i : {0U, 1U}) {
+        double *mean = &mean_[i * width], *variance = &variance_[i * width];
+        find_moments(sums[i], squares[i], scales[i], mean, variance, width);
+        rows[i] = {mean, variance};
+    }
+    return rows;
 }
 
 void read_counting(const ImageF& image, int x, int y, const std::vector<double>& weights,
                    std::vector<double>& values) {
+    fetch_ahead(image, x, x + static_cast<int>(values.size()), y + kRowsAhead);
     find_counting(&image.at(x, y), weights.data(), values.data(), values.size());
 }
 
@@ -99,15 +111,19 @@ WindowMoments window_moments(const ImageF& image, const PixelWeights& weights) {
         MovingWeights moving_weights(weights, area);
         MovingMoments moments(with_borders(area));
         std::vector<double> values(with_borders(area));
-        for (int y = area.top; y < area.top + area.height + kBorders_px; ++y) {
+        const auto push = [&](int y) {
             const std::vector<double>& row_weights = moving_weights.push(y);
             read_counting(image, area.left, y, row_weights, values);
             moments.push(values, row_weights);
-            if (y < area.top + kBorders_px) continue;
-            const MomentRow row = moments.row(moving_weights.scales());
-            std::copy_n(row.mean, area.width, &all.mean.at(area.left, y - kBorders_px));
-            std::copy_n(row.variance, area.width, &all.variance.at(area.left, y - kBorders_px));
-        }
+        };
+        for_each_pair(area, push, [&](int y) {
+            const MomentRows rows = moments.rows(moving_weights.scales());
+            for (int second = 0; second < std::min(2, area.top + area.height - y); ++second) {
+                const MomentRow& row = rows[static_cast<std::size_t>(second)];
+                std::copy_n(row.mean, area.width, &all.mean.at(area.left, y + second));
+                std::copy_n(row.variance, area.width, &all.variance.at(area.left, y + second));
+            }
+        });
     });
     return all;
 }

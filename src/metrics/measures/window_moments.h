@@ -5,6 +5,8 @@
 #include "metrics/measures/pixel_weights.h"
 #include "metrics/measures/window_filter.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -33,21 +35,24 @@ class MovingWeights {
 
     /// Pushes the weights of row `y`, which must be the one after the last.
     const std::vector<double>& push(int y);
-    /// The factors that make a mean of a weighted sum around the middle one of the last rows: 1 where all
+    /// The factors that make a mean of a weighted sum around the middle two of the last rows: 1 where all
     /// pixels count fully, and infinite where none counts.
-    const double* scales();
+    RowPair scales();
 
   private:
     const PixelWeights& weights_;
     int left_;
     WindowFilter filter_;
-    std::vector<double> row_, scales_;
+    std::vector<double> row_, scales_;  ///< scales of two rows
 };
 
 /// A row of WindowMoments.
 struct MomentRow {
     const double *mean, *variance;
 };
+
+/// Two of them that follow each other.
+using MomentRows = std::array<MomentRow, 2>;
 
 /// The moments under the windows of an area, row by row.
 class MovingMoments {
@@ -57,13 +62,30 @@ class MovingMoments {
 
     /// Pushes the next row: its values, 0 where they do not count, and their weights.
     void push(const std::vector<double>& values, const std::vector<double>& weights);
-    /// The moments around the middle one of the last rows pushed, by MovingWeights' scales.
-    MomentRow row(const double* scales);
+    /// The moments around the middle two of the last rows pushed, by MovingWeights' scales.
+    MomentRows rows(const RowPair& scales);
 
   private:
     WindowFilter values_, squares_;
-    std::vector<double> terms_, squared_terms_, mean_, variance_;
+    std::vector<double> terms_, squared_terms_;
+    std::vector<double> mean_, variance_;  ///< of two rows
 };
+
+/// Calls push(y) for every row that the windows of an area cover, and pair(y) for the first of every two rows
+/// with a window, counted from the first inside the border, as soon as the rows for both were pushed. Where
+/// the area has an odd number of rows, the last one is pushed twice, and the second row of the last pair
+/// means nothing.
+template <class Push, class Pair>
+void for_each_pair(const ImageArea& area, Push push, Pair pair) {
+    constexpr int kBorders_px = 2 * kSsimBorder_px;
+    const int end = area.top + area.height + kBorders_px;
+    for (int y = area.top; y < area.top + kBorders_px; ++y) push(y);
+    for (int y = area.top; y < area.top + area.height; y += 2) {
+        push(y + kBorders_px);
+        push(std::min(y + kBorders_px + 1, end - 1));
+        pair(y);
+    }
+}
 
 /// Reads the values of row `y` from `x` on, as many as there are weights; 0 where they do not count.
 void read_counting(const ImageF& image, int x, int y, const std::vector<double>& weights,

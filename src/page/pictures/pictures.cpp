@@ -2,9 +2,11 @@
 
 #include "core/error.h"
 #include "core/threads.h"
+#include "page/pictures/lit_picture.h"
 #include "page/pictures/signal_picture.h"
 #include "page/pictures/stored_images.h"
 #include "page/pictures/thumbnail.h"
+#include "results/light_modes.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,6 +15,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace aoscore {
@@ -125,6 +128,41 @@ ViewPictures view_pictures(const ViewRecord& view, const Truth& truth, const Enc
     return pictures;
 }
 
+/// The view's traced irradiance.
+struct TracedLight {
+    ColourPlanes colours;
+    ImageF luminance;
+    double white = 1;  ///< what lit pictures show as white
+};
+
+std::optional<TracedLight> read_light(const ViewRecord& view, const Mask& valid, const fs::path& folder) {
+    if (!view.light || view.light->file.empty()) return std::nullopt;
+    const fs::path path = stored_path(folder, view.light->file);
+    TracedLight light;
+    light.colours = colour_planes(read_image(path), path, {"R", "G", "B"});
+    require_size(light.colours[0], view, path);
+    light.luminance = luminance_of(light.colours);
+    // A pixel of a hundred is clipped, so that a few bright ones do not darken the picture.
+    if (const double bright = quantile(light.luminance, valid, 0.99); bright > 0) light.white = bright;
+    return light;
+}
+
+void add_lit(const CellRecord& cell, const ViewRecord& view, const Mask& valid, const TracedLight& light,
+             const fs::path& folder, CellPictures& pictures) {
+    if (cell.lit_file.empty()) return;
+    const fs::path path = stored_path(folder, cell.lit_file);
+    const ImageFile file = read_image(path);
+    for (const LightMode& mode : light_modes()) {
+        const std::string id(mode.id);
+        if (!cell.light.contains(mode.error())) continue;
+        const ColourPlanes colours = colour_planes(file, path, mode.channels());
+        require_size(colours[0], view, path);
+        pictures.lit[id] = lit_picture(colours, light.white, kThumbnailWidth_px);
+        pictures.lit_errors[id] =
+            lit_error_picture(colours, light.luminance, view.light->mean, valid, kThumbnailWidth_px);
+    }
+}
+
 /// Reads the view's G-buffer, where it was kept.
 void read_gbuffer(const ViewRecord& view, const Mask& valid, const fs::path& folder, const GBufferUse& use,
                   ViewPictures& pictures) {
@@ -187,6 +225,7 @@ Pictures make_pictures(const Results& results, const fs::path& folder, bool ever
     Pictures pictures;
     for (const ViewRecord& view : results.views) {
         const Truth truth = read_truth(view, folder);
+        const std::optional<TracedLight> light = read_light(view, truth.valid, folder);
         FirstLook look = first_look(view, truth.visibility, look_px);
         const CellRecord* const at_first = first_cell(results, view.key);
         ViewPictures& of_view = pictures.views[view.key];
@@ -194,6 +233,9 @@ Pictures make_pictures(const Results& results, const fs::path& folder, bool ever
         jobs.emplace_back([&] {
             of_view = view_pictures(view, truth, encoding, folder);
             read_gbuffer(view, truth.valid, folder, use, of_view);
+            if (!light) return;
+            of_view.irradiance = lit_picture(light->colours, light->white, kThumbnailWidth_px);
+            of_view.irradiance_white = light->white;
         });
         for (const CellRecord& cell : results.cells) {
             if (cell.view_key != view.key || !cell.error.empty()) continue;
@@ -203,6 +245,7 @@ Pictures make_pictures(const Results& results, const fs::path& folder, bool ever
                     if (&cell == at_first)
                         show_cell(look, cell, truth.visibility, output, truth.valid, look_px);
                 });
+                if (light) add_lit(cell, view, truth.valid, *light, folder, of_cell);
             });
         }
         parallel_for(jobs.size(), [&](std::size_t i) { jobs[i](); });

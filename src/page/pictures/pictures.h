@@ -37,14 +37,17 @@ struct ViewPictures {
     std::map<std::string, QuantisedImage> occlusion;
     Picture truth_thumbnail;
     std::map<std::string, Picture> signals;  ///< the truth's signals beside visibility, by id
+    Picture irradiance;                      ///< empty where nothing is lit by an environment
+    double irradiance_white = 0;             ///< irradiance over pi that lit pictures show as white
 };
 
 struct CellPictures {
     QuantisedImage output;
     QuantisedImage raw;  ///< the image before the filter; empty without one, and in large pages
     Picture output_thumbnail, raw_thumbnail;
-    std::map<std::string, Picture> signals;        ///< signals beside visibility, by id
-    std::map<std::string, Picture> signal_errors;  ///< where the truth's error is known
+    std::map<std::string, Picture> signals;          ///< signals beside visibility, by id
+    std::map<std::string, Picture> signal_errors;    ///< where the truth's error is known
+    std::map<std::string, Picture> lit, lit_errors;  ///< by the light mode
 };
 
 struct Pictures {

@@ -23,6 +23,7 @@ constexpr std::array<std::string_view, 5> kModeOptions = {"border", "normals", "
                                                           "guard-band"};
 constexpr std::string_view kSignalChange = "signal";
 constexpr std::string_view kUsualSeed = "1";
+constexpr const char* kSky = "sky";
 
 /// The text between two others of a command; empty where it lacks the first.
 std::string between(const std::string& command, std::string_view from, std::string_view to) {
@@ -81,6 +82,18 @@ std::string accuracy_options(const ViewRecord& view) {
     return view.max_error ? fmt::format("{} --error {}", samples, *view.max_error) : samples;
 }
 
+/// What lit the cell; nothing where its picture is named by a definition, which no command says.
+std::string environment_options(const Results& results, const ViewRecord& view, const CellRecord& cell) {
+    if (!view.light || cell.light.empty()) return {};
+    if (view.light->environment == kSky) return fmt::format(" --environment {}", kSky);
+    std::string options;
+    for (const char* option : {" --environment ", " --environment-turn "}) {
+        const std::string value = between(results.command + " ", option, " ");
+        if (!value.empty()) options += option + value;
+    }
+    return options;
+}
+
 bool keeps_own_lengths(const CellRecord& cell) {
     return std::ranges::any_of(cell.lengths, [](const LengthRecord& length) {
         return length.origin == std::string_view(LengthRecord::kOwn);
@@ -101,7 +114,7 @@ std::string cell_command(const Results& results, const ViewRecord& view, const C
     if (!folder.empty()) command += " --methods-dir " + folder;
     command += fmt::format(" --methods {} --preset {}", shell_quoted(cell.method), shell_quoted(cell.preset));
     if (keeps_own_lengths(cell)) command += " --own-parameters";
-    return command + addition_options(cell);
+    return command + addition_options(cell) + environment_options(results, view, cell);
 }
 
 std::string command_block(const Results& results) {

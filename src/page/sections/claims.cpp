@@ -1,16 +1,14 @@
-#include "core/counted.h"
 #include "metrics/roles.h"
 #include "page/document/number_text.h"
 #include "page/section.h"
+#include "page/sections/claim_texts.h"
 #include "results/ranked_value.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <string_view>
+#include <string>
 #include <vector>
 
 namespace aoscore {
@@ -18,46 +16,14 @@ namespace {
 
 using nlohmann::json;
 
-struct Verdict {
-    std::string_view id;
-    std::string_view style;  ///< class of its mark
-};
-constexpr std::array kVerdicts{Verdict{ClaimRecord::kHolds, "holds"}, Verdict{ClaimRecord::kFails, "fails"},
-                               Verdict{ClaimRecord::kCannotTell, "open"}};
-
-std::string style_of(const std::string& verdict) {
-    for (const Verdict& one : kVerdicts) {
-        if (one.id == verdict) return std::string(one.style);
-    }
-    return "open";
-}
-
-std::string with_unit(std::optional<double> value, const ClaimFinding& finding) {
-    return fixed_text(value, finding.decimals) + (finding.unit.empty() ? "" : " " + finding.unit);
-}
-
-std::string claimed_text(const ClaimFinding& finding) {
-    // A limit of -0, the mirror image of 0, is written as 0.
-    const auto text = [](double limit) { return short_text(limit == 0 ? 0.0 : limit); };
-    if (finding.claimed_low && finding.claimed_high)
-        return fmt::format("{} to {}", text(*finding.claimed_low), text(*finding.claimed_high));
-    if (finding.claimed_low) return "above " + text(*finding.claimed_low);
-    return finding.claimed_high ? "below " + text(*finding.claimed_high) : "";
-}
-
 json finding_model(const ClaimFinding& finding) {
-    std::string measured = with_unit(finding.value, finding);
-    if (finding.low && finding.high && *finding.low != *finding.high) {
-        measured += fmt::format(" ({} to {})", fixed_text(finding.low, finding.decimals),
-                                fixed_text(finding.high, finding.decimals));
-    }
     return {{"about", finding.about},
             {"has_about", !finding.about.empty()},
             {"what", finding.what},
-            {"measured", measured},
+            {"measured", measured_text(finding)},
             {"claimed", claimed_text(finding)},
             {"outcome", finding.outcome},
-            {"style", style_of(finding.outcome)}};
+            {"style", verdict_style(finding.outcome)}};
 }
 
 /// The errors against the truth of the cells that a claim was measured on.
@@ -86,7 +52,7 @@ json claim_model(const ClaimRecord& claim, const Results& results) {
                   {"place", claim.place},
                   {"claim", claim.claim},
                   {"verdict", claim.verdict},
-                  {"style", style_of(claim.verdict)},
+                  {"style", verdict_style(claim.verdict)},
                   {"parts", parts_text(claim)},
                   {"reason", claim.reason},
                   {"has_reason", !claim.reason.empty()},
@@ -104,10 +70,10 @@ json claim_model(const ClaimRecord& claim, const Results& results) {
 
 json counts(const std::map<std::string, std::size_t>& by_verdict, std::size_t total) {
     json list = json::array();
-    for (const Verdict& verdict : kVerdicts) {
-        const auto found = by_verdict.find(std::string(verdict.id));
-        list.push_back({{"verdict", std::string(verdict.id)},
-                        {"style", std::string(verdict.style)},
+    for (const std::string verdict : {ClaimRecord::kHolds, ClaimRecord::kFails, ClaimRecord::kCannotTell}) {
+        const auto found = by_verdict.find(verdict);
+        list.push_back({{"verdict", verdict},
+                        {"style", verdict_style(verdict)},
                         {"count", std::to_string(found == by_verdict.end() ? 0 : found->second)}});
     }
     list.push_back({{"verdict", "all"}, {"style", "all"}, {"count", std::to_string(total)}});
@@ -137,11 +103,10 @@ json section::claims(const PageSource& source) {
             {{"source", name}, {"counts", counts(by_verdict, claims.size())}, {"claims", claims}});
     }
     model["overall"] = counts(overall, source.results.claims.size());
-    model["in_short"] = fmt::format("Of {}, {}, {} and {} cannot be told here.",
-                                    counted(source.results.claims.size(), "claim", "claims"),
-                                    counted(overall[ClaimRecord::kHolds], "holds", "hold"),
-                                    counted(overall[ClaimRecord::kFails], "does not hold", "do not hold"),
-                                    overall[ClaimRecord::kCannotTell]);
+    std::string counted_text = verdict_counts_text(source.results.claims.size(), overall[ClaimRecord::kHolds],
+                                                   overall[ClaimRecord::kFails]);
+    counted_text.front() = 'O';
+    model["in_short"] = counted_text + ".";
     return model;
 }
 

@@ -1,6 +1,5 @@
 #include "page/sections/printed_times.h"
 
-#include "metrics/analysis/repeat_values.h"
 #include "metrics/intervals/median_interval.h"
 #include "page/document/number_text.h"
 #include "results/layer_times.h"
@@ -46,13 +45,6 @@ std::optional<double> number_of(const json& row, const char* key) {
     return found == row.end() ? std::nullopt : std::optional(found->get<double>());
 }
 
-/// The noise at the strength that is right against the truth where nothing is hidden.
-std::optional<double> noise_of(const std::optional<Repeats>& repeats) {
-    if (!repeats || !repeats->of_truth) return std::nullopt;
-    const std::optional<double> noise = noise_over_seeds(*repeats);
-    return noise ? std::optional(*noise * repeats->of_truth->strength) : std::nullopt;
-}
-
 std::optional<double> without_layers(const CellRecord& cell) {
     std::vector<double> runs_ms = runs_without_layers_ms(cell);
     return runs_ms.empty() ? std::nullopt : std::optional(median(std::move(runs_ms)));
@@ -85,7 +77,6 @@ json printed_times(const SweepRecord& sweep, const std::vector<const SweepRow*>&
     if (!sweep.definition.is_object() || rows.empty()) return model;
     const std::vector<PrintedRow> printed = printed_rows(sweep, rows);
     for (const PrintedRow& row : printed) {
-        const std::optional<Repeats>& repeats = row.measured->cell->repeats;
         model["rows"].push_back(
             {{"method", row.measured->cell->method_label},
              {"at", point_text(*row.measured->point)},
@@ -96,9 +87,9 @@ json printed_times(const SweepRecord& sweep, const std::vector<const SweepRow*>&
              {"layers", part_of_first(printed, row, &PrintedRow::layers_ms)},
              {"our_layers", part_of_first(printed, row, &PrintedRow::our_layers_ms)},
              {"error", fixed_text(row.measured->fitted_error, 4)},
-             {"found", fixed_text(repeats ? found_share(repeats->of_layers) : std::nullopt, 2)},
-             {"found_of_truth", fixed_text(repeats ? found_share(repeats->of_truth) : std::nullopt, 2)},
-             {"noise", fixed_text(noise_of(repeats), 4)}});
+             {"found", fixed_text(row.measured->found_of_layers, 2)},
+             {"found_of_truth", fixed_text(row.measured->found_of_truth, 2)},
+             {"noise", fixed_text(row.measured->noise, 4)}});
     }
     return model;
 }

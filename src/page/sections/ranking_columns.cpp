@@ -16,9 +16,9 @@ MeasuredMetric metric_of(const CellRecord& cell, const std::string& id) {
     return found == cell.ranked.end() ? MeasuredMetric{std::nullopt, "not measured"} : found->second;
 }
 
-/// Whether its method reads several layers of depth, which are timed apart.
+/// Whether its method reads several layers of depth. Results before schema 10 tell it by their times alone.
 bool reads_layers(const CellRecord& cell) {
-    return !cell.layers_processor.runs_ms.empty();
+    return cell.layer_bytes.has_value() || !cell.layers_processor.runs_ms.empty();
 }
 
 // What decides between methods stays longest: the error that ranks, its sign and the cost.

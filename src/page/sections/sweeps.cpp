@@ -1,9 +1,11 @@
 #include "core/counted.h"
+#include "core/known_names.h"
 #include "core/source_reference.h"
 #include "metrics/intervals/median_interval.h"
 #include "page/document/number_text.h"
 #include "page/document/page_template.h"
 #include "page/section.h"
+#include "page/sections/claim_texts.h"
 #include "page/sections/printed_times.h"
 #include "results/comparable_views.h"
 #include "results/sweep_rows.h"
@@ -26,14 +28,32 @@ json number(std::optional<double> value) {
     return value && std::isfinite(*value) ? json(*value) : json();
 }
 
+/// The method with its values on axes of words, such as a preset: between these there is nothing.
+std::string method_and_words(const SweepRow& row) {
+    std::string text = row.cell->method_label;
+    for (const auto& [axis, value] : row.point->at) {
+        if (axis != "method" && value.is_word()) text += ", " + value.word();
+    }
+    return text;
+}
+
+/// The rows that a chart joins by a line: those that differ by numbers, or, where these are too many curves,
+/// all of a method.
+std::map<std::string, Rows> curves_of(const Rows& rows) {
+    constexpr std::size_t kMostCurves = 8;
+    std::map<std::string, Rows> by_method, by_words;
+    for (const SweepRow* row : rows) {
+        if (!row->cost_ms || !row->error) continue;
+        by_method[row->cell->method_label].push_back(row);
+        by_words[method_and_words(*row)].push_back(row);
+    }
+    return by_words.size() <= kMostCurves ? by_words : by_method;
+}
+
 /// The points of one view for the script's charts: each method's settings by cost.
 json chart_data(const Rows& rows, std::optional<double> budget_ms) {
-    std::map<std::string, Rows> by_method;
-    for (const SweepRow* row : rows) {
-        if (row->cost_ms && row->error) by_method[row->cell->method_label].push_back(row);
-    }
     json curves = json::array();
-    for (auto& [label, points] : by_method) {
+    for (const auto& [label, points] : curves_of(rows)) {
         json list = json::array();
         for (const SweepRow* row : points) {
             list.push_back({{"at", point_text(*row->point)},
@@ -79,6 +99,9 @@ json row_model(const SweepRow& row, int decimals) {
             {"noisy", fixed_text(row.noisy_error, 4)},
             {"fitted", fixed_text(row.fitted_error, 4)},
             {"bias", fixed_text(row.bias, 4)},
+            {"beyond_layer", percent_text(row.beyond_layer, 1)},
+            {"found_of_layers", percent_text(row.found_of_layers, 1)},
+            {"noise", fixed_text(row.noise, 4)},
             {"front", row.on_front},
             {"within", row.within_budget.value_or(false)}};
 }
@@ -124,6 +147,11 @@ std::string setting(const SweepRow& row) {
     return fmt::format("{} ({})", row.cell->method_label, point_text(*row.point));
 }
 
+/// Whether it is known what the setting finds of that which one depth layer hides.
+bool has_finding(const SweepRow* row) {
+    return row->beyond_layer || row->found_of_layers;
+}
+
 /// The leading settings in a sentence or two.
 std::string answer(const Rows& rows, std::optional<double> budget_ms) {
     Rows front;
@@ -157,6 +185,14 @@ std::string answer(const Rows& rows, std::optional<double> budget_ms) {
     return text;
 }
 
+/// Which setting shows the most of what one depth layer cannot know; empty where that is not known of any.
+std::string finder_text(const Rows& rows) {
+    const auto most = std::ranges::max_element(rows, {}, &SweepRow::beyond_layer);
+    if (most == rows.end() || !(*most)->beyond_layer) return {};
+    return fmt::format("Of the occlusion that one depth layer cannot know, {} shows the most: {} %.",
+                       setting(**most), percent_text((*most)->beyond_layer, 1));
+}
+
 std::optional<double> median_fixed_pass(const Rows& rows) {
     std::vector<double> all;
     for (const SweepRow* row : rows) {
@@ -179,8 +215,11 @@ json rows_model(const Rows& rows, const SweepRecord& sweep) {
     model["has_frames"] = !model["frames"].empty();
     const bool has_layers =
         std::ranges::any_of(rows, [](const SweepRow* row) { return row->cell->layer_bytes.has_value(); });
+    const bool has_findings = has_layers && std::ranges::any_of(rows, has_finding);
+    model["finder"] = has_findings ? finder_text(rows) : "";
     model["has_layers"] = has_layers;
-    model["columns"] = has_layers ? "9" : "8";  // beside method and setting
+    model["has_findings"] = has_findings;
+    model["columns"] = std::to_string(8 + (has_layers ? 1 : 0) + (has_findings ? 3 : 0));  // beside method and setting
     return model;
 }
 
@@ -239,17 +278,34 @@ json stated_models(const json& definition) {
     return list;
 }
 
-json source_model(const json& definition) {
+/// What becomes of the claims that a definition names: a sentence on all, and one on each.
+void add_conclusions(json& model, const json& ids, const std::vector<ClaimRecord>& records) {
+    std::size_t hold = 0, fail = 0;
+    model["claims"] = json::array();
+    for (const json& id : ids) {
+        const ClaimRecord* claim = find_row(records, id.get<std::string>());
+        if (claim == nullptr) continue;
+        hold += claim->verdict == ClaimRecord::kHolds ? 1 : 0;
+        fail += claim->verdict == ClaimRecord::kFails ? 1 : 0;
+        model["claims"].push_back({{"id", claim->id},
+                                   {"claim", claim->claim},
+                                   {"verdict", claim->verdict},
+                                   {"style", verdict_style(claim->verdict)},
+                                   {"numbers", deciding_text(*claim)}});
+    }
+    model["has_claims"] = !model["claims"].empty();
+    model["conclusion"] = verdict_counts_text(model["claims"].size(), hold, fail);
+}
+
+json source_model(const json& definition, const Results& results) {
     if (!definition.is_object()) return false;
     json model = {
         {"text", source_reference(StrictObject(definition.at("source"), "results.json: sweeps: source"))},
         {"hardware", definition.at("hardware").get<std::string>()},
         {"stated", stated_models(definition)},
-        {"notes", definition.value("notes", json::array())},
-        {"claims", json::array()}};
-    for (const json& id : definition.value("claims", json::array())) model["claims"].push_back({{"id", id}});
+        {"notes", definition.value("notes", json::array())}};
+    add_conclusions(model, definition.value("claims", json::array()), results.claims);
     model["has_stated"] = !model["stated"].empty();
-    model["has_claims"] = !model["claims"].empty();
     return model;
 }
 
@@ -280,7 +336,7 @@ json sweep_model(const Results& results, const SweepRecord& sweep) {
     json model = {{"title", sweep.title},
                   {"has_notes", !notes.empty()},
                   {"notes", notes},
-                  {"source", source_model(sweep.definition)},
+                  {"source", source_model(sweep.definition, results)},
                   {"count", std::to_string(rows.size())},
                   {"confidence", percent_text(sweep.timing_confidence, 0)},
                   {"axes", fmt::format("{}", fmt::join(sweep.axes, ", "))},

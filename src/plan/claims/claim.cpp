@@ -377,7 +377,7 @@ void plan_quantity(ExperimentPlan& plan, const ClaimList& list, const ClaimCheck
             asked.timed = needs.timed();
             asked.whole_frames = needs.whole_frames;
             asked.repeats = needs.repeats;
-            asked.lit_by_sky = needs.lit_by_sky;
+            asked.lit_by_environment = needs.lit_by_environment;
             shared_cell(plan.views[index], std::move(asked));
         }
     }

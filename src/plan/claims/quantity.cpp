@@ -27,7 +27,7 @@ constexpr QuantityNeeds kConverged{.repeats = true, .converged = true};
 constexpr QuantityNeeds kRepeats{.repeats = true, .causes = true};
 constexpr QuantityNeeds kBentWhereHidden{.repeats = true, .causes = true, .signal = "bent_normal"};
 constexpr QuantityNeeds kConeWhereHidden{.repeats = true, .causes = true, .signal = "cone_angle"};
-constexpr QuantityNeeds kLit{.lit_by_sky = true, .signal = "cone_angle"};
+constexpr QuantityNeeds kLit{.lit_by_environment = true, .signal = "cone_angle"};
 constexpr QuantityNeeds kOfBlocks{.regional = true};
 
 std::optional<double> value_of(const MetricMap& metrics, const char* id) {

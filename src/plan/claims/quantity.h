@@ -34,15 +34,15 @@ Measured combined(const std::vector<Measured>& of,
 
 /// What a cell must be measured for beside its score and its fetches.
 struct QuantityNeeds {
-    bool times = false;         ///< the times of its passes
-    bool lighting = false;      ///< and that of the lighting pass of its view
-    bool whole_frames = false;  ///< and times of whole frames, which are lit
-    bool repeats = false;       ///< drawn again with other seeds
-    bool causes = false;        ///< and held against the truth's causes
-    bool converged = false;     ///< and against its own converged picture
-    bool lit_by_sky = false;    ///< its light held against ray-traced irradiance
-    bool regional = false;      ///< it may be measured over a part of the picture
-    std::string_view signal{};  ///< a signal beside visibility; empty: none
+    bool times = false;               ///< the times of its passes
+    bool lighting = false;            ///< and that of the lighting pass of its view
+    bool whole_frames = false;        ///< and times of whole frames, which are lit
+    bool repeats = false;             ///< drawn again with other seeds
+    bool causes = false;              ///< and held against the truth's causes
+    bool converged = false;           ///< and against its own converged picture
+    bool lit_by_environment = false;  ///< its light held against ray-traced irradiance
+    bool regional = false;            ///< it may be measured over a part of the picture
+    std::string_view signal{};        ///< a signal beside visibility; empty: none
 
     bool lit() const { return lighting || whole_frames; }
     bool timed() const { return times || lit(); }

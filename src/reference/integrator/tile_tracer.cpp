@@ -3,9 +3,11 @@
 #include "reference/estimate/falloff.h"
 #include "reference/integrator/tile.h"
 #include "reference/integrator/vectorise.h"
+#include "reference/tracer/transpose.h"
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 #include <limits>
 
 namespace aoscore {
@@ -30,21 +32,32 @@ struct Origins {
     const float* z;
 };
 
-/// A packet of `rays`, and whose they are.
+/// Fills a packet with `rays`; their owners become its ids.
 AOSCORE_VECTORISE
-void fill(RayPacket& packet, const DirectedRay* __restrict rays, const Origins& origins, float reach_m,
-          std::uint32_t* __restrict owner) {
+void fill(RayPacket& packet, const DirectedRay* __restrict rays, const Origins& origins, float reach_m) {
     const float* __restrict from_x = origins.x, * __restrict from_y = origins.y, * __restrict from_z = origins.z;
-    for (std::size_t lane = 0; lane < kPacket; ++lane) {
-        packet.direction_x[lane] = rays[lane].x;
-        packet.direction_y[lane] = rays[lane].y;
-        packet.direction_z[lane] = rays[lane].z;
-        owner[lane] = rays[lane].owner;
-        packet.reach_m[lane] = reach_m;
+    for (std::size_t lane = 0; lane < kPacket; lane += 4) {
+        FourWords x = four_words(rays + lane), y = four_words(rays + lane + 1), z = four_words(rays + lane + 2),
+                  whose = four_words(rays + lane + 3);
+        transpose(x, y, z, whose);
+        std::memcpy(packet.direction_x + lane, &x, sizeof x);
+        std::memcpy(packet.direction_y + lane, &y, sizeof y);
+        std::memcpy(packet.direction_z + lane, &z, sizeof z);
+        std::memcpy(packet.id + lane, &whose, sizeof whose);
     }
+    const std::uint32_t* owner = packet.id;
+    for (std::size_t lane = 0; lane < kPacket; ++lane) packet.reach_m[lane] = reach_m;
     for (std::size_t lane = 0; lane < kPacket; ++lane) packet.origin_x[lane] = from_x[owner[lane]];
     for (std::size_t lane = 0; lane < kPacket; ++lane) packet.origin_y[lane] = from_y[owner[lane]];
     for (std::size_t lane = 0; lane < kPacket; ++lane) packet.origin_z[lane] = from_z[owner[lane]];
+}
+
+/// A bit for every lane whose ray was found blocked.
+inline std::uint32_t blocked_lanes(const RayPacket& packet) {
+    std::uint32_t bits = 0;
+    for (std::size_t lane = 0; lane < kPacket; ++lane)
+        bits |= (std::bit_cast<std::uint32_t>(packet.reach_m[lane]) >> 31) << lane;
+    return bits;
 }
 
 /// A bit for every lane below `count`.
@@ -171,35 +184,40 @@ void TileTracer::trace_after_large_triangles() {
 template <class Report>
 void TileTracer::ask(const Occluders& occluders, const DirectedRay* rays, std::size_t count, Lanes reported,
                      const Report& report) const {
-    RayPacket packet;
+    // Two in turns: to read at once what has just been written would wait for it.
+    RayPacket packets[2];
     const Origins origins{origin_x_.data(), origin_y_.data(), origin_z_.data()};
-    alignas(64) std::uint32_t owner[kPacket];
     const std::uint32_t flip = reported == Lanes::open ? ~0u : 0u;
-    for (std::size_t first = 0; first < count; first += kPacket) {
-        const std::size_t lanes = std::min(kPacket, count - first);
-        fill(packet, rays + first, origins, reach_m_, owner);
-        std::uint32_t left = (occluders.occluded(packet, lanes) ^ flip) & lanes_below(lanes);
+    const auto report_packet = [&](std::size_t first) {
+        std::uint32_t left = (blocked_lanes(packets[first / kPacket % 2]) ^ flip) &
+                             lanes_below(std::min(kPacket, count - first));
         for (; left != 0; left &= left - 1)
             report(rays[first + static_cast<std::size_t>(std::countr_zero(left))]);
+    };
+    for (std::size_t first = 0; first < count; first += kPacket) {
+        RayPacket& packet = packets[first / kPacket % 2];
+        fill(packet, rays + first, origins, reach_m_);
+        occluders.mark_blocked(packet, std::min(kPacket, count - first));
+        if (first > 0) report_packet(first - kPacket);
     }
+    if (count > 0) report_packet((count - 1) / kPacket * kPacket);
 }
 
 void TileTracer::trace_distance() {
     RayPacket packet;
     HitPacket hits;
     const Origins origins{origin_x_.data(), origin_y_.data(), origin_z_.data()};
-    alignas(64) std::uint32_t owner[kPacket];
     for (std::size_t first = 0; first < batch_.size(); first += kPacket) {
         const std::size_t count = std::min(kPacket, batch_.size() - first);
-        fill(packet, batch_.sorted() + first, origins, reach_m_, owner);
+        fill(packet, batch_.sorted() + first, origins, reach_m_);
         const std::uint32_t hit = scene_.nearest(packet, count, hits);
         for (std::size_t lane = 0; observer_ != nullptr && lane < count; ++lane)
-            tell_observer(packet, hits, lane, (hit >> lane & 1u) != 0, owner[lane]);
+            tell_observer(packet, hits, lane, (hit >> lane & 1u) != 0, packet.id[lane]);
         for (std::uint32_t left = hit; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
             const double t = hits.distance_m[lane];
             for (std::size_t q = 0; q < queries_.size(); ++q) {
-                sums_[q * blocked_.size() + owner[lane]] += occlusion_at(queries_[q], t);
+                sums_[q * blocked_.size() + packet.id[lane]] += occlusion_at(queries_[q], t);
             }
         }
     }

@@ -2,12 +2,14 @@
 
 #include "core/sampling.h"
 #include "reference/integrator/vectorise.h"
+#include "reference/tracer/transpose.h"
 #include "reference/truth.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace aoscore {
 namespace {
@@ -49,6 +51,24 @@ struct PointRange {
     unsigned block_bits;             ///< log2 of the samples in a block
 };
 
+/// Writes `count` rays one after the other.
+[[gnu::always_inline]] inline void store_rays(const float* x, const float* y, const float* z,
+                                              const std::uint32_t* owner, std::size_t count, DirectedRay* rays) {
+    std::size_t i = 0;
+    for (; i + 4 <= count; i += 4) {
+        FourWords a = four_words(x + i), b = four_words(y + i), c = four_words(z + i), d = four_words(owner + i);
+        transpose(a, b, c, d);
+        std::memcpy(rays + i, &a, sizeof a);
+        std::memcpy(rays + i + 1, &b, sizeof b);
+        std::memcpy(rays + i + 2, &c, sizeof c);
+        std::memcpy(rays + i + 3, &d, sizeof d);
+    }
+    for (; i < count; ++i) rays[i] = {x[i], y[i], z[i], owner[i]};
+}
+
+/// Directions that are made before they are stored ray by ray: the stores are shuffles of what is still at hand.
+constexpr std::size_t kPiece = 64;
+
 template <auto direction_of>
 [[gnu::always_inline]] inline void make_by(const PointRange& points, const glm::mat3& frame,
                                            DirectedRay* __restrict rays, std::uint16_t* __restrict cell) {
@@ -57,16 +77,20 @@ template <auto direction_of>
     const std::uint32_t shift_u = points.shift_u, shift_v = points.shift_v;
     const std::uint32_t owner = points.owner, first = points.first;
     const unsigned block_bits = points.block_bits;
-    for (std::size_t i = 0; i < points.count; ++i) {
-        const glm::vec3 d = direction_of(unit_interval(u[i] ^ shift_u), unit_interval(v[i] ^ shift_v));
-        const float x = s.x * d.x + t.x * d.y + n.x * d.z;
-        const float y = s.y * d.x + t.y * d.y + n.y * d.z;
-        const float z = s.z * d.x + t.z * d.y + n.z * d.z;
-        rays[i].x = x;
-        rays[i].y = y;
-        rays[i].z = z;
-        rays[i].owner = owner + ((first + static_cast<std::uint32_t>(i)) >> block_bits);
-        cell[i] = direction_cell(x, y, z);
+    alignas(64) float x[kPiece], y[kPiece], z[kPiece];
+    alignas(64) std::uint32_t owners[kPiece];
+    for (std::size_t begin = 0; begin < points.count; begin += kPiece) {
+        const std::size_t count = std::min(kPiece, points.count - begin);
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t i = begin + k;
+            const glm::vec3 d = direction_of(unit_interval(u[i] ^ shift_u), unit_interval(v[i] ^ shift_v));
+            x[k] = s.x * d.x + t.x * d.y + n.x * d.z;
+            y[k] = s.y * d.x + t.y * d.y + n.y * d.z;
+            z[k] = s.z * d.x + t.z * d.y + n.z * d.z;
+            owners[k] = owner + ((first + static_cast<std::uint32_t>(i)) >> block_bits);
+            cell[i] = direction_cell(x[k], y[k], z[k]);
+        }
+        store_rays(x, y, z, owners, count, rays + begin);
     }
 }
 

@@ -2,18 +2,28 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace aoscore {
 
 /// Rays in one packet.
 inline constexpr std::size_t kPacket = 16;
 
-/// Rays of trace space whose directions are unit: distances are metres.
+/// Rays of trace space whose directions are unit: distances are metres. In the very order that Embree takes, so that
+/// no ray is copied: members that have a value from the start keep it.
 struct alignas(64) RayPacket {
     float origin_x[kPacket], origin_y[kPacket], origin_z[kPacket];
+    float from_m[kPacket] = {};  ///< where the rays begin
     float direction_x[kPacket], direction_y[kPacket], direction_z[kPacket];
+    float time[kPacket] = {};
     float reach_m[kPacket];
+    std::uint32_t mask[kPacket];  ///< of the geometries to be met, all from the start
+    std::uint32_t id[kPacket];    ///< whatever the rays are known by
+    std::uint32_t flags[kPacket] = {};
+
+    RayPacket() { std::fill_n(mask, kPacket, ~0u); }
 };
 
 /// The hits of a packet's rays. Lanes that met nothing hold what they will.

@@ -34,8 +34,8 @@ class Occluders {
     Occluders& operator=(const Occluders&) = delete;
     virtual ~Occluders() = default;
 
-    /// One bit for each of the first `lanes` rays: 1 where something lies within its reach.
-    virtual std::uint32_t occluded(const RayPacket& packet, std::size_t lanes) const = 0;
+    /// Makes the reach of those of the first `lanes` rays negative that meet something within it.
+    virtual void mark_blocked(RayPacket& packet, std::size_t lanes) const = 0;
 };
 
 /// A scene, built for tracing. Trace space is scene space moved so that the scene's centre is its zero:
@@ -45,8 +45,6 @@ class Occluders {
 ///   EmbreeScene (embree/embree_scene.h)  Intel Embree 3, on the processor
 class RayTracer : public Occluders {
   public:
-    using Occluders::occluded;
-
     /// The zero of trace space, in scene space.
     virtual const glm::dvec3& centre() const = 0;
     virtual double diagonal_m() const = 0;

@@ -2,6 +2,7 @@
 
 #include "metrics/signal_metric.h"
 #include "results/lengths_text.h"
+#include "results/light_modes.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -58,6 +59,7 @@ std::vector<Part> measure_parts() {
     add("fit_strength", "", false, [](const ErrorAnalysis& a) { return a.fit.strength; });
     add("fit_exponent", "", false, [](const ErrorAnalysis& a) { return a.fit.exponent; });
     add("fit_rmse", "", false, [](const ErrorAnalysis& a) { return a.fit.rmse; });
+    add("found_beyond_layer", "", false, [](const ErrorAnalysis& a) { return a.found_beyond_layer; });
     return parts;
 }
 
@@ -78,6 +80,29 @@ std::optional<double> value_of(const CellRecord& cell, const SignalMetric& metri
     if (of_signal == cell.signals.end()) return std::nullopt;
     const auto found = of_signal->second.find(std::string(metric.id));
     return found == of_signal->second.end() ? std::nullopt : found->second.value;
+}
+
+/// An error of light that some cell has.
+struct LightColumn {
+    std::string id, label;
+};
+
+std::vector<LightColumn> light_columns(const Results& results) {
+    std::vector<LightColumn> columns;
+    for (const LightMode& mode : light_modes()) {
+        columns.push_back({mode.relative_error(), fmt::format("Light, {}", mode.label)});
+        columns.push_back({mode.bias(), fmt::format("Light, {}, bias", mode.label)});
+    }
+    std::erase_if(columns, [&](const LightColumn& column) {
+        return std::ranges::none_of(results.cells,
+                                    [&](const CellRecord& cell) { return cell.light.contains(column.id); });
+    });
+    return columns;
+}
+
+std::optional<double> value_of(const CellRecord& cell, const LightColumn& column) {
+    const auto found = cell.light.find(column.id);
+    return found == cell.light.end() ? std::nullopt : std::optional(found->second.value);
 }
 
 /// A note for each view: its radius, and the lengths that every method has there.
@@ -133,6 +158,9 @@ ExportTable export_table(const Results& results,
         table.columns.push_back({std::string(metric->id), fmt::format("{} ({})", metric->label, metric->unit),
                                  metric->decimals, true});
     }
+    const std::vector<LightColumn> of_light = light_columns(results);
+    for (const LightColumn& column : of_light)
+        table.columns.push_back({std::string(kLightPrefix) + column.id, column.label, 4, true});
     table.columns.push_back({"rank_best", "", 0, false});
     table.columns.push_back({"rank_worst", "", 0, false});
     table.columns.push_back({"fetches_per_pixel", "Fetches", 1});
@@ -159,6 +187,7 @@ ExportTable export_table(const Results& results,
         const auto view = std::ranges::find(results.views, cell.view_key, &ViewRecord::key);
         const bool known = view != results.views.end();
         for (const SignalMetric* metric : of_signals) row.numbers.push_back(value_of(cell, *metric));
+        for (const LightColumn& column : of_light) row.numbers.push_back(value_of(cell, column));
         for (const auto& number :
              {best, worst, cell.fetches_per_pixel, cell.ao.median_ms, cell.filter_pass.median_ms,
               cell.frame_ms, known ? std::optional(view->radius_m) : std::nullopt,

@@ -168,6 +168,14 @@ void from_9(json& results, Unsaid& unsaid) {
     });
 }
 
+/// Light was measured for claims alone, and its irradiance not kept.
+void from_10(json& results, Unsaid& unsaid) {
+    for_each_object(results, "views", [&](json& view) {
+        if (add_members(view, {{"light", json()}})) unsaid.insert("the light of an environment");
+    });
+    for_each_object(results, "cells", [](json& cell) { add_members(cell, {{"lit_file", ""}}); });
+}
+
 /// A step from one schema to the next. A member is added by the step from the last schema whose files may
 /// lack it: several came while a number was in use.
 struct SchemaUpgrade {
@@ -175,8 +183,8 @@ struct SchemaUpgrade {
     void (*apply)(json& results, Unsaid& unsaid);
 };
 
-constexpr SchemaUpgrade kUpgrades[] = {{4, from_4}, {5, from_5}, {6, from_6},
-                                       {7, from_7}, {8, from_8}, {9, from_9}};
+constexpr SchemaUpgrade kUpgrades[] = {{4, from_4}, {5, from_5}, {6, from_6},  {7, from_7},
+                                       {8, from_8}, {9, from_9}, {10, from_10}};
 static_assert(std::size(kUpgrades) == Results::kSchemaVersion - kOldestSchema);
 
 std::string warning_of(const Unsaid& unsaid, const json& results, int schema_version) {

@@ -130,6 +130,12 @@ void DepthLayerBuffer::draw_camera(const SceneGeometry& geometry, const CameraFr
 // Nothing is tested against the samples that are there already. Between parts of the scene they could become
 // a depth buffer, which would keep from being shaded what lies behind all of a texel's; but making it cost
 // more than it saved: eight samples of the scene `layers` 1.18 times as many plain passes, in place of 0.77.
+// Nor is left out what lies farther than R behind all that is seen around it, though no method with a radius
+// would differ by a bit. As a depth buffer of those depths it keeps 41 % of the fragments of atrium/close and
+// 46 % of Sponza's from being shaded, which costs what it saves (174 ms against 170, 295 against 304, at
+// 1920x1080), since stores are masked; where little is out of reach it costs an eighth to a third more. Whole
+// instances, or clusters of 128 triangles, out of reach hold 0 to 1 % of the fragments of five views, 8 % of
+// atrium/close and at most 4 % of Sponza's.
 void DepthLayerBuffer::blend(const SceneDrawing::Look& look, int first_texture) {
     const int textures = textures_for(drawn_->layers.samples);
     const gl::Framebuffer framebuffer = make_array_framebuffer(array_.name(), first_texture, textures);

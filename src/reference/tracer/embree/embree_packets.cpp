@@ -3,29 +3,33 @@
 #include "reference/integrator/vectorise.h"
 
 #include <algorithm>
-#include <bit>
+#include <array>
+#include <cstring>
 
 namespace aoscore {
 namespace {
 
-/// Embree's form of a packet, and which of its lanes count.
-AOSCORE_VECTORISE
-void fill(RTCRay16& ray, int* __restrict valid, const RayPacket& packet, std::size_t lanes) {
-    std::copy_n(packet.origin_x, kPacket, ray.org_x);
-    std::copy_n(packet.origin_y, kPacket, ray.org_y);
-    std::copy_n(packet.origin_z, kPacket, ray.org_z);
-    std::copy_n(packet.direction_x, kPacket, ray.dir_x);
-    std::copy_n(packet.direction_y, kPacket, ray.dir_y);
-    std::copy_n(packet.direction_z, kPacket, ray.dir_z);
-    std::copy_n(packet.reach_m, kPacket, ray.tfar);
-    std::fill_n(ray.tnear, kPacket, 0.0f);
-    std::fill_n(ray.time, kPacket, 0.0f);
-    std::fill_n(ray.mask, kPacket, ~0u);
-    std::fill_n(ray.id, kPacket, 0u);
-    std::fill_n(ray.flags, kPacket, 0u);
-    const int count = static_cast<int>(lanes);
-    for (int lane = 0; lane < static_cast<int>(kPacket); ++lane) valid[lane] = lane < count ? -1 : 0;
-}
+static_assert(sizeof(RayPacket) == sizeof(RTCRay16) && alignof(RayPacket) == alignof(RTCRay16));
+static_assert(offsetof(RayPacket, origin_z) == offsetof(RTCRay16, org_z));
+static_assert(offsetof(RayPacket, from_m) == offsetof(RTCRay16, tnear));
+static_assert(offsetof(RayPacket, direction_z) == offsetof(RTCRay16, dir_z));
+static_assert(offsetof(RayPacket, time) == offsetof(RTCRay16, time));
+static_assert(offsetof(RayPacket, reach_m) == offsetof(RTCRay16, tfar));
+static_assert(offsetof(RayPacket, mask) == offsetof(RTCRay16, mask));
+static_assert(offsetof(RayPacket, flags) == offsetof(RTCRay16, flags));
+
+/// Which lanes count: a window on this, -1 for each that does.
+constexpr std::array<int, 2 * kPacket> kLanes = [] {
+    std::array<int, 2 * kPacket> lanes{};
+    std::fill_n(lanes.begin(), kPacket, -1);
+    return lanes;
+}();
+
+/// The Embree form of the first `lanes` lanes, aligned as Embree wants it.
+struct ValidLanes {
+    alignas(64) int valid[kPacket];
+    explicit ValidLanes(std::size_t lanes) { std::copy_n(kLanes.begin() + (kPacket - lanes), kPacket, valid); }
+};
 
 AOSCORE_VECTORISE
 std::uint32_t take_hits(const RTCRayHit16& query, HitPacket& hits) {
@@ -42,14 +46,6 @@ std::uint32_t take_hits(const RTCRayHit16& query, HitPacket& hits) {
     return bits;
 }
 
-/// A bit for every lane that Embree found blocked, for which it sets tfar to minus infinity.
-std::uint32_t blocked_lanes(const RTCRay16& ray) {
-    std::uint32_t bits = 0;
-    for (std::size_t lane = 0; lane < kPacket; ++lane)
-        bits |= (std::bit_cast<std::uint32_t>(ray.tfar[lane]) >> 31) << lane;
-    return bits;
-}
-
 std::uint32_t lanes_below(std::size_t count) {
     return (1u << count) - 1;
 }
@@ -63,23 +59,21 @@ RTCIntersectContext context_of_packets(bool coherent) {
     return context;
 }
 
-std::uint32_t occluded_in(RTCScene scene, RTCIntersectContext context, const RayPacket& packet,
-                          std::size_t lanes) {
-    RTCRay16 ray;
-    alignas(64) int valid[kPacket];
-    fill(ray, valid, packet, lanes);
-    rtcOccluded16(valid, scene, &context, &ray);
-    return blocked_lanes(ray) & lanes_below(lanes);
+void mark_blocked_in(RTCScene scene, bool coherent, RayPacket& packet, std::size_t lanes) {
+    const ValidLanes count(lanes);
+    RTCIntersectContext context = context_of_packets(coherent);
+    rtcOccluded16(count.valid, scene, &context, reinterpret_cast<RTCRay16*>(&packet));
 }
 
-std::uint32_t nearest_in(RTCScene scene, RTCIntersectContext context, const RayPacket& packet,
-                         std::size_t lanes, HitPacket& hits) {
+std::uint32_t nearest_in(RTCScene scene, bool coherent, const RayPacket& packet, std::size_t lanes,
+                         HitPacket& hits) {
+    RTCIntersectContext context = context_of_packets(coherent);
     RTCRayHit16 query;
-    alignas(64) int valid[kPacket];
-    fill(query.ray, valid, packet, lanes);
+    std::memcpy(&query.ray, &packet, sizeof query.ray);
+    const ValidLanes count(lanes);
     std::fill_n(query.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
     std::fill_n(query.hit.instID[0], kPacket, RTC_INVALID_GEOMETRY_ID);
-    rtcIntersect16(valid, scene, &context, &query);
+    rtcIntersect16(count.valid, scene, &context, &query);
     return take_hits(query, hits) & lanes_below(lanes);
 }
 

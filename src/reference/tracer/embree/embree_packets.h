@@ -9,14 +9,14 @@
 
 namespace aoscore {
 
+/// `coherent`: the rays of a packet are of similar direction.
 RTCIntersectContext context_of_packets(bool coherent);
 
-/// One bit for each of the first `lanes` rays that something of this scene blocks.
-std::uint32_t occluded_in(RTCScene scene, RTCIntersectContext context, const RayPacket& packet,
-                          std::size_t lanes);
+/// Makes the reach of those of the first `lanes` rays negative that something of this scene blocks.
+void mark_blocked_in(RTCScene scene, bool coherent, RayPacket& packet, std::size_t lanes);
 
 /// The first hits of the first `lanes` rays in this scene, one bit for each that meets something.
-std::uint32_t nearest_in(RTCScene scene, RTCIntersectContext context, const RayPacket& packet,
-                         std::size_t lanes, HitPacket& hits);
+std::uint32_t nearest_in(RTCScene scene, bool coherent, const RayPacket& packet, std::size_t lanes,
+                         HitPacket& hits);
 
 }  // namespace aoscore

@@ -49,12 +49,12 @@ bool EmbreeScene::nearest(const TraceRay& ray, TraceHit& hit) const {
     return true;
 }
 
-std::uint32_t EmbreeScene::occluded(const RayPacket& packet, std::size_t lanes) const {
-    return occluded_in(scene_.get(), packet_context(), packet, lanes);
+void EmbreeScene::mark_blocked(RayPacket& packet, std::size_t lanes) const {
+    mark_blocked_in(scene_.get(), !has_instances_, packet, lanes);
 }
 
 std::uint32_t EmbreeScene::nearest(const RayPacket& packet, std::size_t lanes, HitPacket& hits) const {
-    return nearest_in(scene_.get(), packet_context(), packet, lanes, hits);
+    return nearest_in(scene_.get(), !has_instances_, packet, lanes, hits);
 }
 
 glm::dvec3 EmbreeScene::normal(const HitPacket& hits, std::size_t lane) const {

@@ -45,7 +45,7 @@ class EmbreeScene final : public RayTracer {
     bool first_hit(const CameraFrame::Ray& ray, double near, double far, SurfaceHit& hit) const override;
     bool occluded(const TraceRay& ray) const override;
     bool nearest(const TraceRay& ray, TraceHit& hit) const override;
-    std::uint32_t occluded(const RayPacket& packet, std::size_t lanes) const override;
+    void mark_blocked(RayPacket& packet, std::size_t lanes) const override;
     std::uint32_t nearest(const RayPacket& packet, std::size_t lanes, HitPacket& hits) const override;
     glm::dvec3 normal(const HitPacket& hits, std::size_t lane) const override;
     const Occluders* large_triangles() const override;

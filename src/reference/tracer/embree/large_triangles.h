@@ -24,8 +24,8 @@ class LargeTriangles final : public Occluders {
     /// `coherent`: as packets are traced in the whole scene.
     LargeTriangles(RTCDevice device, std::span<const TraceTriangle> triangles, bool coherent);
 
-    std::uint32_t occluded(const RayPacket& packet, std::size_t lanes) const override {
-        return occluded_in(scene_.get(), context_of_packets(coherent_), packet, lanes);
+    void mark_blocked(RayPacket& packet, std::size_t lanes) const override {
+        mark_blocked_in(scene_.get(), coherent_, packet, lanes);
     }
 
   private:

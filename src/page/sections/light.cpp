@@ -1,0 +1,176 @@
+#include "core/counted.h"
+#include "page/document/number_text.h"
+#include "page/pictures/lit_picture.h"
+#include "page/section.h"
+#include "results/light_modes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace aoscore {
+namespace {
+
+using nlohmann::json;
+using LightMap = std::map<std::string, MeasureRecord>;
+
+/// What the table shows of every mode.
+struct LightColumn {
+    std::string (LightMode::*id)() const;
+    std::string_view unit, meaning;
+};
+constexpr std::array kLightColumns{
+    LightColumn{
+        &LightMode::relative_error, "error, %",
+        "Root mean squared error of the luminance of irradiance over the mean of the traced one, less the "
+        "noise of its rays."},
+    LightColumn{&LightMode::bias, "bias, %",
+                "Mean error over the mean of the traced irradiance: above 0 is too bright."}};
+
+std::string lit_name(const CellRecord& cell) {
+    return fmt::format("{}, {}", shown_name(cell), cell.preset);
+}
+
+const MeasureRecord* measure_in(const LightMap& light, const std::string& id) {
+    const auto found = light.find(id);
+    return found == light.end() ? nullptr : &found->second;
+}
+
+/// The least relative error of a cell over the modes that it has, with the mode.
+std::optional<std::pair<double, const LightMode*>> least_error(const LightMap& light) {
+    std::optional<std::pair<double, const LightMode*>> least;
+    for (const LightMode& mode : light_modes()) {
+        const MeasureRecord* error = measure_in(light, mode.relative_error());
+        if (error != nullptr && (!least || error->value < least->first)) least = {error->value, &mode};
+    }
+    return least;
+}
+
+/// The cells of a view that are lit, least error first.
+std::vector<const CellRecord*> lit_cells(const Results& results, const ViewRecord& view) {
+    std::vector<const CellRecord*> cells;
+    for (const CellRecord& cell : results.cells) {
+        if (cell.view_key == view.key && least_error(cell.light)) cells.push_back(&cell);
+    }
+    std::ranges::stable_sort(cells, {},
+                             [](const CellRecord* cell) { return least_error(cell->light)->first; });
+    return cells;
+}
+
+json light_number(const LightMap& light, const LightMode& mode, const LightColumn& column) {
+    const MeasureRecord* measure = measure_in(light, (mode.*column.id)());
+    if (measure == nullptr) return {{"text", kNoNumber}, {"sort", ""}, {"note", "it lacks the signals"}};
+    std::string note;
+    if (measure->interval) {
+        note = fmt::format("{} to {} with 95 % confidence", percent_text(measure->interval->low, 1),
+                           percent_text(measure->interval->high, 1));
+    }
+    return {{"text", percent_text(measure->value, 1)},
+            {"sort", fmt::format("{}", measure->value)},
+            {"note", std::move(note)}};
+}
+
+json light_row(const std::string& name, const std::string& cell, const LightMap& light) {
+    json numbers = json::array();
+    for (const LightColumn& column : kLightColumns) {
+        for (const LightMode& mode : light_modes()) numbers.push_back(light_number(light, mode, column));
+    }
+    return {{"method", name}, {"has_cell", !cell.empty()}, {"cell", cell}, {"numbers", std::move(numbers)}};
+}
+
+json light_heads() {
+    json list = json::array();
+    for (const LightColumn& column : kLightColumns) {
+        for (const LightMode& mode : light_modes()) {
+            list.push_back({{"label", std::string(mode.label)},
+                            {"unit", std::string(column.unit)},
+                            {"meaning", fmt::format("{} {}", mode.meaning, column.meaning)}});
+        }
+    }
+    return list;
+}
+
+/// The pictures of one cell, a figure a mode.
+json lit_figures(const CellRecord& cell, const CellPictures& pictures) {
+    json figures = json::array();
+    for (const LightMode& mode : light_modes()) {
+        const auto lit = pictures.lit.find(std::string(mode.id));
+        if (lit == pictures.lit.end()) continue;
+        const MeasureRecord* error = measure_in(cell.light, mode.relative_error());
+        figures.push_back({{"mode", std::string(mode.label)},
+                           {"uri", lit->second.uri},
+                           {"error", pictures.lit_errors.at(std::string(mode.id)).uri},
+                           {"number", percent_text(error->value, 1)}});
+    }
+    return figures;
+}
+
+json lit_view(const PageSource& source, const ViewRecord& view) {
+    const LightRecord& light = *view.light;
+    json rows = json::array(), methods = json::array();
+    if (!light.of_truth.empty()) rows.push_back(light_row("Truth", "", light.of_truth));
+    for (const CellRecord* cell : lit_cells(source.results, view)) {
+        rows.push_back(light_row(lit_name(*cell), cell->id, cell->light));
+        const auto shown = source.pictures.cells.find(cell->id);
+        if (shown == source.pictures.cells.end() || shown->second.lit.empty()) continue;
+        methods.push_back({{"name", lit_name(*cell)}, {"figures", lit_figures(*cell, shown->second)}});
+    }
+    const auto pictures = source.pictures.views.find(view.key);
+    const bool has_picture = pictures != source.pictures.views.end() && pictures->second.irradiance;
+    return {{"key", view.key},
+            {"environment", light.environment == "sky" ? "the generated sky" : light.environment},
+            {"mean", fmt::format("{:.3g}", light.mean)},
+            {"noise",
+             percent_text(light.mean > 0 ? std::optional(light.standard_error / light.mean) : std::nullopt)},
+            {"samples", count_text(static_cast<std::size_t>(light.samples))},
+            {"radius", short_text(view.radius_m)},
+            {"heads", light_heads()},
+            {"rows", std::move(rows)},
+            {"has_pictures", has_picture},
+            {"traced", has_picture ? pictures->second.irradiance.uri : ""},
+            {"white", has_picture ? fmt::format("{:.3g}", pictures->second.irradiance_white) : ""},
+            {"range", percent_text(kLitErrorRange, 0)},
+            {"methods", std::move(methods)}};
+}
+
+/// Names the closest method of the first view, and what the truth's own signals leave.
+std::string light_in_short(const Results& results) {
+    for (const ViewRecord& view : results.views) {
+        if (!view.light) continue;
+        const std::vector<const CellRecord*> cells = lit_cells(results, view);
+        if (cells.empty()) continue;
+        const auto [error, mode] = *least_error(cells[0]->light);
+        std::string text = fmt::format(
+            "On {}, {} lights closest of {} to the ray-traced irradiance, by its {}: the error is {} % of "
+            "the mean",
+            view.key, lit_name(*cells[0]), counted(cells.size(), "method", "methods"), mode->label,
+            percent_text(error, 1));
+        if (const auto of_truth = least_error(view.light->of_truth))
+            text += fmt::format("; the truth’s own {} would leave {} %", of_truth->second->label,
+                                percent_text(of_truth->first, 1));
+        return text + ".";
+    }
+    return "No method could be lit.";
+}
+
+}  // namespace
+
+json section::light(const PageSource& source) {
+    json views = json::array(), modes = json::array();
+    for (const ViewRecord& view : source.results.views) {
+        if (view.light) views.push_back(lit_view(source, view));
+    }
+    for (const LightMode& mode : light_modes())
+        modes.push_back({{"label", std::string(mode.label)}, {"meaning", std::string(mode.meaning)}});
+    return {{"views", std::move(views)},
+            {"modes", std::move(modes)},
+            {"in_short", light_in_short(source.results)}};
+}
+
+}  // namespace aoscore
