@@ -20,6 +20,9 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
 #include <span>
 #include <utility>
 
@@ -63,36 +66,76 @@ struct TraceWork {
           hits(s.extras.causes || s.extras.one_layer_bound ? hits_in(scene.tracer, frame) : PrimaryHits{}),
           judge(scene.tracer, frame, hits),
           points(s.points, SamplePlan(s).most()) {
-        if (settings.mean_error > 0) {
-            least_gain = gain_for_mean_error(settings.mean_error, frame.width(), frame.height(),
-                                             [&](const Tile& tile, double at) { return trace_to(tile, at); });
+        if (settings.mean_error > 0) trace_pilot();
+    }
+
+    /// Finds how the rays of a mean error are spread. What is traced for it is kept: these tiles go on from
+    /// there.
+    void trace_pilot() {
+        const std::vector<Tile> tiles = pilot_tiles(frame.width(), frame.height());
+        std::vector<TileState> states(tiles.size());
+        std::vector<TileConvergence> convergences(tiles.size());
+        TruthSettings rays_alone = settings;
+        rays_alone.extras = {};
+        const SamplePlan plan(settings);
+        spread = spread_for_mean_error(
+            settings.mean_error, tiles.size(), plan.first(), plan.most(), [&](std::size_t i, int samples) {
+                trace_to(samples, tiles[i], rays_alone, states[i], convergences[i]);
+                return convergences[i];
+            });
+        if (settings.extras.any()) return;  // Those of the pilot have none.
+        for (std::size_t i = 0; i < tiles.size(); ++i) {
+            if (convergences[i].steps.empty()) continue;
+            const int samples = convergences[i].steps.back().samples;
+            pilot.emplace(std::pair(tiles[i].y0, tiles[i].x0), PilotTile{samples, std::move(states[i])});
         }
     }
 
-    TileConvergence trace_to(const Tile& tile, double at) const {
+    /// Goes on from what is there of the tile, and adds a step.
+    void trace_to(int samples, const Tile& tile, const TruthSettings& rays_alone, TileState& state,
+                  TileConvergence& convergence) const {
         const FlushDenormals flush;
-        TruthSettings rays_alone = settings;
-        rays_alone.extras = {};
         TileIntegrator integrator(scene, frame, queries, rays_alone, points, judge,
-                                  {.least_gain = at, .step_by_step = true});
-        const TileState state = integrator.trace(tile);
+                                  {.first = samples, .least_gain = std::numeric_limits<double>::infinity()});
+        state = integrator.trace(tile, convergence.steps.empty() ? nullptr : &state);
+        std::ranges::copy(integrator.steps(), std::back_inserter(convergence.steps));
         const auto open = static_cast<std::size_t>(std::ranges::count(state.samples, 0u));
-        return {integrator.steps(), state.surfaces(), state.surfaces() - open};
+        convergence.surfaces = state.surfaces();
+        convergence.traced = state.surfaces() - open;
     }
 
-    /// A group of tiles, from what is there of them.
+    /// A group of tiles, from what is there of them; adds the rays that it traced to `rays`.
     GroupState trace(std::span<const Tile> tiles, const GroupState& begun, std::uint64_t& rays) const {
         const FlushDenormals flush;
         const auto start = std::chrono::steady_clock::now();
-        TileIntegrator integrator(scene, frame, queries, settings, points, judge, {.least_gain = least_gain});
+        TileIntegrator integrator(scene, frame, queries, settings, points, judge, spread);
         GroupState state;
         for (std::size_t i = 0; i < tiles.size(); ++i) {
             throw_if_interrupted();
+            if (const auto known = pilot.find({tiles[i].y0, tiles[i].x0}); known != pilot.end()) {
+                state.tiles.push_back(go_on_from(known->second, tiles[i], rays));
+                continue;
+            }
             state.tiles.push_back(
                 integrator.trace(tiles[i], begun.tiles.empty() ? nullptr : &begun.tiles[i]));
         }
         state.seconds = begun.seconds + seconds_since(start);
-        rays = integrator.rays();
+        rays += integrator.rays();
+        return state;
+    }
+
+    /// A tile of the pilot, and the rays a pixel that it has.
+    struct PilotTile {
+        int samples;
+        TileState state;
+    };
+
+    TileState go_on_from(const PilotTile& known, const Tile& tile, std::uint64_t& rays) const {
+        TileIntegrator integrator(
+            scene, frame, queries, settings, points, judge,
+            {.first = std::max(known.samples, spread.first), .least_gain = spread.least_gain});
+        TileState state = integrator.trace(tile, &known.state);
+        rays += integrator.rays();
         return state;
     }
 
@@ -103,7 +146,8 @@ struct TraceWork {
     const PrimaryHits hits;  // what is hidden shows only once the whole picture is there
     const CauseJudge judge;
     const PointSets points;
-    double least_gain = 0;  // of rays, see SamplePlan
+    RaySpread spread;                                // where a mean error is asked for
+    std::map<std::pair<int, int>, PilotTile> pilot;  // by first row and column
 };
 
 }  // namespace

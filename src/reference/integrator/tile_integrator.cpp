@@ -8,7 +8,7 @@ namespace aoscore {
 namespace {
 
 /// Below this many rays a pixel, to prove it open costs more than to trace it.
-constexpr int kLeastSamplesToSkip = 32;
+constexpr int kLeastSamplesToSkip = 64;
 
 glm::dvec3 ray_origin(const SurfaceHit& hit) {
     return hit.position + hit.offset_m * hit.normal;
@@ -43,20 +43,19 @@ RaySource ray_source(const SurfaceHit& hit, const TruthSettings& settings, std::
 
 TileIntegrator::TileIntegrator(const ReachableScene& scene, const CameraFrame& frame,
                                const std::vector<TruthQuery>& queries, const TruthSettings& settings,
-                               const PointSets& points, const CauseJudge& judge, const TileStop& stop)
+                               const PointSets& points, const CauseJudge& judge, const RaySpread& spread)
     : scene_(scene.tracer),
       frame_(frame),
       queries_(queries),
       settings_(settings),
-      plan_(settings, stop.least_gain),
+      plan_(settings, spread),
       observer_(scene.tracer, judge, queries[0], settings.extras),
       tracer_(scene.tracer, queries, points, settings.large_triangles_first,
               settings.extras.of_hits() ? &observer_ : nullptr),
       first_query_{queries[0]},
       open_directions_(first_query_[0]),
       open_tracer_(scene.tracer, first_query_, points, false, &open_directions_, RayDensity::uniform),
-      open_space_(scene.tracer, scene.within_reach),
-      step_by_step_(stop.step_by_step) {
+      open_space_(scene.tracer, scene.within_reach) {
     for (const TruthQuery& query : queries) reach_m_ = std::max(reach_m_, query.radius_m);
 }
 
@@ -181,9 +180,7 @@ void TileIntegrator::trace_by_tile() {
             error_sum = std::max(error_sum, sum);
         }
         steps_.push_back({samples, error_sum});
-        const double mean_error = error_sum / pixels;
-        next = step_by_step_ ? plan_.double_for_tile(samples, mean_error)
-                             : plan_.next_of_tile(samples, mean_error);
+        next = plan_.next_of_tile(samples, error_sum / pixels);
     }
 }
 

@@ -26,24 +26,18 @@ bool find_surface(const RayTracer& scene, const CameraFrame& frame, int x, int y
 /// The rays of pixel number `pixel` of the image, which sees `hit`.
 RaySource ray_source(const SurfaceHit& hit, const TruthSettings& settings, std::size_t pixel);
 
-/// When a tile of a picture that is traced to a mean error has rays enough.
-struct TileStop {
-    double least_gain = 0;      ///< as SamplePlan has it
-    bool step_by_step = false;  ///< the rays only ever double, so that the error is known at every step
-};
-
 /// Traces one tile after another. Tiles depend on nothing but their place, so that any thread may do any of
 /// them.
 class TileIntegrator {
   public:
     TileIntegrator(const ReachableScene& scene, const CameraFrame& frame,
                    const std::vector<TruthQuery>& queries, const TruthSettings& settings,
-                   const PointSets& points, const CauseJudge& judge, const TileStop& stop = {});
+                   const PointSets& points, const CauseJudge& judge, const RaySpread& spread = {});
 
     /// All that the settings ask for, going on from `begun`, what is there of this very tile, queries and
     /// extras, where that gives the same state as tracing all of it; null: nothing is there.
     TileState trace(const Tile& tile, const TileState* begun = nullptr);
-    /// How the errors of the last tile fell, without a gap if so asked for; empty unless SamplePlan goes by
+    /// The errors of the last tile at each count that it was traced to; empty unless SamplePlan goes by
     /// tiles.
     const std::vector<ErrorStep>& steps() const { return steps_; }
     /// Of all tiles so far, those for bent normals left out.
@@ -81,7 +75,6 @@ class TileIntegrator {
     std::vector<std::size_t> pixels_;  // of surfaces, into images
     std::vector<std::size_t> traced_;  // surfaces that get rays
     std::vector<int> samples_;         // of those, traced so far
-    bool step_by_step_;
     std::vector<ErrorStep> steps_;
 };
 

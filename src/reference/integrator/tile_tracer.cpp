@@ -37,8 +37,8 @@ AOSCORE_VECTORISE
 void fill(RayPacket& packet, const DirectedRay* __restrict rays, const Origins& origins, float reach_m) {
     const float* __restrict from_x = origins.x, * __restrict from_y = origins.y, * __restrict from_z = origins.z;
     for (std::size_t lane = 0; lane < kPacket; lane += 4) {
-        FourWords x = four_words(rays + lane), y = four_words(rays + lane + 1), z = four_words(rays + lane + 2),
-                  whose = four_words(rays + lane + 3);
+        FourWords x = four_words(rays + lane), y = four_words(rays + lane + 1),
+                  z = four_words(rays + lane + 2), whose = four_words(rays + lane + 3);
         transpose(x, y, z, whose);
         std::memcpy(packet.direction_x + lane, &x, sizeof x);
         std::memcpy(packet.direction_y + lane, &y, sizeof y);

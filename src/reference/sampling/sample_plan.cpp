@@ -35,15 +35,16 @@ constexpr double kMostGrowth = 4;
 
 }  // namespace
 
-SamplePlan::SamplePlan(const TruthSettings& settings, double least_gain)
+SamplePlan::SamplePlan(const TruthSettings& settings, const RaySpread& spread)
     : max_error_(settings.max_error),
-      least_gain_(least_gain),
+      least_gain_(spread.least_gain),
       by_tile_(settings.mean_error > 0),
       first_(settings.samples),
       most_(settings.samples) {
     if (by_tile_) {
         first_ = round_up_to_power(settings.samples);
         most_ = std::max(first_, round_up_to_power(most_uncertain(settings.mean_error)));
+        if (spread.first > 0) first_ = std::min(spread.first, most_);
         return;
     }
     if (max_error_ <= 0) return;
@@ -51,14 +52,11 @@ SamplePlan::SamplePlan(const TruthSettings& settings, double least_gain)
     most_ = std::max(first_, round_up(most_uncertain(max_error_)));
 }
 
-int SamplePlan::double_for_tile(int samples, double mean_error) const {
-    return samples < most_ && mean_error / samples > least_gain_ ? 2 * samples : samples;
-}
-
 int SamplePlan::next_of_tile(int samples, double mean_error) const {
-    int next = double_for_tile(samples, mean_error);
+    if (samples >= most_ || mean_error / samples <= least_gain_) return samples;
+    int next = 2 * samples;
     // The gain of a ray falls as N^-7/4. All tiles stop at an infinite least gain, none at 0.
-    if (next == samples || least_gain_ <= 0) return next;
+    if (least_gain_ <= 0) return next;
     const double wanted = samples * std::pow(mean_error / samples / least_gain_, 4.0 / 7);
     while (2.0 * next <= wanted && next < most_) next *= 2;
     return next;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reference/sampling/pilot.h"
 #include "reference/truth.h"
 
 namespace aoscore {
@@ -11,9 +12,11 @@ inline constexpr int kFewestToTellError = 16;
 /// How many rays pixels get, round by round.
 class SamplePlan {
   public:
-    /// `least_gain`: where a mean error is asked for, tiles go on while one more ray for each of their pixels
-    /// would lower their mean standard error by more than about this. Lowest where every tile pays the same.
-    explicit SamplePlan(const TruthSettings& settings, double least_gain = 0);
+    /// `spread`: where a mean error is asked for, tiles begin with its first rays, or with as many as the
+    /// settings name where that is 0, and go on while one more ray for each of their pixels would lower their
+    /// mean standard error by more than about its least gain. Rays are the fewest where every tile pays the
+    /// same.
+    explicit SamplePlan(const TruthSettings& settings, const RaySpread& spread = {});
 
     /// Rays of the first round.
     int first() const { return first_; }
@@ -28,8 +31,6 @@ class SamplePlan {
     /// `mean_error`: twice as many, or at once as many as doubling by doubling would surely come to, since
     /// rays are traced faster the more there are of them; `samples` when that is enough.
     int next_of_tile(int samples, double mean_error) const;
-    /// The same, never more than twice as many.
-    int double_for_tile(int samples, double mean_error) const;
 
   private:
     double max_error_;

@@ -53,10 +53,12 @@ struct PointRange {
 
 /// Writes `count` rays one after the other.
 [[gnu::always_inline]] inline void store_rays(const float* x, const float* y, const float* z,
-                                              const std::uint32_t* owner, std::size_t count, DirectedRay* rays) {
+                                              const std::uint32_t* owner, std::size_t count,
+                                              DirectedRay* rays) {
     std::size_t i = 0;
     for (; i + 4 <= count; i += 4) {
-        FourWords a = four_words(x + i), b = four_words(y + i), c = four_words(z + i), d = four_words(owner + i);
+        FourWords a = four_words(x + i), b = four_words(y + i), c = four_words(z + i),
+                  d = four_words(owner + i);
         transpose(a, b, c, d);
         std::memcpy(rays + i, &a, sizeof a);
         std::memcpy(rays + i + 1, &b, sizeof b);
@@ -66,7 +68,8 @@ struct PointRange {
     for (; i < count; ++i) rays[i] = {x[i], y[i], z[i], owner[i]};
 }
 
-/// Directions that are made before they are stored ray by ray: the stores are shuffles of what is still at hand.
+/// Directions that are made before they are stored ray by ray: the stores are shuffles of what is still at
+/// hand.
 constexpr std::size_t kPiece = 64;
 
 template <auto direction_of>

@@ -11,8 +11,8 @@ namespace aoscore {
 /// Rays in one packet.
 inline constexpr std::size_t kPacket = 16;
 
-/// Rays of trace space whose directions are unit: distances are metres. In the very order that Embree takes, so that
-/// no ray is copied: members that have a value from the start keep it.
+/// Rays of trace space whose directions are unit: distances are metres. In the very order that Embree takes,
+/// so that no ray is copied: members that have a value from the start keep it.
 struct alignas(64) RayPacket {
     float origin_x[kPacket], origin_y[kPacket], origin_z[kPacket];
     float from_m[kPacket] = {};  ///< where the rays begin

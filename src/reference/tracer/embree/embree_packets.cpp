@@ -28,7 +28,9 @@ constexpr std::array<int, 2 * kPacket> kLanes = [] {
 /// The Embree form of the first `lanes` lanes, aligned as Embree wants it.
 struct ValidLanes {
     alignas(64) int valid[kPacket];
-    explicit ValidLanes(std::size_t lanes) { std::copy_n(kLanes.begin() + (kPacket - lanes), kPacket, valid); }
+    explicit ValidLanes(std::size_t lanes) {
+        std::copy_n(kLanes.begin() + (kPacket - lanes), kPacket, valid);
+    }
 };
 
 AOSCORE_VECTORISE
