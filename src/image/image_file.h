@@ -19,10 +19,10 @@ struct ChannelView {
     const ImageF* image;
 };
 
-/// Writes a scan-line EXR, 32-bit float, ZIP where that saves a third, with texts ("aoscore:seed" -> "1"). Of
+/// Writes a scan-line EXR, 32-bit float, ZIP where that saves a third, atomically, with texts. Of
 /// EXR's standard attributes, "comments", "capDate" and "owner" are texts; "worldToCamera" and "worldToNDC"
 /// become matrices: 16 numbers, row by row, for points that are row vectors (the transposes of ours). Viewers
-/// show the layer without a name, so one of the channels should be Y, or three of them R, G, B. Atomic; throws
+/// show the layer without a name, so one of the channels should be Y, or three of them R, G, B. Throws
 /// file_error when it cannot be written, and internal_error for channels that are empty, of several sizes or
 /// of one name.
 void write_exr(const std::filesystem::path& path, std::span<const ChannelView> channels,
