@@ -19,7 +19,7 @@ struct ChannelView {
     const ImageF* image;
 };
 
-/// Writes a scan-line EXR, 32-bit float, ZIP, atomically, with text attributes ("aoscore:seed" -> "1"). Of
+/// Writes a scan-line EXR, 32-bit float, ZIP where that saves a third, atomically, with texts. Of
 /// EXR's standard attributes, "comments", "capDate" and "owner" are texts; "worldToCamera" and "worldToNDC"
 /// become matrices: 16 numbers, row by row, for points that are row vectors (the transposes of ours). Viewers
 /// show the layer without a name, so one of the channels should be Y, or three of them R, G, B. Throws

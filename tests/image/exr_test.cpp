@@ -1,11 +1,14 @@
 #include "core/threads.h"
 #include "files.h"
 
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
 #include <csignal>
+#include <filesystem>
 
 namespace aoscore {
 namespace {
@@ -40,6 +43,26 @@ TEST(Exr, ComesBackBitByBitWithNamesAndAttributes) {
     EXPECT_EQ(file.attributes.at("aoscore:note"), "long " + std::string(5000, 'x') + " ä");
     EXPECT_EQ(file.attributes.at("worldToCamera"), matrix);
     EXPECT_EQ(file.attributes.at("comments"), "by hand");
+}
+
+Imf::Compression compression_of(const std::filesystem::path& path) {
+    return Imf::InputFile(path.c_str()).header().compression();
+}
+
+TEST(Exr, IsPackedWhereThatTakesAThirdOff) {
+    const auto noisy = output_dir() / "noisy.exr", smooth = output_dir() / "smooth.exr";
+    const ImageF noise = testing::random_visibility(320, 200, 1);
+    ImageF levels(320, 200);
+    for (int y = 0; y < 200; ++y) {
+        for (int x = 0; x < 320; ++x) levels.at(x, y) = static_cast<float>((x + y) / 8) / 255;
+    }
+    write_exr(noisy, std::vector<ChannelView>{{"Y", &noise}}, {});
+    write_exr(smooth, std::vector<ChannelView>{{"Y", &levels}}, {});
+    EXPECT_EQ(compression_of(noisy), Imf::NO_COMPRESSION);
+    EXPECT_EQ(compression_of(smooth), Imf::ZIP_COMPRESSION);
+    EXPECT_LT(std::filesystem::file_size(smooth), levels.size() * sizeof(float) * 2 / 3);
+    EXPECT_TRUE(same_bits(*read_image(noisy).channel("Y"), noise));
+    EXPECT_TRUE(same_bits(*read_image(smooth).channel("Y"), levels));
 }
 
 TEST(Exr, IsTheSameFileForAnyNumberOfThreads) {

@@ -73,11 +73,8 @@ void PixelWeights::read_row(int x, int y, std::span<double> weights) const {
 }
 
 PixelWeights PixelWeights::halved() const {
+    if (all_one_) return {width_ / 2, height_ / 2};
     ImageF half(width_ / 2, height_ / 2);
-    if (all_one_) {
-        std::ranges::fill(half.pixels, 1.0F);
-        return PixelWeights(std::move(half));
-    }
     for_each_half_row(*this, [&](int y, const double* upper, const double* lower) {
         float* row = &half.at(0, y);
         for (std::size_t x = 0; x < in_row(half.width); ++x)

@@ -28,10 +28,12 @@ class PixelWeights {
 
   private:
     explicit PixelWeights(ImageF halved);
+    /// Makes those of an image whose pixels all count fully.
+    PixelWeights(int width, int height) : width_(width), height_(height), all_one_(true) {}
 
     int width_, height_;
     const Mask* mask_ = nullptr;  ///< null where `halved_` has the weights
-    ImageF halved_;
+    ImageF halved_;               ///< empty where all are 1
     bool all_one_ = false;
 };
 
