@@ -7,6 +7,7 @@
 #include "page/section.h"
 #include "page/sections/claim_texts.h"
 #include "page/sections/printed_times.h"
+#include "page/sections/sweep_chart.h"
 #include "results/comparable_views.h"
 #include "results/sweep_rows.h"
 
@@ -14,8 +15,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <utility>
 
 namespace aoscore {
@@ -23,55 +22,6 @@ namespace {
 
 using nlohmann::json;
 using Rows = std::vector<const SweepRow*>;
-
-json number(std::optional<double> value) {
-    return value && std::isfinite(*value) ? json(*value) : json();
-}
-
-/// The method with its values on axes of words, such as a preset: between these there is nothing.
-std::string method_and_words(const SweepRow& row) {
-    std::string text = row.cell->method_label;
-    for (const auto& [axis, value] : row.point->at) {
-        if (axis != "method" && value.is_word()) text += ", " + value.word();
-    }
-    return text;
-}
-
-/// The rows that a chart joins by a line: those that differ by numbers, or, where these are too many curves,
-/// all of a method.
-std::map<std::string, Rows> curves_of(const Rows& rows) {
-    constexpr std::size_t kMostCurves = 8;
-    std::map<std::string, Rows> by_method, by_words;
-    for (const SweepRow* row : rows) {
-        if (!row->cost_ms || !row->error) continue;
-        by_method[row->cell->method_label].push_back(row);
-        by_words[method_and_words(*row)].push_back(row);
-    }
-    return by_words.size() <= kMostCurves ? by_words : by_method;
-}
-
-/// The points of one view for the script's charts: each method's settings by cost.
-json chart_data(const Rows& rows, std::optional<double> budget_ms) {
-    json curves = json::array();
-    for (const auto& [label, points] : curves_of(rows)) {
-        json list = json::array();
-        for (const SweepRow* row : points) {
-            list.push_back({{"at", point_text(*row->point)},
-                            {"ms", number(row->cost_ms)},
-                            {"ms_low", number(row->cost_low_ms)},
-                            {"ms_high", number(row->cost_high_ms)},
-                            {"relative", number(row->relative_cost)},
-                            {"fetches", number(row->fetches)},
-                            {"error", number(row->error)},
-                            {"noisy", number(row->noisy_error)},
-                            {"fitted", number(row->fitted_error)},
-                            {"front", row->on_front}});
-        }
-        const bool bound = points.front()->cell->role == kBoundRole;
-        curves.push_back({{"label", label}, {"bound", bound}, {"points", std::move(list)}});
-    }
-    return {{"curves", std::move(curves)}, {"budget_ms", number(budget_ms)}};
-}
 
 std::string cost_text(const SweepRow& row, int decimals) {
     if (!row.cost_low_ms) return fixed_text(row.cost_ms, decimals);
@@ -208,7 +158,7 @@ json rows_model(const Rows& rows, const SweepRecord& sweep) {
     const int decimals = column_decimals(costs);
     json model = {{"answer", answer(rows, sweep.budget_ms)},
                   {"budget", sweep.budget_ms.has_value()},
-                  {"data", script_json(chart_data(rows, sweep.budget_ms))},
+                  {"data", script_json(sweep_chart(rows, sweep.budget_ms))},
                   {"rows", json::array()},
                   {"frames", frame_rows(rows)}};
     for (const SweepRow* row : rows) model["rows"].push_back(row_model(*row, decimals));
