@@ -203,7 +203,7 @@ TEST_F(SweepsAndClaims, SectionsWithoutAnythingToSayAreLeftOut) {
     results.sweeps.clear();
     results.claims.clear();
     results.advice.clear();
-    const std::set<std::string_view> about_them{"sweeps", "claims", "signals", "advice"};
+    const std::set<std::string_view> about_them{"sweeps", "claims", "signals", "light", "advice"};
     for (const Section& section : sections()) {
         EXPECT_EQ(section.applies == nullptr || section.applies(results), !about_them.contains(section.id))
             << section.id;

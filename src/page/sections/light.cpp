@@ -130,6 +130,7 @@ json lit_view(const PageSource& source, const ViewRecord& view) {
              percent_text(light.mean > 0 ? std::optional(light.standard_error / light.mean) : std::nullopt)},
             {"samples", count_text(static_cast<std::size_t>(light.samples))},
             {"radius", short_text(view.radius_m)},
+            {"truth_samples", count_text(static_cast<std::size_t>(view.samples))},
             {"heads", light_heads()},
             {"rows", std::move(rows)},
             {"has_pictures", has_picture},
@@ -139,22 +140,18 @@ json lit_view(const PageSource& source, const ViewRecord& view) {
             {"methods", std::move(methods)}};
 }
 
-/// Names the closest method of the first view, and what the truth's own signals leave.
+/// Names the closest method of the first view.
 std::string light_in_short(const Results& results) {
     for (const ViewRecord& view : results.views) {
         if (!view.light) continue;
         const std::vector<const CellRecord*> cells = lit_cells(results, view);
         if (cells.empty()) continue;
         const auto [error, mode] = *least_error(cells[0]->light);
-        std::string text = fmt::format(
+        return fmt::format(
             "On {}, {} lights closest of {} to the ray-traced irradiance, by its {}: the error is {} % of "
-            "the mean",
+            "the mean.",
             view.key, lit_name(*cells[0]), counted(cells.size(), "method", "methods"), mode->label,
             percent_text(error, 1));
-        if (const auto of_truth = least_error(view.light->of_truth))
-            text += fmt::format("; the truth’s own {} would leave {} %", of_truth->second->label,
-                                percent_text(of_truth->first, 1));
-        return text + ".";
     }
     return "No method could be lit.";
 }
