@@ -21,9 +21,6 @@ const double kErrorPower = std::log2(std::sqrt(0.373));
 /// The time of rays that are traced at once grows about as N^0.85, as measured from 16 to 256 rays a pixel in
 /// halls and courts.
 constexpr double kTimePower = 0.85;
-/// Tiles that need more rays than others lie where there is more to meet: a ray takes so many times as long
-/// there.
-constexpr double kDearer = 1.6;
 /// So many doublings beyond what was traced are foreseen by the law of the error.
 constexpr int kForeseen = 3;
 
@@ -60,8 +57,8 @@ Outcome outcome_of(const std::vector<TileConvergence>& tiles, const RaySpread& s
         if (tile.steps.empty()) continue;
         const ErrorStep& last = step_at(tile, spread);
         errors += last.error_sum;
-        time += static_cast<double>(tile.traced) *
-                (time_of(spread.first) + kDearer * time_of(last.samples - spread.first));
+        time +=
+            static_cast<double>(tile.traced) * (time_of(spread.first) + time_of(last.samples - spread.first));
     }
     return {surfaces > 0 ? errors / surfaces : 0, time};
 }
