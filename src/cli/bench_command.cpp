@@ -2,13 +2,13 @@
 #include "bench/bench_layers.h"
 #include "bench/bench_main.h"
 #include "bench/bench_methods.h"
+#include "bench/cost.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"
 #include "core/files.h"
 #include "core/machine.h"
 #include "core/output.h"
 #include "core/ratio_table.h"
-#include "core/stopwatch.h"
 #include "core/threads.h"
 #include "page/page.h"
 #include "reference/benchmark/benchmark.h"
@@ -73,9 +73,9 @@ void bench_compare(const BenchOptions& options, const GlobalOptions& global, Rat
         print_result("no page: there are no results in {}; aoscore run makes them\n", folder.string());
         return;
     }
-    const Stopwatch watch;
-    const std::filesystem::path page = write_page(folder);
-    table.add("page from results", watch.seconds(), "s");
+    std::filesystem::path page;
+    const Cost cost = cost_of([&] { page = write_page(folder); });
+    table.add("page from results", cost.processor_s, "processor s");
     table.add("size of the page", static_cast<double>(std::filesystem::file_size(page)) / (1 << 20), "MiB");
 }
 

@@ -79,7 +79,7 @@ bool find_small_differences(const Curve& curve, const SeenRow& truth, const Seen
                             double* differences, std::size_t count) {
     const double knee = curve.knee_lightness, log2_below = curve.log2_below;
     std::uint64_t others = 0;
-#pragma GCC ivdep  // No row overlaps another.
+    AOSCORE_NO_ROW_OVERLAPS
     for (std::size_t i = 0; i < count; ++i) {
         const double light = std::abs(truth.lightness[i] - test.lightness[i]);
         others |= 1 - lanes::is_less(light, knee);
@@ -106,7 +106,7 @@ void find_large_differences(const Curve& curve, const SeenRow& truth, const Seen
 
 AOSCORE_WIDER_WHERE_POSSIBLE
 void find_features(const ResponseRow& responses, const FeatureRow& features, std::size_t count) {
-#pragma GCC ivdep  // No row overlaps another.
+    AOSCORE_NO_ROW_OVERLAPS
     for (std::size_t i = 0; i < count; ++i) {
         const double luminance = std::min(std::max(responses.seen[i], 0.0), 1.0);
         features.lightness[i] = lightness(luminance, cube_root(luminance));

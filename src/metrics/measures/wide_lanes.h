@@ -12,6 +12,13 @@
 #define AOSCORE_WIDER_WHERE_POSSIBLE
 #endif
 
+// What a loop writes overlaps nothing that it reads: with many rows, the compiler would not look for itself.
+#if defined(__clang__)
+#define AOSCORE_NO_ROW_OVERLAPS _Pragma("clang loop vectorize(assume_safety)")
+#else
+#define AOSCORE_NO_ROW_OVERLAPS _Pragma("GCC ivdep")
+#endif
+
 namespace aoscore {
 
 /// The number of doubles that are computed side by side. They are written out, because a compiler may not
