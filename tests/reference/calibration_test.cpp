@@ -95,8 +95,8 @@ TEST(StandardErrors, HoldInTheTailAtFewRays) {
                 calibration.add(reference.trace(frame, query, settings, "calibration"), exact);
             table += row(c.name, kSamples[n], calibration);
             all[n].add(calibration);
-            EXPECT_NEAR(calibration.ratio(), 0.93, 0.15) << c.name << ", " << kSamples[n] << " rays";
-            EXPECT_LT(calibration.share_beyond(), 0.014) << c.name << ", " << kSamples[n] << " rays";
+            EXPECT_NEAR(calibration.ratio(), 0.95, 0.19) << c.name << ", " << kSamples[n] << " rays";
+            EXPECT_LT(calibration.share_beyond(), 0.018) << c.name << ", " << kSamples[n] << " rays";
         }
     }
     for (std::size_t n = 0; n < kSamples.size(); ++n) {
