@@ -100,8 +100,8 @@ void score_halves(const MadeUpPair& pair, const Mask& valid, std::uint64_t seed,
     const PreparedHalves kept(pair.truth, pair.first_half, pair.second_half, valid);
     const auto score = [&](bool prepared) {
         MapSums maps, first_maps, second_maps, noisy_maps;
-        TruthHalves halves{pair.first_half, pair.second_half, &first_maps,
-                           &second_maps,    nullptr,          &noisy_maps};
+        TruthHalves halves{pair.first_half, pair.second_half, &first_maps, &second_maps,
+                           nullptr,         &noisy_maps,      64};
         MetricInput input{pair.truth, pair.test, valid};
         input.maps = &maps;
         input.halves = &halves;

@@ -33,7 +33,7 @@ class Comparison {
         input_.maps = &maps_[0];
         if (truth.halves.empty()) return;
         halves_.emplace(truth.halves[query][0], truth.halves[query][1], &maps_[1], &maps_[2], nullptr,
-                        &maps_[3]);
+                        &maps_[3], truth.samples);
         input_.halves = &*halves_;
     }
     /// Compares with the first query; `valid` must be the mask that the side was made for.
@@ -65,7 +65,7 @@ std::map<std::string, double> noise_of(const MetricInput& input) {
     if (input.halves == nullptr) return {};
     const OcclusionMasks masks = occlusion_masks(input);
     return truth_noise(block_errors(input, masks), block_errors(against_half(input, 0), masks),
-                       block_errors(against_half(input, 1), masks), input.halves->noisy_maps);
+                       block_errors(against_half(input, 1), masks), *input.halves);
 }
 
 MetricMap raw_metrics(const Truth& truth, const Ground& ground, const TruthSide& side, const ImageF& raw,

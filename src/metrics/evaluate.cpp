@@ -36,20 +36,10 @@ class Evaluation {
     MetricValue measured(const Metric& row) const {
         const MetricValue whole = row.measure(inputs_[0]);
         if (inputs_.size() == 1 || row.noise != Metric::Noise::extrapolated) return whole;
-        if (row.left_by_noise > 0) measure_noisy(row);
         return extrapolated(whole, row.measure(inputs_[1]), row.measure(inputs_[2]));
     }
 
   private:
-    /// Leaves the sums against the truth as it is, where they are asked for.
-    void measure_noisy(const Metric& row) const {
-        MetricInput noisy = inputs_[0];
-        noisy.prepared_truth = &noisy.halves->prepared->noisy;
-        noisy.maps = noisy.halves->noisy_maps;
-        noisy.shared = nullptr;
-        if (noisy.maps != nullptr) row.measure(noisy);
-    }
-
     std::vector<MetricInput> inputs_;
     std::vector<SharedSums> shared_;
 };

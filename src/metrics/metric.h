@@ -29,6 +29,7 @@ struct TruthHalves {
     /// Like MetricInput::maps, against the truth with all of its noise, for the metrics that state their
     /// error by what it did to them (Metric::left_by_noise).
     MapSums* noisy_maps = nullptr;
+    int samples = 0;  ///< rays a pixel of both together; 0 where they are not known
 };
 
 /// The input of a metric. All images have one size and hold visibility in [0,1], 1 = open.
@@ -77,14 +78,17 @@ struct Metric {
     /// order in the noise and what it leaves of the third. Both were measured, see truth_noise().
     double left_always = 0, left_by_deviation = 0;
     /// The same as a part of all that the noise did to the value, from the one against the truth as it is to
-    /// the extrapolated one, for each unit of the noise's standard deviation: for metrics whose prepared
-    /// truth has most of the noise taken off before, so that the correction is what is left of it, and may be
-    /// 0 by chance. Measured, too.
+    /// the extrapolated one, for one ray a pixel: for metrics whose prepared truth has most of the noise
+    /// taken off before, so that the correction is what is left of it, and may be 0 by chance. Measured, too.
     double left_by_noise = 0;
     /// The part of the correction that noise of this mean variance leaves.
     double part_left(double noise_variance) const {
         return left_always + left_by_deviation * std::sqrt(noise_variance);
     }
+    /// The part of all that the noise did which stays at so many rays a pixel. It falls as a standard error
+    /// of theirs does. The noise's variance over the picture tells it less well: pictures of one number of
+    /// rays differ in it more than in what stays.
+    double part_of_noise_left(int samples) const { return left_by_noise * std::pow(samples, -0.75); }
     /// The mean variance of the noise beyond which the metric is not worth its time, see told_metrics().
     double most_noise_variance = std::numeric_limits<double>::infinity();
     bool brief = false;     ///< also in tables for readers, whose width is limited

@@ -19,9 +19,8 @@ ImageF noise_of(const ImageF& first, const ImageF& second, double times) {
 
 PreparedHalves::PreparedHalves(const ImageF& mean, const ImageF& first_half, const ImageF& second_half,
                                const Mask& valid)
-    : whole(mean, valid, noise_of(first_half, second_half, 1)),
+    : whole(mean, valid, noise_of(first_half, second_half, 1), true),
       first(first_half, valid, noise_of(first_half, second_half, 2)),
-      second(second_half, valid, noise_of(first_half, second_half, 2)),
-      noisy(mean, valid) {}
+      second(second_half, valid, noise_of(first_half, second_half, 2)) {}
 
 }  // namespace aoscore

@@ -20,12 +20,11 @@ class PreparedHalves {
     PreparedHalves(const ImageF& mean, const ImageF& first_half, const ImageF& second_half,
                    const Mask& valid);
 
-    PreparedImage whole;          ///< the mean, its noise's variance taken off
+    PreparedImage whole;          ///< the mean, its noise's variance taken off, and its own variance beside
     PreparedImage first, second;  ///< the halves, their noise's variances taken off
-    PreparedImage noisy;          ///< the mean as it is; only its moments at the first scale are asked for
 
     /// The memory of all of it, bytes a pixel.
-    static constexpr double kBytesPerPixel = 3 * PreparedImage::kBytesPerPixel + 2 * 8;
+    static constexpr double kBytesPerPixel = 3 * PreparedImage::kBytesPerPixel + 8;
 };
 
 }  // namespace aoscore

@@ -41,13 +41,15 @@ void PreparedImage::add_scale() const {
     const ImageF& image = image_at(scales_.size() - 1);
     if (std::min(image.width, image.height) <= 2 * kSsimBorder_px) return;
     WindowMoments& moments = scales_.back().moments.emplace(window_moments(image, *weights_));
+    if (keeps_noisy_ && scales_.size() == 1) scales_.back().noisy_variance = moments.variance;
     if (noise_) take_off(window_moments(*noise_, *weights_).variance, moments.variance);
 }
 
 WindowedImage PreparedImage::windowed(std::size_t halvings) const {
     while (scales_.size() <= halvings) add_scale();
-    const std::optional<WindowMoments>& moments = scales_[halvings].moments;
-    return {image_at(halvings), moments ? &*moments : nullptr};
+    const Scale& scale = scales_[halvings];
+    return {image_at(halvings), scale.moments ? &*scale.moments : nullptr,
+            scale.noisy_variance ? &*scale.noisy_variance : nullptr};
 }
 
 WindowedImage ScaledImage::windowed() const {

@@ -22,9 +22,9 @@ class PreparedImage {
     PreparedImage(const ImageF& image, const Mask& valid) : image_(image), valid_(valid) {}
     /// Prepares an image whose noise is like that of `noise`, an image of mean 0 that varies with it in
     /// nothing else: variances under SSIM's window are those of the image without it, and may be a little
-    /// below 0.
-    PreparedImage(const ImageF& image, const Mask& valid, ImageF noise)
-        : image_(image), valid_(valid), noise_(std::move(noise)) {}
+    /// below 0. With `keeps_noisy`, windowed() also has those of the image itself, at the first scale.
+    PreparedImage(const ImageF& image, const Mask& valid, ImageF noise, bool keeps_noisy = false)
+        : image_(image), valid_(valid), keeps_noisy_(keeps_noisy), noise_(std::move(noise)) {}
 
     /// FLIP's features of the image.
     const SeenImage& seen() const;
@@ -40,6 +40,7 @@ class PreparedImage {
     struct Scale {
         ImageF halved;  ///< empty at the first scale, which is the image itself
         std::optional<WindowMoments> moments;
+        std::optional<Image<double>> noisy_variance;
     };
 
     void add_scale() const;
@@ -47,6 +48,7 @@ class PreparedImage {
 
     const ImageF& image_;
     const Mask& valid_;
+    bool keeps_noisy_ = false;
     mutable std::optional<SeenImage> seen_;
     mutable std::optional<PixelWeights> weights_;  ///< weights of the last scale
     mutable std::optional<ImageF> noise_;          ///< at the last scale

@@ -58,7 +58,7 @@ class ScoredView {
         Mask valid = surface_;
         for (std::size_t i = 0; i < valid.size(); ++i) valid.pixels[i] &= truth.hits.surface.pixels[i];
         return testing::halved_scores(truth.visibility[0], truth.halves[0][0], truth.halves[0][1], image,
-                                      valid);
+                                      valid, truth.samples);
     }
 
   private:

@@ -2,10 +2,12 @@
 
 #include "metrics/evaluate.h"
 #include "metrics/intervals/block_errors.h"
+#include "metrics/prepared_halves.h"
 #include "pictures.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -21,6 +23,13 @@ testing::Pair masked_pair() {
             pair.truth.pixels[i] = pair.test.pixels[i] = std::numeric_limits<float>::quiet_NaN();
     }
     return pair;
+}
+
+/// Half of it, as noise.
+ImageF difference_of(const ImageF& first, const ImageF& second) {
+    ImageF noise(first.width, first.height);
+    for (std::size_t i = 0; i < noise.size(); ++i) noise.pixels[i] = (first.pixels[i] - second.pixels[i]) / 2;
+    return noise;
 }
 
 struct Measured {
@@ -82,6 +91,41 @@ TEST(PreparedImage, GivesTheSameWhateverItWasComparedWithBefore) {
     EXPECT_NE(evaluate(between).at("rmse").value, first.at("rmse").value);
     const auto again = evaluate(input);
     for (const auto& [id, metric] : first) EXPECT_EQ(again.at(id).value, metric.value) << id;
+}
+
+/// The sums of SSIM against a truth of halves with its noise, as evaluate() leaves them.
+MapSums noisy_sums(const testing::Pair& pair, const ImageF& first, const ImageF& second,
+                   const PreparedHalves* prepared) {
+    MapSums noisy;
+    const TruthHalves halves{first, second, nullptr, nullptr, prepared, &noisy};
+    MetricInput input = pair.input();
+    input.halves = &halves;
+    evaluate(input);
+    return noisy;
+}
+
+// They come from the pass that has the noise taken off. A second pass against the mean as it is knows nothing
+// of halves.
+TEST(PreparedHalves, GiveTheSumsOfSsimAgainstTheTruthAsItIs) {
+    testing::Pair pair = masked_pair();
+    const ImageF first = testing::natural_pair(301, 213, 3).truth,
+                 second = testing::natural_pair(301, 213).truth;
+    for (std::size_t i = 0; i < pair.truth.size(); ++i) {
+        if (pair.valid.pixels[i] == 1) pair.truth.pixels[i] = (first.pixels[i] + second.pixels[i]) / 2;
+    }
+    for (float& value : pair.test.pixels) value = std::isnan(value) ? 0 : value;
+    const MapSums plain = measured(metric("ssim"), pair.input()).maps;
+    const PreparedHalves prepared(pair.truth, first, second, pair.valid);
+    const MapSums noisy = noisy_sums(pair, first, second, &prepared);
+    ASSERT_EQ(noisy.ssim_sums.size(), plain.ssim_sums.size());
+    EXPECT_EQ(noisy.ssim_weights, plain.ssim_weights);
+    for (std::size_t b = 0; b < plain.ssim_sums.size(); ++b)
+        EXPECT_NEAR(noisy.ssim_sums[b], plain.ssim_sums[b], 1e-13 * plain.ssim_weights[b]) << "block " << b;
+    EXPECT_EQ(noisy_sums(pair, first, second, nullptr).ssim_sums, noisy.ssim_sums) << "not prepared before";
+    const PreparedImage without_noise(pair.truth, pair.valid, difference_of(first, second));
+    MetricInput input = pair.input();
+    input.prepared_truth = &without_noise;
+    EXPECT_NE(measured(metric("ssim"), input).maps.ssim_sums, plain.ssim_sums) << "noise that does nothing";
 }
 
 }  // namespace

@@ -20,12 +20,12 @@ struct HalvedScores {
 };
 
 /// Scores an image by the metrics of these ids, or by all; `truth` is the mean of the halves, and all images
-/// have one size.
+/// have one size. `samples` rays a pixel are those of both halves.
 inline HalvedScores halved_scores(const ImageF& truth, const ImageF& first, const ImageF& second,
-                                  const ImageF& test, const Mask& valid,
+                                  const ImageF& test, const Mask& valid, int samples,
                                   std::span<const std::string> ids = {}) {
     std::array<MapSums, 4> maps;
-    const TruthHalves halves{first, second, &maps[1], &maps[2], nullptr, &maps[3]};
+    const TruthHalves halves{first, second, &maps[1], &maps[2], nullptr, &maps[3], samples};
     MetricInput input{truth, test, valid};
     input.maps = &maps[0];
     input.halves = &halves;
@@ -33,7 +33,7 @@ inline HalvedScores halved_scores(const ImageF& truth, const ImageF& first, cons
     scores.values = evaluate(input, ids);
     const OcclusionMasks masks = occlusion_masks(input, 0.1);
     scores.noise = truth_noise(block_errors(input, masks), block_errors(against_half(input, 0), masks),
-                               block_errors(against_half(input, 1), masks), &maps[3]);
+                               block_errors(against_half(input, 1), masks), halves);
     return scores;
 }
 

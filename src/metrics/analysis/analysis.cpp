@@ -35,7 +35,7 @@ std::optional<ErrorAnalysis> analyse(const MetricInput& input, const PixelFacts&
     if (input.halves != nullptr) {
         const BlockErrors first = block_errors(against_half(input, 0), masks);
         const BlockErrors second = block_errors(against_half(input, 1), masks);
-        analysis.truth_noise = truth_noise(analysis.blocks, first, second, input.halves->noisy_maps);
+        analysis.truth_noise = truth_noise(analysis.blocks, first, second, *input.halves);
         analysis.blocks = extrapolated(std::move(analysis.blocks), first, second);
     }
     const std::array<const BlockErrors*, 1> images{&analysis.blocks};

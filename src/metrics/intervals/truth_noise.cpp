@@ -89,14 +89,12 @@ DrawnSums with_noise(DrawnSums all, const MapSums* noisy) {
 /// The standard deviation over scenes of what an extrapolation leaves of the noise, which no other seed would
 /// change.
 double left_over(const Metric& metric, const DrawnSums& whole, const DrawnSums& extrapolated,
-                 const DrawnSums& noisy) {
+                 const DrawnSums& noisy, int samples) {
     if (metric.noise != Metric::Noise::extrapolated) return 0;
     const double variance = whole.variance / whole.count, value = metric.resampled(extrapolated);
-    double left = metric.part_left(variance) * std::abs(value - metric.resampled(whole));
-    if (metric.left_by_noise > 0)
-        left = std::hypot(
-            left, metric.left_by_noise * std::sqrt(variance) * std::abs(value - metric.resampled(noisy)));
-    return left;
+    const double left = metric.part_left(variance) * std::abs(value - metric.resampled(whole));
+    if (metric.left_by_noise == 0) return left;
+    return std::hypot(left, metric.part_of_noise_left(samples) * std::abs(value - metric.resampled(noisy)));
 }
 
 double ms_ssim_variance(const MapSums& whole, const MapSums& first, const MapSums& second) {
@@ -111,11 +109,11 @@ double ms_ssim_variance(const MapSums& whole, const MapSums& first, const MapSum
 }  // namespace
 
 std::map<std::string, double> truth_noise(const BlockErrors& whole, const BlockErrors& first,
-                                          const BlockErrors& second, const MapSums* noisy) {
+                                          const BlockErrors& second, const TruthHalves& halves) {
     const Moved sums = moved(whole, first, second);
     const DrawnSums all = all_with_ms_ssim(whole);
     const DrawnSums all_extrapolated = all_with_ms_ssim(extrapolated(whole, first, second));
-    const DrawnSums all_noisy = with_noise(all, noisy);
+    const DrawnSums all_noisy = with_noise(all, halves.noisy_maps);
     const bool has_ms_ssim = whole.maps.ms_ssim && first.maps.ms_ssim && second.maps.ms_ssim;
     std::map<std::string, double> noise;
     for (const Metric& metric : metrics()) {
@@ -123,7 +121,7 @@ std::map<std::string, double> truth_noise(const BlockErrors& whole, const BlockE
         const double variance = metric.measure == measure::ms_ssim && has_ms_ssim
                                     ? ms_ssim_variance(whole.maps, first.maps, second.maps)
                                     : variance_of_sum(movements(metric, sums), whole.across, whole.down);
-        const double left = left_over(metric, all, all_extrapolated, all_noisy);
+        const double left = left_over(metric, all, all_extrapolated, all_noisy, halves.samples);
         const double half_width = kDeviations * std::hypot(std::sqrt(variance), left);
         if (std::isfinite(half_width)) noise[std::string(metric.id)] = half_width;
     }

@@ -9,8 +9,8 @@ namespace aoscore {
 
 /// The half width of a value's distance from the one against a truth without noise, with 95 % confidence, by
 /// metric id, for metrics whose noise is subtracted or extrapolated. `whole` holds the sums against the
-/// truth, `first` and `second` those against each of its two halves, and `noisy` those of
-/// TruthHalves::noisy_maps; without them a metric that needs them has no half width.
+/// truth, `first` and `second` those against each of its two `halves`. Where these lack the noisy sums or the
+/// number of rays, a metric that needs them has no half width.
 ///
 /// The noise of distant blocks is independent, and its sign is random. Half the difference of the halves
 /// changes the value by some amount in each block, and the sum of the squares of these changes is the
@@ -23,6 +23,6 @@ namespace aoscore {
 /// left_by_deviation, left_by_noise, root mean square over scenes), and their variance is added to that by
 /// noise: over many scenes 95 of 100 intervals hold the converged value, though not the same share on each.
 std::map<std::string, double> truth_noise(const BlockErrors& whole, const BlockErrors& first,
-                                          const BlockErrors& second, const MapSums* noisy);
+                                          const BlockErrors& second, const TruthHalves& halves);
 
 }  // namespace aoscore

@@ -16,6 +16,10 @@ MetricValue measure::ssim(const MetricInput& input) {
         input.maps->ssim_sums = sums.ssim;
         input.maps->ssim_weights = sums.weights;
     }
+    if (input.halves != nullptr && input.halves->noisy_maps != nullptr) {
+        input.halves->noisy_maps->ssim_sums = sums.noisy_ssim;
+        input.halves->noisy_maps->ssim_weights = sums.weights;
+    }
     return defined(means->ssim);
 }
 

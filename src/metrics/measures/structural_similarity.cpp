@@ -12,9 +12,10 @@
 namespace aoscore {
 namespace {
 
-/// The two indices of a row of pixels.
+/// The indices of a row of pixels.
 struct IndexRow {
-    std::vector<double> ssim, contrast_structure;
+    explicit IndexRow(std::size_t width) : ssim(width), contrast_structure(width), noisy_ssim(width) {}
+    std::vector<double> ssim, contrast_structure, noisy_ssim;
 };
 
 AOSCORE_WIDER_WHERE_POSSIBLE
@@ -35,6 +36,16 @@ void find_indices(MomentRow truth, MomentRow test, const double* products, const
         const double both = 1 / (most_luminance * most_structure);
         ssim[i] = luminance * structure * both;
         contrast_structure[i] = structure * most_luminance * both;
+    }
+}
+
+/// The index by another variance of the truth, which is but in the denominator of its structure.
+AOSCORE_WIDER_WHERE_POSSIBLE
+void find_noisy_indices(const double* ssim, const double* variance, const double* noisy_variance,
+                        const double* test_variance, double* noisy_ssim, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        noisy_ssim[i] = ssim[i] * ((variance[i] + test_variance[i] + kSsimC2) /
+                                   (noisy_variance[i] + test_variance[i] + kSsimC2));
     }
 }
 
@@ -68,6 +79,22 @@ PieceSums sums_of_piece(const double* weights, const double* ssim, const double*
     return sums;
 }
 
+/// The same of one index.
+AOSCORE_WIDER_WHERE_POSSIBLE
+double sum_of_piece(const double* weights, const double* index, std::size_t count) {
+    Lanes sums{};
+    std::size_t i = 0;
+    for (; i + kLanes <= count; i += kLanes) {
+        Lanes weight, each;
+        load(weight, weights + i);
+        load(each, index + i);
+        sums += weight != 0 ? weight * each : Lanes{};
+    }
+    double sum = sum_of(sums);
+    for (; i < count; ++i) sum += weights[i] == 0 ? 0 : weights[i] * index[i];
+    return sum;
+}
+
 /// One of the two images: a row of its values, and its moments, computed or looked up.
 class Side {
   public:
@@ -88,6 +115,10 @@ class Side {
         if (image_.moments == nullptr) return moving_.rows(scales);
         return {stored(y), stored(std::min(y + 1, image_.moments->mean.height - 1))};
     }
+
+    bool has_noisy_variance() const { return image_.noisy_variance != nullptr; }
+    /// Of the row `y`, counted like that of the moments.
+    const double* noisy_variance(int y) const { return &image_.noisy_variance->at(left_, y); }
 
   private:
     MomentRow stored(int y) const {
@@ -115,9 +146,8 @@ class AreaSums {
           halvings_(halvings),
           product_row_(static_cast<std::size_t>(area.width + 2 * kSsimBorder_px)),
           products_(product_row_.size()),
-          indices_{std::vector<double>(static_cast<std::size_t>(area.width)),
-                   std::vector<double>(static_cast<std::size_t>(area.width))} {
-        for (const BlockGrid& grid : grids) sums_.emplace_back(grid.size());
+          indices_(static_cast<std::size_t>(area.width)) {
+        for (const BlockGrid& grid : grids) sums_.emplace_back(grid.size(), truth_.has_noisy_variance());
     }
 
     std::vector<SsimSums> sums() {
@@ -142,6 +172,9 @@ class AreaSums {
             const auto row = static_cast<std::size_t>(i);
             find_indices(truth[row], test[row], products[row], scales[row], indices_.ssim.data(),
                          indices_.contrast_structure.data(), indices_.ssim.size());
+            if (truth_.has_noisy_variance())
+                find_noisy_indices(indices_.ssim.data(), truth[row].variance, truth_.noisy_variance(y + i),
+                                   test[row].variance, indices_.noisy_ssim.data(), indices_.ssim.size());
             add_row(y + i + kSsimBorder_px);
         }
     }
@@ -155,12 +188,15 @@ class AreaSums {
             grids_[g].for_each_piece(
                 y, left, left + area_.width, halvings_, [&](std::size_t block, int from, int to) {
                     const auto first = static_cast<std::size_t>(from - left);
+                    const auto count = static_cast<std::size_t>(to - from);
                     const PieceSums piece = sums_of_piece(&weights[first], &indices_.ssim[first],
-                                                          &indices_.contrast_structure[first],
-                                                          static_cast<std::size_t>(to - from));
+                                                          &indices_.contrast_structure[first], count);
                     sums_[g].ssim[block] += piece.ssim;
                     sums_[g].contrast_structure[block] += piece.contrast_structure;
                     sums_[g].weights[block] += piece.weights;
+                    if (truth_.has_noisy_variance())
+                        sums_[g].noisy_ssim[block] +=
+                            sum_of_piece(&weights[first], &indices_.noisy_ssim[first], count);
                 });
         }
     }
@@ -183,6 +219,7 @@ void SsimSums::add(const SsimSums& other) {
     add_sums(ssim, other.ssim);
     add_sums(contrast_structure, other.contrast_structure);
     add_sums(weights, other.weights);
+    add_sums(noisy_ssim, other.noisy_ssim);
 }
 
 std::optional<SsimMeans> SsimSums::means() const {
@@ -198,7 +235,7 @@ std::vector<SsimSums> structural_similarity(const WindowedImage& truth, const Wi
                                             const PixelWeights& weights, std::span<const BlockGrid> grids,
                                             int halvings) {
     std::vector<SsimSums> all;
-    for (const BlockGrid& grid : grids) all.emplace_back(grid.size());
+    for (const BlockGrid& grid : grids) all.emplace_back(grid.size(), truth.noisy_variance != nullptr);
     if (std::min(weights.width(), weights.height()) <= 2 * kSsimBorder_px) return all;
 
     const std::vector<ImageArea> areas = windowed_areas(weights.width(), weights.height());

@@ -22,9 +22,11 @@ struct SsimMeans {
 /// Weighted sums over blocks of the structural similarity index and of its contrast-and-structure factor.
 struct SsimSums {
     std::vector<double> ssim, contrast_structure, weights;
+    std::vector<double> noisy_ssim;  ///< of the index by WindowedImage::noisy_variance; empty without it
 
     SsimSums() = default;
-    explicit SsimSums(std::size_t blocks) : ssim(blocks), contrast_structure(blocks), weights(blocks) {}
+    SsimSums(std::size_t blocks, bool noisy)
+        : ssim(blocks), contrast_structure(blocks), weights(blocks), noisy_ssim(noisy ? blocks : 0) {}
     void add(const SsimSums& other);
     /// The means; empty when no pixel has a weight.
     std::optional<SsimMeans> means() const;
@@ -34,6 +36,8 @@ struct SsimSums {
 struct WindowedImage {
     const ImageF& image;
     const WindowMoments* moments = nullptr;
+    /// The image's own variance, where `moments` hold that without its noise and both are asked for.
+    const Image<double>* noisy_variance = nullptr;
 };
 
 /// Sums over the pixels that are at least kSsimBorder_px inside, by block of each grid of the image before it

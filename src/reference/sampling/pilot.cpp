@@ -18,8 +18,8 @@ constexpr double kPilotPart = 1.0 / 64;
 constexpr std::size_t kLeastTiles = 128;
 /// Stated errors fall by so much as rays are doubled, see TileLaw.
 const double kErrorPower = std::log2(std::sqrt(0.373));
-/// The time of rays that are traced at once grows about as N^0.85, as measured from 16 to 256 rays a pixel in
-/// halls and courts.
+/// The time of rays that are traced at once grows about as N^0.85, as measured from 16 to 256 rays a pixel on
+/// the atrium, and on no other scene.
 constexpr double kTimePower = 0.85;
 /// So many doublings beyond what was traced are foreseen by the law of the error.
 constexpr int kForeseen = 3;
