@@ -82,7 +82,7 @@ const std::vector<Metric>& metrics() {
          .over_views = over_views::mean,
          .resampled = [](const DrawnSums& s) { return s.ssim / s.ssim_weight; },
          .noise = extrapolated,
-         .left_by_noise = 0.5,
+         .left_by_noise = 0.48,
          .most_noise_variance = 3e-4,
          .brief = true,
          .unranked = true},

@@ -129,15 +129,15 @@ TEST_P(ScoresFromFewRays, HoldTheConvergedOnesWithinWhatTheyState) {
 }
 
 /// Adds the scores of a view from one seed after another, metric by metric, to `pooled` and to a table.
-void cover(const std::string& scene, std::map<std::string, Coverage>& pooled, std::string& table) {
-    constexpr int kSeeds = 200, kRays = 32;
+void cover(const std::string& scene, int rays, std::map<std::string, Coverage>& pooled, std::string& table) {
+    constexpr int kSeeds = 200;
     const ScoredView view(scene, 160, 90, {"gtao", "hbao", "sao"});
     const Truth many = view.truth(4096, kSeeds + 1);
     std::map<std::string, std::map<std::string, Coverage>> by_method;
     std::map<std::string, testing::HalvedScores> converged;
     for (const auto& [method, image] : view.images()) converged[method] = view.measure(many, image);
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-        const Truth few = view.truth(kRays, seed);
+        const Truth few = view.truth(rays, seed);
         for (const auto& [method, image] : view.images()) {
             const testing::HalvedScores scores = view.measure(few, image);
             for (const auto& [metric, half_width] : scores.noise) {
@@ -157,12 +157,14 @@ void cover(const std::string& scene, std::map<std::string, Coverage>& pooled, st
 
 // What the extrapolation leaves is the same for every seed, so that the share differs from scene to scene and
 // from image to image: the statement is about all of them.
-TEST(IntervalsOverTwoHundredSeeds, HoldTheConvergedValueAsOftenAsTheySay) {
+class IntervalsOverTwoHundredSeeds : public ::testing::TestWithParam<int> {};
+
+TEST_P(IntervalsOverTwoHundredSeeds, HoldTheConvergedValueAsOftenAsTheySay) {
     std::map<std::string, Coverage> pooled;
     std::string table =
         "| view, method | metric | share of intervals that hold it | mean half width | mean error |\n"
         "|---|---|---:|---:|---:|\n";
-    for (const char* scene : {"pillar", "railing"}) cover(scene, pooled, table);
+    for (const char* scene : {"pillar", "railing"}) cover(scene, GetParam(), pooled, table);
     for (const auto& [metric, coverage] : pooled)
         table +=
             fmt::format("| all | {} | {:.3f} | {:.2g} | |\n", metric, coverage.share(), coverage.half_width);
@@ -174,6 +176,9 @@ TEST(IntervalsOverTwoHundredSeeds, HoldTheConvergedValueAsOftenAsTheySay) {
         EXPECT_LE(coverage.share(), 0.98) << metric << "\n" << table;
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Rays, IntervalsOverTwoHundredSeeds, ::testing::Values(16, 32),
+                         ::testing::PrintToStringParamName());
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ScoresFromFewRays, ::testing::Values("atrium", "yard", "pillar", "sphere"),
                          [](const auto& test) { return std::string(test.param); });
