@@ -95,14 +95,14 @@ TEST(StandardErrors, HoldInTheTailAtFewRays) {
                 calibration.add(reference.trace(frame, query, settings, "calibration"), exact);
             table += row(c.name, kSamples[n], calibration);
             all[n].add(calibration);
-            EXPECT_NEAR(calibration.ratio(), 0.95, 0.19) << c.name << ", " << kSamples[n] << " rays";
-            EXPECT_LT(calibration.share_beyond(), 0.018) << c.name << ", " << kSamples[n] << " rays";
+            EXPECT_NEAR(calibration.ratio(), 0.93, 0.14) << c.name << ", " << kSamples[n] << " rays";
+            EXPECT_LT(calibration.share_beyond(), 0.014) << c.name << ", " << kSamples[n] << " rays";
         }
     }
     for (std::size_t n = 0; n < kSamples.size(); ++n) {
         table += row("all", kSamples[n], all[n]);
-        EXPECT_NEAR(all[n].ratio(), 1, 0.05) << kSamples[n] << " rays";
-        EXPECT_LT(all[n].share_beyond(), 0.005) << kSamples[n] << " rays";
+        EXPECT_NEAR(all[n].ratio(), 1, 0.06) << kSamples[n] << " rays";
+        EXPECT_LT(all[n].share_beyond(), 0.0055) << kSamples[n] << " rays";
     }
     std::ofstream(testing::output_dir() / "calibration.md") << table;
 }

@@ -9,25 +9,23 @@ namespace aoscore {
 namespace {
 
 /// The usual law, V(N) = kUsualScale * visibility_shape() * N^log2(kUsualRatio), measured at 16, 64 and 256
-/// rays on halls, a court, a staircase and scanned figures. Within what these say, its numbers, kSlowRatio
-/// and kThinFrom are such that stated errors hold in the mean and in the tail over the six scenes of
-/// calibration_test.cpp together.
-constexpr double kUsualRatio = 0.379;
-constexpr double kUsualScale = 0.338;
+/// rays on halls, a court, a staircase and scanned figures.
+constexpr double kUsualRatio = 0.373;
+constexpr double kUsualScale = 0.3;
 /// Part of the usual scale that a tile has at least.
 constexpr double kLeastScale = 0.7;
 /// The usual scale counts like so many of a tile's pixels.
 constexpr double kPriorPixels = 1;
 
-/// The part of a variance that doubling leaves among hairs: about the slowest fall seen. Both laws state the
-/// same at so many rays, from where on the scale of hairs grows against the usual one.
-constexpr double kSlowRatio = 0.503;
+/// The part of a variance that doubling leaves among hairs: the slowest fall seen. Both laws state the same
+/// at so many rays, from where on the scale of hairs grows against the usual one.
+constexpr double kSlowRatio = 0.477;
 constexpr double kMeetingSamples = 3.2;
 /// Below so many rays the laws cannot be told apart.
 constexpr int kLeastSamplesToTell = 8;
 /// A tile begins to count as thin at this part of the way, in logarithms, from the usual scale to that of
 /// hairs.
-constexpr double kThinFrom = 0.1;
+constexpr double kThinFrom = 0.15;
 /// Thin occluders leave no two neighbours alike: standard deviations of true visibility over the tile at
 /// which it may begin to count as thin, and may fully.
 constexpr double kSmoothSpread = 0.03, kRoughSpread = 0.1;
