@@ -1,5 +1,6 @@
 #include "cli/environment_options.h"
 
+#include "cli/number_range.h"
 #include "core/error.h"
 #include "plan/lit_cells.h"
 
@@ -14,7 +15,8 @@ void add_environment_options(CLI::App& app, EnvironmentOptions& options) {
         ->type_name("sky|FILE");
     app.add_option("--environment-turn", options.turn_deg,
                    "Turn that file so many degrees about the up axis, counterclockwise seen from above [0]")
-        ->type_name("DEG");
+        ->type_name("DEG")
+        ->check(number_in(-360.0, 360.0));
 }
 
 void light_view(const EnvironmentOptions& options, const std::vector<MethodDescriptor>& methods,

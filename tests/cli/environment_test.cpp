@@ -177,6 +177,11 @@ TEST(ScoreUnderAnEnvironment, RefusesWhatItCannotLightBy) {
     EXPECT_EQ(refused("--environment absent.hdr").exit_code, 4);
     EXPECT_EQ(refused("--environment-turn 10").exit_code, 64);
     EXPECT_EQ(refused("--environment sky --environment-turn 10").exit_code, 64);
+    for (const std::string turn : {"nan", "inf", "1e30", "-361"}) {
+        const auto turned = refused("--environment light.hdr --environment-turn=" + turn);
+        EXPECT_EQ(turned.exit_code, 64) << turn;
+        EXPECT_THAT(turned.err, HasSubstr("number from -360 to 360")) << turn;
+    }
     const ImageF square(8, 8, 1);
     write_exr(folder / "square.exr", std::vector<ChannelView>{{"R", &square}, {"G", &square}, {"B", &square}},
               {});
