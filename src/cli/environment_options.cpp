@@ -20,12 +20,12 @@ void add_environment_options(CLI::App& app, EnvironmentOptions& options) {
 }
 
 void light_view(const EnvironmentOptions& options, const std::vector<MethodDescriptor>& methods,
-                ViewPlan& view) {
+                ViewPlan& view, std::vector<std::string>& warnings) {
     if (options.turn_deg != 0 && (!options.given() || options.environment == kSkyId))
         throw usage_error("there is no picture to turn", "--environment-turn", "with --environment FILE");
     if (!options.given()) return;
     view.environment = named_environment(options.environment, options.turn_deg);
-    light_cells(methods, view);
+    light_cells(methods, view, warnings);
 }
 
 }  // namespace aoscore
