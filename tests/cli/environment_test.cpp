@@ -169,6 +169,30 @@ TEST(ScoreUnderAnEnvironment, TurnsIt) {
     EXPECT_THAT(view.light->environment, HasSubstr("turned by 90°"));
 }
 
+TEST(ScoreUnderAnEnvironment, LightsByTheNormalAloneWhereMethodsGiveNoSignals) {
+    const auto folder = output_dir();
+    for (const std::string resolution : {"half", "dual"}) {
+        const auto run = run_aoscore(
+            kScore + ("--environment sky --out page --resolution " + resolution), folder);
+        ASSERT_EQ(run.exit_code, 0) << run.err;
+        EXPECT_THAT(run.err, HasSubstr("are lit by the surface's normal alone"));
+        for (const CellRecord& cell : read_results(folder / "page").cells) {
+            ASSERT_EQ(cell.error, "");
+            for (const LightMode& mode : light_modes())
+                EXPECT_EQ(cell.light.contains(mode.error()), !mode.bent) << cell.id << ", " << mode.id;
+        }
+    }
+}
+
+TEST(ScoreUnderAnEnvironment, GatesEveryErrorThatAModeHas) {
+    const auto folder = output_dir();
+    const Results results = scored(folder, "--environment sky --out page");
+    const CellRecord& cell = results.cells.front();
+    for (const LightMode& mode : light_modes()) {
+        for (const std::string& id : mode.measures()) EXPECT_TRUE(cell.light.contains(id)) << id;
+    }
+}
+
 TEST(ScoreUnderAnEnvironment, RefusesWhatItCannotLightBy) {
     const auto folder = output_dir();
     const auto refused = [&](const std::string& options) {
