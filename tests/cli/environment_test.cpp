@@ -184,6 +184,23 @@ TEST(ScoreUnderAnEnvironment, LightsByTheNormalAloneWhereMethodsGiveNoSignals) {
     }
 }
 
+TEST(ScoreUnderAnEnvironment, LeavesNoPictureToARunWithoutIt) {
+    const auto folder = output_dir();
+    const Results lit = scored(folder, "--environment sky --out page");
+    const auto is_there = [&](const std::string& file) {
+        return std::filesystem::exists(folder / "page" / file);
+    };
+    ASSERT_TRUE(is_there(lit.views.at(0).light->file));
+    ASSERT_TRUE(is_there(lit.cells.front().lit_file));
+    write_atomically(folder / "page/cells/notes.txt", "of the user");
+    const Results plain = scored(folder, "--out page");
+    EXPECT_FALSE(is_there(lit.views.at(0).light->file));
+    for (const CellRecord& cell : lit.cells) EXPECT_FALSE(is_there(cell.lit_file)) << cell.lit_file;
+    for (const CellRecord& cell : plain.cells) EXPECT_TRUE(is_there(cell.image_file)) << cell.image_file;
+    EXPECT_TRUE(is_there(plain.views.at(0).truth_file));
+    EXPECT_TRUE(is_there("cells/notes.txt"));
+}
+
 TEST(ScoreUnderAnEnvironment, GatesEveryErrorThatAModeHas) {
     const auto folder = output_dir();
     const Results results = scored(folder, "--environment sky --out page");
