@@ -113,7 +113,7 @@ TEST(LightSection, NamesOneMethodTheClosestOnlyWhereItsIntervalLiesBelowTheOther
     EXPECT_THAT(told_apart, HasSubstr("lights closest of 2 methods"));
     EXPECT_THAT(told_apart, Not(HasSubstr("equally close")));
     const std::string overlapping = page_with(folder, {0.14, 0.3});
-    EXPECT_THAT(overlapping, HasSubstr("2 of 2 methods light equally close"));
+    EXPECT_THAT(overlapping, HasSubstr("all 2 methods light equally close"));
     EXPECT_THAT(overlapping, Not(HasSubstr("lights closest")));
 }
 

@@ -181,10 +181,12 @@ std::string closeness_text(const std::string& view, const std::vector<const Cell
         names.resize(kNamed - 1);
         names.push_back(fmt::format("{} others", equal - names.size()));
     }
+    const std::string how_many =
+        equal == cells.size() ? fmt::format("all {}", equal) : fmt::format("{} of {}", equal, cells.size());
     return fmt::format(
-        "On {}, {} of {} methods light equally close to the ray-traced irradiance, as far as the "
-        "intervals tell: {}. The least error is {} % of the mean.",
-        view, equal, cells.size(), fmt::join(names, "; "), error);
+        "On {}, {} methods light equally close to the ray-traced irradiance, as far as the intervals tell: "
+        "{}. The least error is {} % of the mean.",
+        view, how_many, fmt::join(names, "; "), error);
 }
 
 /// How close methods come on the first view with light.
