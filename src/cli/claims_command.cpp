@@ -2,6 +2,7 @@
 #include "cli/number_range.h"
 #include "cli/run_and_page.h"
 #include "cli/shared_options.h"
+#include "core/error.h"
 #include "core/output.h"
 #include "results/results_folder.h"
 #include "verdict/claim_verdicts.h"
@@ -23,7 +24,11 @@ struct ClaimsOptions {
 
 ExitCode run(const ClaimsOptions& options, const GlobalOptions& global) {
     std::optional<Results> before;
-    if (!options.before.empty()) before = read_results(options.before);
+    if (!options.before.empty()) {
+        before = read_results(options.before);
+        if (before->claims.empty())
+            throw file_error("judges no claims", options.before.string(), "results of aoscore claims");
+    }
     std::vector<ClaimList> lists = chosen_claims(load_claims(), options.ids);
     scale_views(lists, options.scale);
     ExperimentPlan plan;

@@ -20,8 +20,8 @@ struct EnvironmentOptions {
 void add_environment_options(CLI::App& app, EnvironmentOptions& options);
 
 /// Lights every cell of the view by the environment, if one was chosen. Throws as read_environment() does,
-/// and usage_error for a turn of nothing.
+/// and usage_error for a turn of nothing. `warnings` says what light_cells() warns of.
 void light_view(const EnvironmentOptions& options, const std::vector<MethodDescriptor>& methods,
-                ViewPlan& view);
+                ViewPlan& view, std::vector<std::string>& warnings);
 
 }  // namespace aoscore

@@ -130,7 +130,7 @@ ExitCode run(ScoreOptions options, const GlobalOptions& global) {
         throw usage_error("a frame has no scene to trace light in", "--environment", "with SCENE");
     if (options.frame.given()) take_frame(options, methods, plan, view);
     if (!options.contestants.empty()) add_contestants(options, plan, view);
-    light_view(options.environment, methods, view);
+    light_view(options.environment, methods, view, plan.warnings);
     for (const std::string& id :
          options.frame.given() ? std::vector<std::string>{"frame"} : planned_views(options.choice.view)) {
         view.view = id;

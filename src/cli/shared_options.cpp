@@ -203,10 +203,10 @@ void add_view_options(CLI::App& app, ViewChoice& choice) {
     };
     CLI::Option* eye = app.add_option_function<std::string>(
         "--eye", [camera](const std::string& text) { camera().position = parse_point("--eye", text); },
-        "A camera of your own stands there, in the scene's coordinates");
+        "A camera of your own stands there, in metres with +y up: the file's coordinates after --unit and --up");
     CLI::Option* target = app.add_option_function<std::string>(
         "--target", [camera](const std::string& text) { camera().target = parse_point("--target", text); },
-        "What it looks at; +y is up");
+        "What it looks at, likewise");
     CLI::Option* fovy = app.add_option_function<double>(
         "--fovy", [camera](double degrees) { camera().fovy_rad = glm::radians(degrees); },
         fmt::format("Its vertical angle of view in degrees [{:g}]", kGivenFovy_deg));

@@ -25,10 +25,23 @@ struct Source {
     double solid_angle;
 };
 
-/// The texels of a picture, reduced to what the smallest cone still tells apart.
+/// The same light in texels of at least `width` a row: each texel is an area of even light, which the one
+/// direction of its centre cannot stand for where texels are few.
+EnvironmentMap divided(const EnvironmentMap& map, int width) {
+    const int parts = (width + map.radiance.width - 1) / map.radiance.width;
+    EnvironmentMap fine{Image<glm::vec3>(map.radiance.width * parts, map.radiance.height * parts),
+                        map.turn_rad};
+    for (int y = 0; y < fine.radiance.height; ++y) {
+        for (int x = 0; x < fine.radiance.width; ++x)
+            fine.radiance.at(x, y) = map.radiance.at(x / parts, y / parts);
+    }
+    return fine;
+}
+
+/// The texels of a picture, of a size that the smallest cone tells apart and no smaller.
 std::vector<Source> sources_of(const EnvironmentMap& picture) {
-    constexpr int kWidth = 512;  // texels of 0.7 degrees, a sixteenth of the smallest cone's half angle
-    const EnvironmentMap map = picture.reduced(kWidth);
+    constexpr int kLeast = 256, kMost = 512;  // 0.7 degrees: a sixteenth of the smallest cone's half angle
+    const EnvironmentMap map = divided(picture.reduced(kMost), kLeast);
     std::vector<Source> sources;
     for (int y = 0; y < map.radiance.height; ++y) {
         for (int x = 0; x < map.radiance.width; ++x) {

@@ -8,6 +8,7 @@
 #include "core/staged_folder.h"
 #include "core/stopwatch.h"
 #include "core/threads.h"
+#include "experiment/left_files.h"
 #include "experiment/planned_runs.h"
 #include "experiment/score_goal.h"
 #include "experiment/work_plan.h"
@@ -226,7 +227,9 @@ Results run_experiment(const ExperimentPlan& plan, const std::filesystem::path& 
         write_live_file(folder, planned.registry(), plan.methods_dir, live_views(planned), plan.seed);
     if (!results.sweeps.empty()) write_atomically(folder / "sweep.csv", sweeps_as_csv(results));
     if (finish) finish(folder);
+    const std::set<std::filesystem::path> earlier = pictures_in(target);
     staged.publish();
+    remove_left_pictures(target, earlier, results);
     store.settle(folder, target);
     return results;
 }

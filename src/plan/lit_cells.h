@@ -19,7 +19,9 @@ inline constexpr std::string_view kSkyId = "sky";
 std::shared_ptr<const Environment> named_environment(const std::string& name, double turn_deg);
 
 /// Has every cell of the view lit, with the signals that light takes of the methods that give them; the truth
-/// is asked for these signals. Contestants that are not among `methods` are lit by visibility alone.
-void light_cells(const std::vector<MethodDescriptor>& methods, ViewPlan& view);
+/// is asked for these signals. Contestants that are not among `methods` are lit by visibility alone, and so are
+/// methods at a resolution at which they give no signals: `warnings` then says so.
+void light_cells(const std::vector<MethodDescriptor>& methods, ViewPlan& view,
+                 std::vector<std::string>& warnings);
 
 }  // namespace aoscore

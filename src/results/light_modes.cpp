@@ -49,6 +49,12 @@ std::string LightMode::gain() const {
     return fmt::format("gain.{}", id);
 }
 
+std::vector<std::string> LightMode::measures() const {
+    std::vector<std::string> ids{error(), relative_error(), bias()};
+    if (id != kLightModes.front().id) ids.push_back(gain());
+    return ids;
+}
+
 std::span<const LightMode> light_modes() {
     return kLightModes;
 }

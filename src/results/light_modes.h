@@ -29,8 +29,8 @@ struct LightMode {
     std::string relative_error() const;  ///< the same over the mean of the truth: "relative_rmse.bent_normal"
     std::string bias() const;            ///< mean error over the mean of the truth: "bias.bent_normal"
     std::string gain() const;  ///< what it takes off the error of the mode before: "gain.bent_normal"
-    /// All of them.
-    std::vector<std::string> measures() const { return {error(), relative_error(), bias(), gain()}; }
+    /// All of them that there are: before the plainest mode there is none to gain on.
+    std::vector<std::string> measures() const;
 };
 
 /// The one table of them, the plainest first.

@@ -57,7 +57,7 @@ void write_results(const Results& results, const std::filesystem::path& folder) 
 
 Results read_results(const std::filesystem::path& path) {
     std::error_code ec;
-    const std::filesystem::path file = std::filesystem::is_regular_file(path, ec) ? path : path / kFileName;
+    const std::filesystem::path file = std::filesystem::is_directory(path, ec) ? path / kFileName : path;
     return results_from_json(parsed_results(file), file.string());
 }
 

@@ -169,6 +169,47 @@ TEST(ScoreUnderAnEnvironment, TurnsIt) {
     EXPECT_THAT(view.light->environment, HasSubstr("turned by 90°"));
 }
 
+TEST(ScoreUnderAnEnvironment, LightsByTheNormalAloneWhereMethodsGiveNoSignals) {
+    const auto folder = output_dir();
+    for (const std::string resolution : {"half", "dual"}) {
+        const auto run = run_aoscore(
+            kScore + ("--environment sky --out page --resolution " + resolution), folder);
+        ASSERT_EQ(run.exit_code, 0) << run.err;
+        EXPECT_THAT(run.err, HasSubstr("are lit by the surface's normal alone"));
+        for (const CellRecord& cell : read_results(folder / "page").cells) {
+            ASSERT_EQ(cell.error, "");
+            for (const LightMode& mode : light_modes())
+                EXPECT_EQ(cell.light.contains(mode.error()), !mode.bent) << cell.id << ", " << mode.id;
+        }
+    }
+}
+
+TEST(ScoreUnderAnEnvironment, LeavesNoPictureToARunWithoutIt) {
+    const auto folder = output_dir();
+    const Results lit = scored(folder, "--environment sky --out page");
+    const auto is_there = [&](const std::string& file) {
+        return std::filesystem::exists(folder / "page" / file);
+    };
+    ASSERT_TRUE(is_there(lit.views.at(0).light->file));
+    ASSERT_TRUE(is_there(lit.cells.front().lit_file));
+    write_atomically(folder / "page/cells/notes.txt", "of the user");
+    const Results plain = scored(folder, "--out page");
+    EXPECT_FALSE(is_there(lit.views.at(0).light->file));
+    for (const CellRecord& cell : lit.cells) EXPECT_FALSE(is_there(cell.lit_file)) << cell.lit_file;
+    for (const CellRecord& cell : plain.cells) EXPECT_TRUE(is_there(cell.image_file)) << cell.image_file;
+    EXPECT_TRUE(is_there(plain.views.at(0).truth_file));
+    EXPECT_TRUE(is_there("cells/notes.txt"));
+}
+
+TEST(ScoreUnderAnEnvironment, GatesEveryErrorThatAModeHas) {
+    const auto folder = output_dir();
+    const Results results = scored(folder, "--environment sky --out page");
+    const CellRecord& cell = results.cells.front();
+    for (const LightMode& mode : light_modes()) {
+        for (const std::string& id : mode.measures()) EXPECT_TRUE(cell.light.contains(id)) << id;
+    }
+}
+
 TEST(ScoreUnderAnEnvironment, RefusesWhatItCannotLightBy) {
     const auto folder = output_dir();
     const auto refused = [&](const std::string& options) {
@@ -177,6 +218,11 @@ TEST(ScoreUnderAnEnvironment, RefusesWhatItCannotLightBy) {
     EXPECT_EQ(refused("--environment absent.hdr").exit_code, 4);
     EXPECT_EQ(refused("--environment-turn 10").exit_code, 64);
     EXPECT_EQ(refused("--environment sky --environment-turn 10").exit_code, 64);
+    for (const std::string turn : {"nan", "inf", "1e30", "-361"}) {
+        const auto turned = refused("--environment light.hdr --environment-turn=" + turn);
+        EXPECT_EQ(turned.exit_code, 64) << turn;
+        EXPECT_THAT(turned.err, HasSubstr("number from -360 to 360")) << turn;
+    }
     const ImageF square(8, 8, 1);
     write_exr(folder / "square.exr", std::vector<ChannelView>{{"R", &square}, {"G", &square}, {"B", &square}},
               {});

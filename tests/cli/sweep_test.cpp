@@ -188,7 +188,14 @@ TEST(Claims, AreJudgedFromWhatWasMeasuredForThem) {
         return fmt::format("{} {}, before: {}\n", claim.id, claim.verdict, before);
     };
     EXPECT_THAT(changed.out, EndsWith(line(results.claims.at(1), "none") + line(results.claims.at(2), "not judged")));
-    EXPECT_EQ(run_aoscore("claims H14 --scale 0.1 --before missing.json", folder).exit_code, 4);
+    const auto missing = run_aoscore("claims H14 --scale 0.1 --before missing.json", folder);
+    EXPECT_EQ(missing.exit_code, 4);
+    EXPECT_THAT(missing.err, HasSubstr("missing.json: no such file"));
+    earlier["claims"].clear();
+    write_atomically(folder / "claimless.json", earlier.dump());
+    const auto claimless = run_aoscore("claims H14 --scale 0.1 --before claimless.json", folder);
+    EXPECT_EQ(claimless.exit_code, 4);
+    EXPECT_THAT(claimless.err, HasSubstr("judges no claims"));
 }
 
 // One view at several radii is several pictures: none may take another's place.

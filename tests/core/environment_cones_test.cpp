@@ -87,6 +87,19 @@ TEST(ConesOfAPicture, FollowTheClosedFormUnderALinearGradient) {
     }
 }
 
+// The lower half is white. A surface tilted by t sees the part (1 - cos t) / 2 of it, however few texels there
+// are: they are areas, not points.
+TEST(ConesOfAPicture, FollowTheClosedFormUnderFewTexels) {
+    for (const int height : {2, 4, 8, 16, 32}) {
+        const EnvironmentCones cones(
+            picture_of(height, [](const glm::dvec3& from) { return glm::dvec3(from.y < 0 ? 1 : 0); }));
+        for (const double tilt : {0.0, 0.38, kPi / 3, kPi / 2, 2.0, kPi}) {
+            EXPECT_NEAR(cones.mean_radiance(tilted(tilt), kPi / 2).y, (1 - std::cos(tilt)) / 2, 2e-3)
+                << height << ", " << tilt;
+        }
+    }
+}
+
 TEST(ConesOfAPicture, OfTheGeneratedSkyAreThoseOfItsTerms) {
     const EnvironmentCones terms(generated_sky());
     const EnvironmentCones texels(

@@ -86,13 +86,35 @@ TEST(LightSection, HasATableAndPicturesOfEveryModeThatAMethodHas) {
     EXPECT_NE(page.find("court &lt;yard&gt;.hdr"), std::string::npos);
     for (const LightMode& mode : light_modes())
         EXPECT_NE(page.find(std::string(mode.label)), std::string::npos);
-    EXPECT_NE(page.find("title=\"10.0 to 30.0 with 95 % confidence\">12.3<"), std::string::npos);
+    EXPECT_NE(page.find(">12.3<span class=\"unit\">10.0 to 30.0<"), std::string::npos);
     EXPECT_NE(page.find(">3.2<"), std::string::npos) << "the truth's own signals";
     EXPECT_NE(page.find("title=\"it lacks the signals\">–<"), std::string::npos);
     EXPECT_EQ(count_of(page, "alt=\"Light of "), light_modes().size() + 1);
     EXPECT_EQ(count_of(page, "alt=\"Error of the light of "), light_modes().size() + 1);
     EXPECT_EQ(count_of(page, "alt=\"Ray-traced irradiance on "), 1u);
     EXPECT_NE(page.find("0.50 % of that mean"), std::string::npos) << "the standard error";
+}
+
+/// The page of lit results whose second method has that interval about its error.
+std::string page_with(const std::filesystem::path& folder, const Interval& second) {
+    Results results = lit_results(folder);
+    int lit = 0;
+    for (CellRecord& cell : results.cells) {
+        for (auto& [id, measure] : cell.light) measure.interval = lit == 0 ? Interval{0.1, 0.15} : second;
+        lit += !cell.light.empty();
+    }
+    write_synthetic(results, folder);
+    return read_file(write_page(folder));
+}
+
+TEST(LightSection, NamesOneMethodTheClosestOnlyWhereItsIntervalLiesBelowTheOthers) {
+    const auto folder = output_dir();
+    const std::string told_apart = page_with(folder, {0.2, 0.3});
+    EXPECT_THAT(told_apart, HasSubstr("lights closest of 2 methods"));
+    EXPECT_THAT(told_apart, Not(HasSubstr("equally close")));
+    const std::string overlapping = page_with(folder, {0.14, 0.3});
+    EXPECT_THAT(overlapping, HasSubstr("all 2 methods light equally close"));
+    EXPECT_THAT(overlapping, Not(HasSubstr("lights closest")));
 }
 
 /// The first pixel of a PNG of eight bits in a data URI is what a browser shows: it is compared as text.

@@ -1,13 +1,14 @@
-#include "core/counted.h"
 #include "page/document/number_text.h"
 #include "page/pictures/lit_picture.h"
 #include "page/section.h"
 #include "results/light_modes.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -42,12 +43,19 @@ const MeasureRecord* measure_in(const LightMap& light, const std::string& id) {
     return found == light.end() ? nullptr : &found->second;
 }
 
-/// The least relative error of a cell over the modes that it has, with the mode.
-std::optional<std::pair<double, const LightMode*>> least_error(const LightMap& light) {
-    std::optional<std::pair<double, const LightMode*>> least;
+/// A cell's error by one mode.
+struct LightError {
+    const MeasureRecord* error;
+    const LightMode* mode;
+};
+
+/// The least relative error of a cell over the modes that it has.
+std::optional<LightError> least_error(const LightMap& light) {
+    std::optional<LightError> least;
     for (const LightMode& mode : light_modes()) {
         const MeasureRecord* error = measure_in(light, mode.relative_error());
-        if (error != nullptr && (!least || error->value < least->first)) least = {error->value, &mode};
+        if (error != nullptr && (!least || error->value < least->error->value))
+            least = LightError{error, &mode};
     }
     return least;
 }
@@ -59,21 +67,23 @@ std::vector<const CellRecord*> lit_cells(const Results& results, const ViewRecor
         if (cell.view_key == view.key && least_error(cell.light)) cells.push_back(&cell);
     }
     std::ranges::stable_sort(cells, {},
-                             [](const CellRecord* cell) { return least_error(cell->light)->first; });
+                             [](const CellRecord* cell) { return least_error(cell->light)->error->value; });
     return cells;
 }
 
 json light_number(const LightMap& light, const LightMode& mode, const LightColumn& column) {
     const MeasureRecord* measure = measure_in(light, (mode.*column.id)());
-    if (measure == nullptr) return {{"text", kNoNumber}, {"sort", ""}, {"note", "it lacks the signals"}};
-    std::string note;
+    if (measure == nullptr)
+        return {{"text", kNoNumber}, {"sort", ""}, {"note", "it lacks the signals"}, {"interval", ""}};
+    std::string interval;
     if (measure->interval) {
-        note = fmt::format("{} to {} with 95 % confidence", percent_text(measure->interval->low, 1),
-                           percent_text(measure->interval->high, 1));
+        interval = fmt::format("{} to {}", percent_text(measure->interval->low, 1),
+                               percent_text(measure->interval->high, 1));
     }
     return {{"text", percent_text(measure->value, 1)},
             {"sort", fmt::format("{}", measure->value)},
-            {"note", std::move(note)}};
+            {"note", interval.empty() ? "" : "between these with 95 % confidence"},
+            {"interval", std::move(interval)}};
 }
 
 json light_row(const std::string& name, const std::string& cell, const LightMap& light) {
@@ -140,18 +150,51 @@ json lit_view(const PageSource& source, const ViewRecord& view) {
             {"methods", std::move(methods)}};
 }
 
-/// Names the closest method of the first view.
+/// Whether the interval of a method's error reaches down to that of the least one.
+bool may_be_as_close(const MeasureRecord& least, const MeasureRecord& error) {
+    if (!least.interval || !error.interval) return error.value <= least.value;
+    return error.interval->low <= least.interval->high;
+}
+
+/// How close the lit cells of a view come, least error first; at least one.
+std::string closeness_text(const std::string& view, const std::vector<const CellRecord*>& cells) {
+    constexpr std::size_t kNamed = 4;
+    const auto [least, mode] = *least_error(cells[0]->light);
+    const std::string error = percent_text(least->value, 1);
+    if (cells.size() == 1) {
+        return fmt::format(
+            "On {}, {} lights with an error of {} % of the mean of the ray-traced irradiance, by its {}.",
+            view, lit_name(*cells[0]), error, mode->label);
+    }
+    std::vector<std::string> names;
+    for (const CellRecord* cell : cells) {
+        if (may_be_as_close(*least, *least_error(cell->light)->error)) names.push_back(lit_name(*cell));
+    }
+    if (names.size() == 1) {
+        return fmt::format(
+            "On {}, {} lights closest of {} methods to the ray-traced irradiance, by its {}: the "
+            "error is {} % of the mean.",
+            view, names[0], cells.size(), mode->label, error);
+    }
+    const std::size_t equal = names.size();
+    if (equal > kNamed) {
+        names.resize(kNamed - 1);
+        names.push_back(fmt::format("{} others", equal - names.size()));
+    }
+    const std::string how_many =
+        equal == cells.size() ? fmt::format("all {}", equal) : fmt::format("{} of {}", equal, cells.size());
+    return fmt::format(
+        "On {}, {} methods light equally close to the ray-traced irradiance, as far as the intervals tell: "
+        "{}. The least error is {} % of the mean.",
+        view, how_many, fmt::join(names, "; "), error);
+}
+
+/// How close methods come on the first view with light.
 std::string light_in_short(const Results& results) {
     for (const ViewRecord& view : results.views) {
         if (!view.light) continue;
         const std::vector<const CellRecord*> cells = lit_cells(results, view);
-        if (cells.empty()) continue;
-        const auto [error, mode] = *least_error(cells[0]->light);
-        return fmt::format(
-            "On {}, {} lights closest of {} to the ray-traced irradiance, by its {}: the error is {} % of "
-            "the mean.",
-            view.key, lit_name(*cells[0]), counted(cells.size(), "method", "methods"), mode->label,
-            percent_text(error, 1));
+        if (!cells.empty()) return closeness_text(view.key, cells);
     }
     return "No method could be lit.";
 }

@@ -82,27 +82,39 @@ std::optional<double> value_of(const CellRecord& cell, const SignalMetric& metri
     return found == of_signal->second.end() ? std::nullopt : found->second.value;
 }
 
-/// An error of light that some cell has.
+/// An error of light that some cell has, or an end of its interval.
 struct LightColumn {
-    std::string id, label;
+    std::string measure;
+    ExportColumn column;
+    std::optional<double> (*value)(const MeasureRecord&);
 };
 
 std::vector<LightColumn> light_columns(const Results& results) {
     std::vector<LightColumn> columns;
+    const auto add = [&](const std::string& measure, const std::string& label) {
+        const bool some = std::ranges::any_of(
+            results.cells, [&](const CellRecord& cell) { return cell.light.contains(measure); });
+        if (!some) return;
+        const std::string id = std::string(kLightPrefix) + measure;
+        columns.push_back(
+            {measure, {id, label, 4, true}, [](const MeasureRecord& m) { return std::optional(m.value); }});
+        columns.push_back({measure, {id + "_low", "", 4, false}, [](const MeasureRecord& m) {
+                               return m.interval ? std::optional(m.interval->low) : std::nullopt;
+                           }});
+        columns.push_back({measure, {id + "_high", "", 4, false}, [](const MeasureRecord& m) {
+                               return m.interval ? std::optional(m.interval->high) : std::nullopt;
+                           }});
+    };
     for (const LightMode& mode : light_modes()) {
-        columns.push_back({mode.relative_error(), fmt::format("Light, {}", mode.label)});
-        columns.push_back({mode.bias(), fmt::format("Light, {}, bias", mode.label)});
+        add(mode.relative_error(), fmt::format("Light, {}, relative RMSE", mode.label));
+        add(mode.bias(), fmt::format("Light, {}, bias", mode.label));
     }
-    std::erase_if(columns, [&](const LightColumn& column) {
-        return std::ranges::none_of(results.cells,
-                                    [&](const CellRecord& cell) { return cell.light.contains(column.id); });
-    });
     return columns;
 }
 
 std::optional<double> value_of(const CellRecord& cell, const LightColumn& column) {
-    const auto found = cell.light.find(column.id);
-    return found == cell.light.end() ? std::nullopt : std::optional(found->second.value);
+    const auto found = cell.light.find(column.measure);
+    return found == cell.light.end() ? std::nullopt : column.value(found->second);
 }
 
 /// A note for each view: its radius, and the lengths that every method has there.
@@ -159,8 +171,7 @@ ExportTable export_table(const Results& results,
                                  metric->decimals, true});
     }
     const std::vector<LightColumn> of_light = light_columns(results);
-    for (const LightColumn& column : of_light)
-        table.columns.push_back({std::string(kLightPrefix) + column.id, column.label, 4, true});
+    for (const LightColumn& column : of_light) table.columns.push_back(column.column);
     table.columns.push_back({"rank_best", "", 0, false});
     table.columns.push_back({"rank_worst", "", 0, false});
     table.columns.push_back({"fetches_per_pixel", "Fetches", 1});
