@@ -138,7 +138,7 @@ int next_step(int samples) {
 int more_rays(int samples, double excess, const std::string& what) {
     const int next = excess > kFar ? 4 * samples : excess > kNear ? 2 * samples : next_step(samples);
     log_info(
-        fmt::format("{}: at {} rays a pixel the truth's noise leaves the scores {:.2g} times as wide as "
+        fmt::format("{}: at {} rays a pixel the truth's noise leaves the scores {:.2f} times as wide as "
                     "asked for; going on to {}",
                     what, samples, excess, next));
     return next;
