@@ -69,7 +69,7 @@ struct Calibration {
 };
 
 std::string row(const std::string& name, int samples, const Calibration& c) {
-    return fmt::format("| {} | {} | {:.3f} | {:.2f} |\n", name, samples, c.ratio(), 100 * c.share_beyond());
+    return fmt::format("| {} | {} | {:.3f} | {:.3f} |\n", name, samples, c.ratio(), 100 * c.share_beyond());
 }
 
 // A scene's distribution of errors may differ from the usual one: the yard of a few large boxes has the
@@ -95,14 +95,17 @@ TEST(StandardErrors, HoldInTheTailAtFewRays) {
                 calibration.add(reference.trace(frame, query, settings, "calibration"), exact);
             table += row(c.name, kSamples[n], calibration);
             all[n].add(calibration);
-            EXPECT_NEAR(calibration.ratio(), 0.93, 0.14) << c.name << ", " << kSamples[n] << " rays";
+            // Errors are drawn towards the usual law, so that a scene may state a fifth too much, but hardly
+            // too little.
+            EXPECT_GT(calibration.ratio(), 0.77) << c.name << ", " << kSamples[n] << " rays";
+            EXPECT_LT(calibration.ratio(), 1.1) << c.name << ", " << kSamples[n] << " rays";
             EXPECT_LT(calibration.share_beyond(), 0.014) << c.name << ", " << kSamples[n] << " rays";
         }
     }
     for (std::size_t n = 0; n < kSamples.size(); ++n) {
         table += row("all", kSamples[n], all[n]);
-        EXPECT_NEAR(all[n].ratio(), 1, 0.06) << kSamples[n] << " rays";
-        EXPECT_LT(all[n].share_beyond(), 0.0055) << kSamples[n] << " rays";
+        EXPECT_NEAR(all[n].ratio(), 1, 0.05) << kSamples[n] << " rays";
+        EXPECT_LT(all[n].share_beyond(), 0.005) << kSamples[n] << " rays";
     }
     std::ofstream(testing::output_dir() / "calibration.md") << table;
 }

@@ -1,5 +1,7 @@
 #include "core/sampling.h"
 #include "reference/estimate/estimate.h"
+#include "reference/estimate/variance_fall.h"
+#include "reference/sampling/point_sets.h"
 #include "reference/test_scenes.h"
 #include "reference/truth.h"
 
@@ -7,7 +9,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <random>
 #include <span>
 #include <vector>
 
@@ -188,17 +194,70 @@ TEST(Estimates, CompareBlocksWithTheirSiblings) {
     EXPECT_DOUBLE_EQ(pixel.differences[1], 0.25 * 0.25);
 }
 
-TEST(Estimates, PoolIndependentBlocksAsPlainMeans) {
-    for (const int samples : {8, 13, 64, 100, 384}) {
-        EXPECT_NEAR(pooled_variance(samples, 0.5), static_cast<double>(block_size(samples)) / samples, 1e-12)
-            << samples;
-    }
+TEST(Estimates, PoolAlignedBlocksByTheFallOfEachStep) {
+    const double once = variance_fall(0.37, 64), twice = once * variance_fall(0.37, 128);
+    const double thrice = twice * variance_fall(0.37, 256);
+    EXPECT_NEAR(pooled_variance(512, 0.37), thrice, 1e-12);
+    // For three of four, V(3 n) = (V(n) + 8 V(4 n)) / 9, here of pairs of blocks.
+    EXPECT_NEAR(pooled_variance(384, 0.37), (once + 8 * thrice) / 9, 1e-12);
+    // For five of eight, by 25 V(5 n) = 16 V(4 n) + V(n) + 8 cov, where 2 cov = 2 (2 V(8 n) - V(4 n)).
+    EXPECT_NEAR(pooled_variance(320, 0.37), (16 * twice + 1 + 8 * (2 * thrice - twice)) / 25, 1e-12);
 }
 
-TEST(Estimates, PoolAlignedBlocksByTheRatio) {
-    EXPECT_NEAR(pooled_variance(512, 0.37), 0.37 * 0.37 * 0.37, 1e-12);
-    // For three of four, V(3 n) = (V(n) + 8 V(4 n)) / 9, here of pairs of blocks.
-    EXPECT_NEAR(pooled_variance(384, 0.37), (0.37 + 8 * 0.37 * 0.37 * 0.37) / 9, 1e-12);
+/// Of half planes that cut the unit square at random, the mean squared error of their area by the first
+/// 2^step of the points, for steps from 0.
+std::vector<double> variances_of_half_planes(int steps) {
+    const PointSets sets(PointKind::scrambled_sobol, 1 << (steps - 1));
+    constexpr int kPlanes = 40000;
+    std::vector<double> variances(static_cast<std::size_t>(steps));
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (int k = 0; k < kPlanes; ++k) {
+        const double angle = 2 * std::numbers::pi * unit(random);
+        const double nx = std::cos(angle), ny = std::sin(angle);
+        const double offset = nx * unit(random) + ny * unit(random);
+        // The square, clipped at the line: its area by the shoelace formula.
+        constexpr std::array<std::array<double, 2>, 4> kCorners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+        std::vector<std::array<double, 2>> polygon;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const auto& a = kCorners[i];
+            const auto& b = kCorners[(i + 1) % 4];
+            const double da = nx * a[0] + ny * a[1] - offset, db = nx * b[0] + ny * b[1] - offset;
+            if (da > 0) polygon.push_back(a);
+            if ((da > 0) != (db > 0))
+                polygon.push_back(
+                    {std::lerp(a[0], b[0], da / (da - db)), std::lerp(a[1], b[1], da / (da - db))});
+        }
+        double area = 0;
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const auto& a = polygon[i];
+            const auto& b = polygon[(i + 1) % polygon.size()];
+            area += (a[0] * b[1] - b[0] * a[1]) / 2;
+        }
+        const PointSets::Coordinates points = sets.set(random());
+        const std::uint64_t shift = random();
+        double inside = 0;
+        std::size_t step = 0;
+        for (std::uint32_t i = 0; i < 1u << (steps - 1); ++i) {
+            const double u = (points.u[i] ^ static_cast<std::uint32_t>(shift)) * 0x1p-32;
+            const double v = (points.v[i] ^ static_cast<std::uint32_t>(shift >> 32)) * 0x1p-32;
+            inside += nx * u + ny * v > offset;
+            if (!std::has_single_bit(i + 1)) continue;
+            variances[step++] += std::pow(inside / (i + 1) - area, 2) / kPlanes;
+        }
+    }
+    return variances;
+}
+
+// The falls were measured on scenes; edges in the square of the points show the same of these sets.
+TEST(Estimates, FallFromStepToStepAsTheSetsOfPointsDo) {
+    const std::vector<double> variances = variances_of_half_planes(9);
+    for (std::size_t step = 3; step + 1 < variances.size(); ++step) {
+        const double fall = variances[step + 1] / variances[step];
+        EXPECT_NEAR(fall / variance_fall(std::exp2(-1.5), 1 << step), 1, 0.05) << "from " << (1 << step);
+    }
+    EXPECT_GT(variances[5] / variances[4],
+              1.02 * std::sqrt(variances[4] / variances[3] * variances[6] / variances[5]));
 }
 
 TEST(Estimates, OfALoneNoisyPixelLeanOnTheUsualLaw) {

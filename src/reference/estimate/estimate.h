@@ -22,12 +22,12 @@ struct Estimate {
 double error_of_agreement(int samples, int agreeing, int alike);
 
 /// Standard errors of the pixels of one tile. A pixel's own blocks have few degrees of freedom, so that its
-/// variance is drawn towards the law of its tile, as Smyth (Linear Models and Empirical Bayes Methods for
-/// Assessing Differential Expression, 2004) does for genes. Pixels whose rays all agree state
+/// variance is drawn towards the law of its tile and neighbours, as Smyth (Linear Models and Empirical Bayes
+/// Methods for Assessing Differential Expression, 2004) does for genes. Pixels whose rays all agree state
 /// error_of_agreement(), those of a single ray the spread of their tile.
 ///
 /// Meant to hold in the tail: over many seeds and scenes fewer than 1 pixel in 200 errs by more than three
-/// times what it states, and the root mean square of what is stated is that of the true errors within 6 %
+/// times what it states, and the root mean square of what is stated is that of the true errors within 5 %
 /// (scene by scene within 20 %, mostly too large).
 std::vector<Estimate> moderated_estimates(std::span<const PixelSpread> pixels, const TileLawRules& rules);
 

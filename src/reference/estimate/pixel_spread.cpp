@@ -1,5 +1,6 @@
 #include "reference/estimate/pixel_spread.h"
 
+#include "reference/estimate/variance_fall.h"
 #include "reference/truth.h"
 
 #include <algorithm>
@@ -19,11 +20,12 @@ double squared(double x) {
 
 }  // namespace
 
-PixelSpread pixel_spread(std::span<const double> occlusion_sums, int samples) {
+PixelSpread pixel_spread(std::span<const double> occlusion_sums, int samples, PlaceInTile place) {
     double total = 0;
     for (const double sum : occlusion_sums) total += sum;
     PixelSpread pixel;
     pixel.samples = samples;
+    pixel.place = place;
     pixel.visibility = std::clamp(1 - total / samples, 0.0, 1.0);
     const int size = block_size(samples);
     std::array<double, kBlocks> means{};
@@ -43,10 +45,13 @@ PixelSpread pixel_spread(std::span<const double> occlusion_sums, int samples) {
 }
 
 double block_variance(const PixelSpread& pixel, double ratio) {
-    double sum = 0, weights = 0, fall = 1 - ratio, weight = 1;
-    for (std::size_t l = 0; l < kLevels; ++l, fall *= ratio, weight *= kLevelWeight) {
-        sum += weight * pixel.pairs[l] * pixel.differences[l] / fall;
+    double sum = 0, weights = 0, of_block = 1, weight = 1;
+    int size = block_size(pixel.samples);
+    for (std::size_t l = 0; l < kLevels; ++l, size *= 2, weight *= kLevelWeight) {
+        const double fall = variance_fall(ratio, size);
+        sum += weight * pixel.pairs[l] * pixel.differences[l] / (of_block * (1 - fall));
         weights += weight * pixel.pairs[l];
+        of_block *= fall;
     }
     return weights > 0 ? sum / weights : 0;
 }
@@ -61,9 +66,11 @@ double pooled_variance(int samples, double ratio) {
     const int blocks = whole + (rest > 0 ? 1 : 0);
     for (int i = 0; i < blocks; ++i) {
         for (int j = 0; j < i; ++j) {
-            double covariance = 2 * ratio - 1;
-            for (int shared = 1; (i >> shared) != (j >> shared); ++shared) covariance *= ratio;
-            sum += 2 * covariance * (i < whole ? 1 : rest);
+            double variance = 1;  // of the runs that hold one of the two each
+            int run = size;
+            for (int shared = 1; (i >> shared) != (j >> shared); ++shared, run *= 2)
+                variance *= variance_fall(ratio, run);
+            sum += 2 * variance * (2 * variance_fall(ratio, run) - 1) * (i < whole ? 1 : rest);
         }
     }
     return sum / squared(whole + rest);

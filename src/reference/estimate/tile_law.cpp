@@ -1,21 +1,31 @@
 #include "reference/estimate/tile_law.h"
 
+#include "reference/estimate/variance_fall.h"
 #include "reference/truth.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 
 namespace aoscore {
 namespace {
 
-/// The usual law, V(N) = kUsualScale * visibility_shape() * N^log2(kUsualRatio), measured at 16, 64 and 256
-/// rays on halls, a court, a staircase and scanned figures.
+/// The usual law, V(N) = kUsualScale * visibility_shape() * variance_after_falls(kUsualRatio, N), measured at
+/// 16, 64 and 256 rays on halls, a court, a staircase and scanned figures.
 constexpr double kUsualRatio = 0.373;
-constexpr double kUsualScale = 0.3;
+constexpr double kUsualScale = 0.33;
 /// Part of the usual scale that a tile has at least.
 constexpr double kLeastScale = 0.7;
 /// The usual scale counts like so many of a tile's pixels.
 constexpr double kPriorPixels = 1;
+
+/// Neighbours speak for a pixel by a Gaussian of this standard deviation, in pixels; against all of them, the
+/// tile's scale counts like so many.
+constexpr double kNearby = 1.6;
+constexpr double kTilePixels = 8;
+/// Part of the usual scale that a pixel has at least.
+constexpr double kLeastNearby = 0.6;
 
 /// The part of a variance that doubling leaves among hairs: the slowest fall seen. Both laws state the same
 /// at so many rays, from where on the scale of hairs grows against the usual one.
@@ -80,6 +90,36 @@ double thinness_of(std::span<const PixelSpread> pixels, double scale) {
     return by_scale * std::clamp(rough, 0.0, 1.0);
 }
 
+/// Values over a tile, which may hold 0 or several pixels at a place.
+using Grid = std::array<std::array<double, kLargestTile>, kLargestTile>;
+
+double weight_at(int distance) {
+    static const auto weights = [] {
+        std::array<double, kLargestTile> table{};
+        for (std::size_t d = 0; d < table.size(); ++d)
+            table[d] = std::exp(-squared(static_cast<double>(d) / kNearby) / 2);
+        return table;
+    }();
+    return weights[static_cast<std::size_t>(std::abs(distance))];
+}
+
+/// Sums over each place's neighbours and itself, along the columns and turned by a quarter: twice done, it
+/// stands as before.
+Grid summed_along(const Grid& values) {
+    Grid sums{};
+    for (int i = 0; i < kLargestTile; ++i) {
+        for (int j = 0; j < kLargestTile; ++j) {
+            const double weight = weight_at(i - j);
+            for (int k = 0; k < kLargestTile; ++k) sums[k][i] += weight * values[j][k];
+        }
+    }
+    return sums;
+}
+
+double& at(Grid& grid, const PlaceInTile& place) {
+    return grid[static_cast<std::size_t>(place.row)][static_cast<std::size_t>(place.column)];
+}
+
 }  // namespace
 
 double visibility_shape(const PixelSpread& pixel) {
@@ -88,7 +128,7 @@ double visibility_shape(const PixelSpread& pixel) {
 }
 
 double size_shape(const PixelSpread& pixel) {
-    return std::pow(block_size(pixel.samples), std::log2(kUsualRatio));
+    return variance_after_falls(kUsualRatio, block_size(pixel.samples));
 }
 
 TileLaw law_of_tile(std::span<const PixelSpread> pixels, const TileLawRules& rules) {
@@ -106,6 +146,31 @@ TileLaw law_of_tile(std::span<const PixelSpread> pixels, const TileLawRules& rul
     }
     if (count > 0) law.mean_shape = shapes / count;
     return law;
+}
+
+std::vector<double> scales_about(std::span<const PixelSpread> pixels, const TileLaw& law,
+                                 const TileLawRules& rules) {
+    Grid variances{}, shapes{};
+    double sum = 0;
+    for (const PixelSpread& pixel : pixels) {
+        const double shape = visibility_shape(pixel) * size_shape(pixel);
+        sum += shape;
+        if (pixel.freedom() == 0) continue;
+        at(variances, pixel.place) += block_variance(pixel, law.ratio);
+        at(shapes, pixel.place) += shape;
+    }
+    variances = summed_along(summed_along(variances));
+    shapes = summed_along(summed_along(shapes));
+    const double of_tile = kTilePixels * sum / static_cast<double>(pixels.size());
+    const double least = rules.binary ? kLeastNearby * kUsualScale : 0;
+    std::vector<double> scales;
+    scales.reserve(pixels.size());
+    for (const PixelSpread& pixel : pixels) {
+        const double about =
+            (at(variances, pixel.place) + law.scale * of_tile) / (at(shapes, pixel.place) + of_tile);
+        scales.push_back(std::max(about, least));
+    }
+    return scales;
 }
 
 }  // namespace aoscore

@@ -86,6 +86,7 @@ TileState TileIntegrator::trace(const Tile& tile, const TileState* begun) {
 void TileIntegrator::find_surfaces(const Tile& tile, TileState& state) {
     surfaces_.clear();
     pixels_.clear();
+    places_.clear();
     SurfaceHit hit;
     for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1; ++x) {
@@ -93,6 +94,7 @@ void TileIntegrator::find_surfaces(const Tile& tile, TileState& state) {
             surfaces_.push_back(hit);
             pixels_.push_back(static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width()) +
                               static_cast<std::size_t>(x));
+            places_.push_back({x - tile.x0, y - tile.y0});
             state.places.push_back(
                 static_cast<std::uint16_t>((y - tile.y0) * (tile.x1 - tile.x0) + x - tile.x0));
             state.depths_m.push_back(static_cast<float>(hit.depth));
@@ -114,8 +116,11 @@ void TileIntegrator::list_traced() {
         open = open_space_.prove(points, reach_m_);
     }
     traced_.clear();
+    traced_places_.clear();
     for (std::size_t s = 0; s < surfaces_.size(); ++s) {
-        if (open[s] == 0) traced_.push_back(s);
+        if (open[s] != 0) continue;
+        traced_.push_back(s);
+        traced_places_.push_back(places_[s]);
     }
 }
 
@@ -151,8 +156,9 @@ void TileIntegrator::trace_all() {
         if (plan_.first() == plan_.most()) return;
         more = false;
         for (std::size_t q = 0; q < queries_.size(); ++q) {
-            const std::vector<Estimate> now = stated_estimates(
-                samples_, queries_[q], settings_, [&](std::size_t i) { return tracer_.sums(i, q); });
+            const std::vector<Estimate> now =
+                stated_estimates(traced_places_, samples_, queries_[q], settings_,
+                                 [&](std::size_t i) { return tracer_.sums(i, q); });
             for (std::size_t i = 0; i < traced_.size(); ++i) {
                 ranges[i].last = std::max(ranges[i].last, plan_.next(samples_[i], now[i].standard_error));
                 more = more || ranges[i].last > ranges[i].first;
@@ -174,7 +180,7 @@ void TileIntegrator::trace_by_tile() {
         double error_sum = 0;  // of the query that errs most
         for (std::size_t q = 0; q < queries_.size(); ++q) {
             double sum = 0;
-            for (const Estimate& e : stated_estimates(samples_, queries_[q], settings_,
+            for (const Estimate& e : stated_estimates(traced_places_, samples_, queries_[q], settings_,
                                                       [&](std::size_t i) { return tracer_.sums(i, q); }))
                 sum += e.standard_error;
             error_sum = std::max(error_sum, sum);

@@ -73,8 +73,10 @@ class TileIntegrator {
     double reach_m_ = 0;
     std::vector<SurfaceHit> surfaces_;
     std::vector<std::size_t> pixels_;  // of surfaces, into images
+    std::vector<PlaceInTile> places_;  // of surfaces
     std::vector<std::size_t> traced_;  // surfaces that get rays
-    std::vector<int> samples_;         // of those, traced so far
+    std::vector<PlaceInTile> traced_places_;
+    std::vector<int> samples_;  // of those, traced so far
     std::vector<ErrorStep> steps_;
 };
 

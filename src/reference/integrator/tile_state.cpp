@@ -9,6 +9,8 @@
 namespace aoscore {
 namespace {
 
+static_assert(kTileSide <= kLargestTile);
+
 /// To stop where an error is estimated to be small prefers pixels whose estimate came out too small: by this
 /// much, as tests over many seeds show.
 constexpr double kStoppingAllowance = 1.06;
@@ -57,12 +59,13 @@ std::span<const double> TileState::sums_of(std::size_t query, std::size_t querie
     return {&sums[(query * surfaces() + surface) * width], width};
 }
 
-std::vector<Estimate> stated_estimates(std::span<const int> samples, const TruthQuery& query,
-                                       const TruthSettings& settings,
+std::vector<Estimate> stated_estimates(std::span<const PlaceInTile> places, std::span<const int> samples,
+                                       const TruthQuery& query, const TruthSettings& settings,
                                        const std::function<std::span<const double>(std::size_t)>& sums) {
     std::vector<PixelSpread> spreads;
     spreads.reserve(samples.size());
-    for (std::size_t i = 0; i < samples.size(); ++i) spreads.push_back(pixel_spread(sums(i), samples[i]));
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        spreads.push_back(pixel_spread(sums(i), samples[i], places[i]));
     std::vector<Estimate> all = moderated_estimates(spreads, law_rules(query, settings));
     if (settings.max_error > 0) {
         for (Estimate& e : all) e.standard_error = std::min(kStoppingAllowance * e.standard_error, 0.5);
@@ -74,10 +77,11 @@ void resolve_tile(const Tile& tile, const TileState& state, const CameraFrame& f
                   const ResolveRequest& request, Truth& truth) {
     const int columns = tile.x1 - tile.x0;
     std::vector<std::size_t> traced, pixels;
+    std::vector<PlaceInTile> places;
     std::vector<int> samples;
     for (std::size_t s = 0; s < state.surfaces(); ++s) {
-        const std::size_t pixel =
-            truth.hits.depth.index(tile.x0 + state.places[s] % columns, tile.y0 + state.places[s] / columns);
+        const PlaceInTile place{state.places[s] % columns, state.places[s] / columns};
+        const std::size_t pixel = truth.hits.depth.index(tile.x0 + place.column, tile.y0 + place.row);
         truth.hits.surface.pixels[pixel] = 1;
         truth.hits.depth.pixels[pixel] = state.depths_m[s];
         truth.hits.normal.pixels[pixel] = state.normals[s];
@@ -88,6 +92,7 @@ void resolve_tile(const Tile& tile, const TileState& state, const CameraFrame& f
         }
         traced.push_back(s);
         pixels.push_back(pixel);
+        places.push_back(place);
         samples.push_back(static_cast<int>(state.samples[s]));
         if (!state.extras.empty())
             resolve_extras(state.extras[s], static_cast<double>(state.samples[s]), pixel, truth);
@@ -100,7 +105,7 @@ void resolve_tile(const Tile& tile, const TileState& state, const CameraFrame& f
     }
     for (std::size_t q = 0; q < request.which.size(); ++q) {
         const std::vector<Estimate> all = stated_estimates(
-            samples, truth.queries[q], request.settings,
+            places, samples, truth.queries[q], request.settings,
             [&](std::size_t i) { return state.sums_of(request.which[q], request.queries, traced[i]); });
         for (std::size_t i = 0; i < traced.size(); ++i) {
             truth.visibility[q].pixels[pixels[i]] = static_cast<float>(all[i].visibility);

@@ -31,10 +31,10 @@ struct TileState {
     bool operator==(const TileState&) const = default;
 };
 
-/// Estimates for `query` of pixels that have so many rays each, traced with these settings; `sums(i)` are the
-/// sums of pixel i.
-std::vector<Estimate> stated_estimates(std::span<const int> samples, const TruthQuery& query,
-                                       const TruthSettings& settings,
+/// Estimates for `query` of the pixels at these places, which have so many rays each, traced with these
+/// settings; `sums(i)` are the sums of pixel i.
+std::vector<Estimate> stated_estimates(std::span<const PlaceInTile> places, std::span<const int> samples,
+                                       const TruthQuery& query, const TruthSettings& settings,
                                        const std::function<std::span<const double>(std::size_t)>& sums);
 
 /// The queries that a tile was traced for, and which of its queries are wanted: truth.queries[i] is number
