@@ -1,7 +1,9 @@
 #include "image/environment_file.h"
 
 #include "core/error.h"
+#include "core/log.h"
 #include "image/image_file.h"
+#include "image/image_frame.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -53,7 +55,10 @@ Environment read_environment(const std::filesystem::path& path, double turn_deg)
     const std::string where = path.string();
     const ImageFile file = read_image(path);
     require_light(file, where);
+    for (const std::string& doubt : file.doubts) log_warning(where + ": " + doubt);
     const Planes planes = planes_of(file, where);
+    for (const ImageF* plane : planes)
+        require_whole_frame(file, static_cast<std::size_t>(plane - file.channels.data()), where);
     EnvironmentMap map{Image<glm::vec3>(file.width, file.height), glm::radians(turn_deg)};
     bool is_black = true;
     for (std::size_t i = 0; i < map.radiance.size(); ++i) {
