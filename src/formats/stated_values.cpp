@@ -17,8 +17,8 @@ namespace {
 constexpr const char* kTransfer = "dpx:Transfer";
 
 // Names of OpenImageIO for transfer characteristics of DPX (SMPTE 268M).
-constexpr std::array<std::string_view, 5> kNoBrightness = {
-    "Printing density", "Logarithmic", "ADX", "Z depth linear", "Z depth homogeneous"};
+constexpr std::array<std::string_view, 5> kNoBrightness = {"Printing density", "Logarithmic", "ADX",
+                                                           "Z depth linear", "Z depth homogeneous"};
 constexpr std::array<std::string_view, 4> kNoCurve = {"", "User defined", "Linear", "Undefined"};
 
 /// The third word of a PFM: its sign is the byte order, its magnitude the scale. 1 where it is no number.
@@ -48,16 +48,18 @@ std::vector<std::string> doubts_of(const OIIO::ImageInput& input, const OIIO::Im
     std::vector<std::string> doubts;
     const std::string transfer(spec.get_string_attribute(kTransfer));
     if (std::ranges::find(kNoCurve, transfer) == kNoCurve.end()) {
-        doubts.push_back(fmt::format(
-            "its header says that its values have the curve of video {}, which no option takes off: export it "
-            "linear",
-            transfer));
+        doubts.push_back(
+            fmt::format("its header says that its values have the curve of video {}, which no option takes "
+                        "off: export it "
+                        "linear",
+                        transfer));
     }
     const std::string_view format = input.format_name();
     if (const float scale = format == "pnm" ? pfm_scale(path) : 1; scale != 1) {
-        doubts.push_back(fmt::format("its header's scale is {:g}, by which its values are multiplied: a scale of 1 "
-                                     "or -1 leaves them as they are",
-                                     scale));
+        doubts.push_back(
+            fmt::format("its header's scale is {:g}, by which its values are multiplied: a scale of 1 "
+                        "or -1 leaves them as they are",
+                        scale));
     }
     if (const float gamma = format == "hdr" ? read_radiance_header(path).gamma : 1; gamma != 1) {
         doubts.push_back(fmt::format(

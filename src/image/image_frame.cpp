@@ -31,10 +31,11 @@ ImageF placed(const ImageF& picture, int x, int y, int frame_width, int frame_he
 void require_whole_frame(const ImageFile& file, std::size_t channel, const std::string& where) {
     const PixelRect& covered = file.covered[channel];
     if (covered == PixelRect{0, 0, file.width, file.height}) return;
-    throw file_error(fmt::format("holds {}x{} pixels at {}, {} of its {}x{}: its data window is only a part of its "
-                                 "display window",
-                                 covered.width, covered.height, covered.x, covered.y, file.width, file.height),
-                     where, "a file with a pixel everywhere");
+    throw file_error(
+        fmt::format("holds {}x{} pixels at {}, {} of its {}x{}: its data window is only a part of its "
+                    "display window",
+                    covered.width, covered.height, covered.x, covered.y, file.width, file.height),
+        where, "a file with a pixel everywhere");
 }
 
 Orientation Orientation::of_tag(int tag) {

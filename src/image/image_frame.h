@@ -13,8 +13,8 @@ PixelRect within_frame(const PixelRect& pixels, int frame_width, int frame_heigh
 /// that the picture does not reach are NaN.
 ImageF placed(const ImageF& picture, int x, int y, int frame_width, int frame_height);
 
-/// Throws file_error where a channel has pixels for a part of its frame alone, as where an EXR's data window is
-/// smaller than its display window. `where` names the file.
+/// Throws file_error where a channel has pixels for a part of its frame alone, as where an EXR's data window
+/// is smaller than its display window. `where` names the file.
 void require_whole_frame(const ImageFile& file, std::size_t channel, const std::string& where);
 
 /// How a picture that is stored with an Orientation is to be shown: transposed first, then mirrored (left and

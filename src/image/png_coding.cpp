@@ -62,8 +62,8 @@ std::optional<Curve> curve_of_code_points(const std::string& chunk) {
     return found == kCurves.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// A profile's curve by its name; that of PQ was fixed before there were code points (W3C, Using the ITU BT.2100
-/// PQ EOTF with the PNG Format, 2017).
+/// A profile's curve by its name; that of PQ was fixed before there were code points (W3C, Using the ITU
+/// BT.2100 PQ EOTF with the PNG Format, 2017).
 std::optional<Curve> curve_of_profile(const std::string& chunk) {
     const std::string name = lower_case(chunk.substr(0, chunk.find('\0')));
     if (name.find("2100_pq") != std::string::npos) return kPq;

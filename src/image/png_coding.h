@@ -15,8 +15,8 @@ struct StatedCoding {
     std::string by;                ///< what says so, such as "chunk gAMA"
 };
 
-/// What the chunks of a PNG say: cICP, else an iCCP profile by its name, else sRGB, else gAMA, as decoders are
-/// to rank them (W3C, Portable Network Graphics Specification, third edition, 2025). Nothing for files of
+/// What the chunks of a PNG say: cICP, else an iCCP profile by its name, else sRGB, else gAMA, as decoders
+/// are to rank them (W3C, Portable Network Graphics Specification, third edition, 2025). Nothing for files of
 /// other formats, and where they say nothing or a curve that is not known here.
 std::optional<StatedCoding> coding_stated_by_png(const std::filesystem::path& path);
 

@@ -73,7 +73,7 @@ void check_coding(const std::optional<Coding>& asked, const std::filesystem::pat
             path.string(), "--srgb, as pictures for the screen are, or --linear");
     }
     if (!stated || stated->coding == *asked) return;
-    const char* remedy = !stated->coding                 ? "no option takes that off; export it linear"
+    const char* remedy = !stated->coding                  ? "no option takes that off; export it linear"
                          : stated->coding == Coding::srgb ? "try --srgb"
                                                           : "try --linear";
     warnings.push_back(fmt::format("its {} says that its values are {}, and they are read as {}: {}",

@@ -1,5 +1,5 @@
-// What files say of their own values, beyond their pixels: codings of PNG and DPX, scales of PFM, exposures of
-// Radiance pictures, data windows of EXR.
+// What files say of their own values, beyond their pixels: codings of PNG and DPX, scales of PFM, exposures
+// of Radiance pictures, data windows of EXR.
 #include "files.h"
 #include "image/environment_file.h"
 #include "image/image_frame.h"
@@ -14,9 +14,9 @@ namespace aoscore {
 namespace {
 
 using ::testing::ElementsAre;
+using testing::file_error_of;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using testing::file_error_of;
 using testing::kLinear;
 using testing::kSrgb;
 using testing::output_dir;
@@ -114,9 +114,11 @@ TEST(StatedCoding, OfCodePointsIsHeldAboveAllElseAndNoOptionReadsPqAndHlg) {
 /// A DPX of one grey pixel, 8 bits, by the fields that a reader needs (SMPTE 268M-2003).
 std::filesystem::path dpx_with(char transfer) {
     std::string bytes(2048, '\0');
-    const auto put = [&](std::size_t at, const std::string& field) { bytes.replace(at, field.size(), field); };
+    const auto put = [&](std::size_t at, const std::string& field) {
+        bytes.replace(at, field.size(), field);
+    };
     put(0, "SDPX");
-    put(4, big_endian(2048));   // where the pixels begin
+    put(4, big_endian(2048));  // where the pixels begin
     put(8, "V2.0");
     put(16, big_endian(2052));  // bytes of the file
     put(770, {'\0', '\1'});     // one element
@@ -179,8 +181,8 @@ TEST(StatedExposure, OfARadiancePictureIsTakenOff) {
 }
 
 TEST(StatedExposure, OfAColourCorrectionIsTakenOffByChannel) {
-    const ImageFile file =
-        read_image(radiance_with("FORMAT=32-bit_rle_rgbe\nCOLORCORR=1.0 2.0 4.0\nCOLORCORR=1 1 2\nEXPOSURE=2\n"));
+    const ImageFile file = read_image(
+        radiance_with("FORMAT=32-bit_rle_rgbe\nCOLORCORR=1.0 2.0 4.0\nCOLORCORR=1 1 2\nEXPOSURE=2\n"));
     ASSERT_EQ(file.channels.size(), 3U);
     for (const auto& [channel, original] : {std::pair{0, 0.25}, std::pair{1, 0.125}, std::pair{2, 0.03125}})
         EXPECT_NEAR(file.channels[static_cast<std::size_t>(channel)].at(0, 0), original, kHalfStep);
