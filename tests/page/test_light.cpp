@@ -125,6 +125,19 @@ TEST(LitPicture, DependsOnTheShareOfWhiteAlone) {
     EXPECT_NE(lit_picture(gray(view, 0.4F), 0.8, 480).uri, lit_picture(gray(view, 0.3F), 0.8, 480).uri);
 }
 
+TEST(LitPicture, KeepsTheHueOfWhatIsBeyondWhite) {
+    const ViewRecord view = synthetic_results().views.front();
+    const auto of = [&](float red, float green, float blue) {
+        ColourPlanes colours = gray(view, red);
+        colours[1] = gray(view, green)[0];
+        colours[2] = gray(view, blue)[0];
+        return lit_picture(colours, 1, 480).uri;
+    };
+    EXPECT_EQ(of(4, 2, 1), of(1, 0.5F, 0.25F));
+    EXPECT_NE(of(4, 2, 1), of(1, 1, 1)) << "clipped channel by channel";
+    EXPECT_NE(of(0.5F, 0.25F, 0.125F), of(1, 0.5F, 0.25F)) << "what is within white is not made brighter";
+}
+
 TEST(LitErrorPicture, IsOfTheLuminanceOverTheMean) {
     const ViewRecord view = synthetic_results().views.front();
     const Mask all(view.width, view.height, 1);

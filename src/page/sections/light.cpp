@@ -1,7 +1,7 @@
 #include "page/document/number_text.h"
 #include "page/pictures/lit_picture.h"
 #include "page/section.h"
-#include "results/light_modes.h"
+#include "results/light_errors.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -43,31 +43,14 @@ const MeasureRecord* measure_in(const LightMap& light, const std::string& id) {
     return found == light.end() ? nullptr : &found->second;
 }
 
-/// A cell's error by one mode.
-struct LightError {
-    const MeasureRecord* error;
-    const LightMode* mode;
-};
-
-/// The least relative error of a cell over the modes that it has.
-std::optional<LightError> least_error(const LightMap& light) {
-    std::optional<LightError> least;
-    for (const LightMode& mode : light_modes()) {
-        const MeasureRecord* error = measure_in(light, mode.relative_error());
-        if (error != nullptr && (!least || error->value < least->error->value))
-            least = LightError{error, &mode};
-    }
-    return least;
-}
-
 /// The cells of a view that are lit, least error first.
 std::vector<const CellRecord*> lit_cells(const Results& results, const ViewRecord& view) {
     std::vector<const CellRecord*> cells;
     for (const CellRecord& cell : results.cells) {
-        if (cell.view_key == view.key && least_error(cell.light)) cells.push_back(&cell);
+        if (cell.view_key == view.key && least_light_error(cell.light)) cells.push_back(&cell);
     }
-    std::ranges::stable_sort(cells, {},
-                             [](const CellRecord* cell) { return least_error(cell->light)->error->value; });
+    std::ranges::stable_sort(
+        cells, {}, [](const CellRecord* cell) { return least_light_error(cell->light)->error->value; });
     return cells;
 }
 
@@ -159,7 +142,7 @@ bool may_be_as_close(const MeasureRecord& least, const MeasureRecord& error) {
 /// How close the lit cells of a view come, least error first; at least one.
 std::string closeness_text(const std::string& view, const std::vector<const CellRecord*>& cells) {
     constexpr std::size_t kNamed = 4;
-    const auto [least, mode] = *least_error(cells[0]->light);
+    const auto [least, mode] = *least_light_error(cells[0]->light);
     const std::string error = percent_text(least->value, 1);
     if (cells.size() == 1) {
         return fmt::format(
@@ -168,7 +151,7 @@ std::string closeness_text(const std::string& view, const std::vector<const Cell
     }
     std::vector<std::string> names;
     for (const CellRecord* cell : cells) {
-        if (may_be_as_close(*least, *least_error(cell->light)->error)) names.push_back(lit_name(*cell));
+        if (may_be_as_close(*least, *least_light_error(cell->light)->error)) names.push_back(lit_name(*cell));
     }
     if (names.size() == 1) {
         return fmt::format(

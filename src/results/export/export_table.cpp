@@ -59,7 +59,8 @@ std::vector<Part> measure_parts() {
     add("fit_strength", "", false, [](const ErrorAnalysis& a) { return a.fit.strength; });
     add("fit_exponent", "", false, [](const ErrorAnalysis& a) { return a.fit.exponent; });
     add("fit_rmse", "", false, [](const ErrorAnalysis& a) { return a.fit.rmse; });
-    add("found_beyond_layer", "", false, [](const ErrorAnalysis& a) { return a.found_beyond_layer; });
+    add("found_beyond_layer", "Beyond one layer", true,
+        [](const ErrorAnalysis& a) { return a.found_beyond_layer; });
     return parts;
 }
 
@@ -176,8 +177,8 @@ ExportTable export_table(const Results& results,
     table.columns.push_back({"rank_worst", "", 0, false});
     table.columns.push_back({"fetches_per_pixel", "Fetches", 1});
     table.columns.push_back({"ao_ms", "AO (ms)", 1});
-    table.columns.push_back({"filter_ms", "", 1, false});
-    table.columns.push_back({"frame_ms", "", 1, false});
+    table.columns.push_back({"filter_ms", "Filter (ms)", 1});
+    table.columns.push_back({"frame_ms", "Frame (ms)", 1});
     table.columns.push_back({"radius_m", "", 4, false});
     table.columns.push_back({"radius_px", "", 1, false});
     table.text_columns = {"radius_rule", "lengths"};
