@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <sstream>
 #include <string_view>
 
 namespace aoscore {
@@ -32,12 +33,18 @@ std::string digest_of(const fs::path& file) {
     return digest.hex();
 }
 
-/// The paths that a word may be: itself, and the value of an option.
+/// The paths that a word may be: itself, or the value of an option; several between commas.
 std::vector<std::string> possible_paths(const std::string& word) {
-    const auto equals = word.find('=');
-    if (!word.starts_with("--")) return {word};
-    if (equals == std::string::npos || is_no_input(word.substr(0, equals))) return {};
-    return {word.substr(equals + 1)};
+    std::string value = word;
+    if (word.starts_with("--")) {
+        const auto equals = word.find('=');
+        if (equals == std::string::npos || is_no_input(word.substr(0, equals))) return {};
+        value = word.substr(equals + 1);
+    }
+    std::vector<std::string> paths{value};
+    std::istringstream list(value);
+    for (std::string part; std::getline(list, part, ',');) paths.push_back(part);
+    return paths;
 }
 
 void add_files(const fs::path& named, std::map<std::string, std::string>& files) {
