@@ -92,6 +92,7 @@ TEST(LightSection, HasATableAndPicturesOfEveryModeThatAMethodHas) {
     EXPECT_EQ(count_of(page, "alt=\"Light of "), light_modes().size() + 1);
     EXPECT_EQ(count_of(page, "alt=\"Error of the light of "), light_modes().size() + 1);
     EXPECT_EQ(count_of(page, "alt=\"Ray-traced irradiance on "), 1u);
+    EXPECT_EQ(count_of(page, "<h4>By the "), light_modes().size()) << "methods stand side by side";
     EXPECT_NE(page.find("0.50 % of that mean"), std::string::npos) << "the standard error";
 }
 
