@@ -1,7 +1,7 @@
 const { views, contestants, order, cells: rows } = JSON.parse(document.getElementById('index-data').textContent);
 const numberText = (value, decimals) => (value === null ? '–' : value.toFixed(decimals).replace('-', '−'));
-const cells = rows.map(([view, contestant, error, low, high, bias, rank, ms, fetches, link, failure]) =>
-  ({ view: views[view], contestant, error, low, high, bias, rank, ms, fetches, link, failure, name: contestants[contestant].name,
+const cells = rows.map(([view, contestant, error, low, high, bias, rank, ms, fetches, link, failure, light]) =>
+  ({ view: views[view], contestant, error, low, high, bias, rank, ms, fetches, link, failure, light, name: contestants[contestant].name,
     words: `${views[view].scene}/${views[view].view} ${contestants[contestant].name}`.toLowerCase() }));
 const form = document.querySelector('.filters');
 const step = 200;
@@ -79,6 +79,8 @@ const columns = [
   { title: 'Bias', by: ({ bias }) => bias, cell: ({ bias }) => numberText(bias, 4) },
   { title: 'AO and filter, ms', by: ({ ms }) => ms, cell: ({ ms }) => numberText(ms, 1) },
   { title: 'Fetches', by: ({ fetches }) => fetches, cell: ({ fetches }) => numberText(fetches, 1) },
+  ...cells.some(({ light }) => light) ? [{ title: 'Light, error in %', keep: 5, by: ({ light }) => light?.[0] ?? null,
+    cell: ({ light }) => (light ? make('span', '', numberText(light[0], 1), make('span', 'unit', `${light[1]}, ${light[2]}`)) : '–') }] : [],
   { title: 'Size', by: ({ view }) => view.size, cell: ({ view }) => view.size },
   { title: 'R, m', by: ({ view }) => Number(view.radius), cell: ({ view }) => view.radius },
 ];

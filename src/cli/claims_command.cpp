@@ -43,7 +43,7 @@ ExitCode run(const ClaimsOptions& options, const GlobalOptions& global) {
     }
     const auto print_verdicts = [&before](const Results& results) {
         print_result("{}", verdict_table(results.claims));
-        if (before) print_result("{}", changed_verdicts(results.claims, before->claims));
+        if (before) print_result("{}", changed_verdicts(results, *before));
     };
     return run_and_page(plan, results_folder(options.out, "claims"), options.outcome, global, print_verdicts);
 }

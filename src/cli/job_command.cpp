@@ -15,7 +15,7 @@ struct Options {
 };
 
 ExitCode run(const Options& options, const GlobalOptions& global) {
-    return run_jobs(arguments_of_job(options.key, options.cache), {options.key}, global);
+    return run_jobs(command_of_job(options.key, options.cache), {options.key}, global);
 }
 
 }  // namespace

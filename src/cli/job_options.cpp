@@ -70,8 +70,9 @@ std::string named_node_kind(const std::vector<std::string>& words) {
 
 void divide(const JobOptions& options, const nlohmann::json& listing,
             const std::vector<std::string>& arguments) {
-    const WorkParts work{
-        .arguments = arguments, .times_on = node_kind(), .parts = even_parts(listing, options.parts)};
+    const WorkParts work{.command = PlannedCommand::of(arguments),
+                         .times_on = node_kind(),
+                         .parts = even_parts(listing, options.parts)};
     write_parts(work, options.parts_file);
     double most_s = 0, all_s = 0;
     std::size_t jobs = 0;
@@ -131,9 +132,10 @@ ExitCode run_division(std::vector<std::string> words, const std::filesystem::pat
     return run_words(words, line);
 }
 
-ExitCode run_jobs(std::vector<std::string> words, const std::vector<std::string>& keys,
+ExitCode run_jobs(const PlannedCommand& command, const std::vector<std::string>& keys,
                   const GlobalOptions& given) {
     require_as_planned(given.words);
+    std::vector<std::string> words = command.arguments;
     const std::string& node_kind = given.node_kind;
     if (const std::string planned = named_node_kind(words); !node_kind.empty() && node_kind != planned)
         throw usage_error(fmt::format("these jobs' times are those of nodes of kind \"{}\"", planned),
@@ -141,6 +143,8 @@ ExitCode run_jobs(std::vector<std::string> words, const std::vector<std::string>
                           "no --node-kind; the command that planned them takes another kind");
     const std::string line = command_line_of(words);
     if (given.quiet && std::ranges::find(words, kQuiet) == words.end()) words.emplace_back(kQuiet);
+    for (const std::string& file : command.enter())
+        log_warning(file + " has changed since the jobs were listed: those that depend on it are others now");
     for (const std::string& key : keys) words.insert(words.end(), {"--job", key});
     return run_words(words, line);
 }

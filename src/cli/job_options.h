@@ -2,6 +2,7 @@
 
 #include "cli/command.h"
 #include "core/error.h"
+#include "jobs/planned_command.h"
 
 #include <CLI/CLI.hpp>
 
@@ -37,11 +38,12 @@ std::optional<ExitCode> list_or_make_some(
 /// Has the command of these words write its jobs in parts.
 ExitCode run_division(std::vector<std::string> words, const std::filesystem::path& file, std::size_t parts);
 
-/// Has the command of these words make these jobs alone. The artifacts name the command, which asked for all
+/// Has the command make these jobs alone, in the folder where it was planned, and warns of each file of it
+/// that has changed since. The artifacts name the command, which asked for all
 /// of them, and the kind of node whose times count. Of the options that the user gave with the jobs, --quiet
 /// is heeded; throws usage_error for --seed, --threads and --gl, and for another --node-kind, which the
 /// command decides.
-ExitCode run_jobs(std::vector<std::string> words, const std::vector<std::string>& keys,
+ExitCode run_jobs(const PlannedCommand& command, const std::vector<std::string>& keys,
                   const GlobalOptions& given);
 
 }  // namespace aoscore

@@ -3,6 +3,7 @@
 #include "core/log.h"
 #include "experiment/experiment.h"
 #include "jobs/camera_contract.h"
+#include "results/baseline_scope.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -75,6 +76,7 @@ ExitCode Outcome::conclude(const Results& results) {
     std::map<std::string, Gates::Tripped> by_cell;
     for (const CellRecord& cell : results.cells) by_cell[cell.id] = gates_.check(limited_measures(cell));
     if (results.baseline) {
+        log_info("Baseline: " + baseline_scope(results));
         for (const ChangeRecord& change : results.baseline->changes)
             by_cell[change.cell_id].add(gates_.check(change));
     }

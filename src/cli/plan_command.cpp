@@ -35,7 +35,7 @@ ExitCode work(const WorkOptions& options, const GlobalOptions& global) {
             fmt::format("There are {} parts: nothing is left for part {}", work.parts.size(), options.part));
         return ExitCode::ok;
     }
-    return run_jobs(work.arguments, work.parts[options.part - 1].keys, global);
+    return run_jobs(work.command, work.parts[options.part - 1].keys, global);
 }
 
 }  // namespace

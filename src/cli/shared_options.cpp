@@ -203,7 +203,8 @@ void add_view_options(CLI::App& app, ViewChoice& choice) {
     };
     CLI::Option* eye = app.add_option_function<std::string>(
         "--eye", [camera](const std::string& text) { camera().position = parse_point("--eye", text); },
-        "A camera of your own stands there, in metres with +y up: the file's coordinates after --unit and --up");
+        "A camera of your own stands there, in metres with +y up: the file's coordinates after --unit and "
+        "--up");
     CLI::Option* target = app.add_option_function<std::string>(
         "--target", [camera](const std::string& text) { camera().target = parse_point("--target", text); },
         "What it looks at, likewise");
@@ -241,6 +242,7 @@ View one_view(const Scene& scene, const ViewChoice& choice, const ImageSize& siz
     const std::vector<View> views = wanted_views(scene, choice.load, planned_views(choice).front(),
                                                  static_cast<double>(size.width) / size.height,
                                                  ArtifactStore(ArtifactStore::folder_in(cache)));
+    if (const std::string text = no_camera_text(scene, views); !text.empty()) log_info(text);
     if (views.size() > 1) {
         log_info(fmt::format("{} has {} such views; taking {} (choose with --view)", scene.id, views.size(),
                              views.front().id));

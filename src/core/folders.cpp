@@ -69,6 +69,13 @@ fs::path cache_dir() {
     return user_folder("XDG_CACHE_HOME", ".cache");
 }
 
+void work_in(const fs::path& folder) {
+    for (const char* variable : {"AOSCORE_CACHE", "AOSCORE_DATA"}) {
+        if (const auto named = named_by(variable)) setenv(variable, fs::absolute(*named).c_str(), 1);
+    }
+    fs::current_path(folder);
+}
+
 fs::path results_dir() {
     const fs::path data = data_dir();
     return is_source_tree(data) ? data / "reports" / "out" : fs::path("aoscore-out");

@@ -20,6 +20,10 @@ std::filesystem::path data_dir();
 /// ~/.cache/aoscore.
 std::filesystem::path cache_dir();
 
+/// Makes this the working folder. The folders that environment variables name stay the same, relative ones
+/// among them.
+void work_in(const std::filesystem::path& folder);
+
 /// The folder in which a command makes the folder of its results: reports/out of a source tree; where the
 /// program is installed, aoscore-out in the working folder.
 std::filesystem::path results_dir();

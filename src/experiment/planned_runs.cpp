@@ -60,7 +60,9 @@ std::vector<PreparedView> prepare(const ExperimentPlan& plan, const Registry& re
         const std::shared_ptr<const Scene> scene = scenes.of(wanted);
         const double aspect = static_cast<double>(wanted.width) / wanted.height;
         RankingRadii radii(*scene);
-        for (View& view : wanted_views(*scene, wanted.load, wanted.view, aspect, store)) {
+        std::vector<View> views = wanted_views(*scene, wanted.load, wanted.view, aspect, store);
+        if (const std::string text = no_camera_text(*scene, views); !text.empty()) log_info(text);
+        for (View& view : views) {
             CameraFrame(view.camera, wanted.width, wanted.height);
             PreparedView p{&wanted, i, {}, scene, view, radii.of(wanted.radius_m, view), {}};
             if (p.radius.automatic) log_warning(scene->id + ": " + radius_warning(p.radius, view));

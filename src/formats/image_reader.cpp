@@ -1,6 +1,7 @@
 #include "core/error.h"
 #include "formats/image_strips.h"
 #include "formats/readers.h"
+#include "formats/stated_values.h"
 #include "image/exr_header.h"
 #include "image/image_file.h"
 #include "image/image_frame.h"
@@ -106,11 +107,18 @@ std::map<std::string, std::string> attributes_of(const OIIO::ImageSpec& spec, bo
     return attributes;
 }
 
-void take_off_exposure(float exposure, ImageFile& file) {
-    if (exposure == 1) return;
-    for (ImageF& image : file.channels) {
-        for (float& value : image.pixels) value /= exposure;
+/// Gives the values of a Radiance picture before it was exposed and corrected.
+void take_off_factors(const RadianceHeader& header, ImageFile& file) {
+    for (std::size_t c = 0; c < std::min(header.factors.size(), file.channels.size()); ++c) {
+        if (header.factors[c] == 1) continue;
+        for (float& value : file.channels[c].pixels) value /= header.factors[c];
     }
+}
+
+void refuse_xyze(const fs::path& path) {
+    if (read_radiance_header(path).format != "32-bit_rle_xyze") return;
+    throw file_error("is coded in CIE colours (XYZE)", path.string(),
+                     "a Radiance picture of FORMAT=32-bit_rle_rgbe");
 }
 
 void turn_upright(ImageFile& file, const Orientation& orientation) {
@@ -148,17 +156,19 @@ ImageFile read_all_parts(OIIO::ImageInput& input, const fs::path& path) {
             continue;
         }
         require_readable(spec, part, where);
+        refuse_film(spec, where);
         if (exr) require_plausible_exr(spec, bytes, where);
         if (first) {
             file.width = part.frame_width;
             file.height = part.frame_height;
             file.integers = !spec.format.is_floating_point();
             file.attributes = attributes_of(spec, exr);
+            file.doubts = doubts_of(input, spec, path);
         }
         read_part(input, subimage, part, name, where, file);
     }
     if (file.channels.empty()) throw file_error("is a deep image", where, "a flat one");
-    if (std::string_view(input.format_name()) == "hdr") take_off_exposure(radiance_exposure(path), file);
+    if (std::string_view(input.format_name()) == "hdr") take_off_factors(read_radiance_header(path), file);
     const Orientation orientation = Orientation::of_tag(input.spec(0).get_int_attribute("Orientation", 1));
     if (!orientation.upright()) turn_upright(file, orientation);
     return file;
@@ -175,6 +185,7 @@ ImageFile read_picture(const fs::path& path) {
         const auto input = OIIO::ImageInput::open(where, &as_stored);
         if (!input) {
             const std::string reason = OIIO::geterror();
+            refuse_xyze(path);
             if (is_subsampled_exr(path)) return read_subsampled_exr(path);
             throw unreadable_image(reason, where);
         }

@@ -154,6 +154,7 @@ ImageFile read_frame_files(const std::vector<std::filesystem::path>& files) {
             frame.channels.push_back(std::move(file.channels[c]));
             frame.covered.push_back(file.covered[c]);
         }
+        for (const std::string& doubt : file.doubts) frame.doubts.push_back(path.string() + ": " + doubt);
         frame.attributes.merge(std::move(file.attributes));
     }
     return frame;

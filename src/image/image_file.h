@@ -38,6 +38,8 @@ struct ImageFile {
                                         ///< the rest is NaN
     std::vector<std::string> left_out;  ///< parts that are deep or of another frame, each with the reason,
                                         ///< and further pages
+    std::vector<std::string> doubts;    ///< what its header says of its values that may make them other than
+                                        ///< they read, a sentence each
     std::map<std::string, std::string> attributes;
     bool integers = false;  ///< the file holds integers; values are shares of their range
 
@@ -47,12 +49,12 @@ struct ImageFile {
 };
 
 /// Reads any format of OpenImageIO (EXR, PNG, PFM, …), and EXR with channels of lower resolution; integers
-/// become value/255 or value/65535, colours are not multiplied by alpha, an Orientation is applied, and the
-/// EXPOSURE of a Radiance file is taken off. Parts
-/// of a multi-part EXR are layers with channels named <part>.<channel>; deep parts and those whose frame is
-/// not the first one's are left out. Of other files with several pictures the first is read. Pixels of a data
-/// window outside of the display window are dropped. Throws file_error for a file that is absent, truncated,
-/// no image, larger than 16384 px a side, or has deep parts alone.
+/// become value/255 or value/65535, colours are not multiplied by alpha, an Orientation is applied, the scale
+/// of a PFM too, and the EXPOSURE and COLORCORR of a Radiance file are taken off. Parts of a multi-part EXR
+/// are layers with channels named <part>.<channel>; deep parts and those whose frame is not the first one's
+/// are left out. Of other files with several pictures the first is read. Pixels of a data window outside of
+/// the display window are dropped. Throws file_error for a file that is absent, truncated, no image, larger
+/// than 16384 px a side, coded as film density or in XYZE, or has deep parts alone.
 ImageFile read_image(const std::filesystem::path& path);
 
 /// Encodes indices into a palette of up to 256 colours (0xRRGGBB) as PNG, with the fewest of 1, 2, 4 or 8

@@ -1,5 +1,9 @@
 #include "image/image_frame.h"
 
+#include "core/error.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -22,6 +26,16 @@ ImageF placed(const ImageF& picture, int x, int y, int frame_width, int frame_he
         std::copy(from, from + part.width, &frame.at(part.x, row));
     }
     return frame;
+}
+
+void require_whole_frame(const ImageFile& file, std::size_t channel, const std::string& where) {
+    const PixelRect& covered = file.covered[channel];
+    if (covered == PixelRect{0, 0, file.width, file.height}) return;
+    throw file_error(
+        fmt::format("holds {}x{} pixels at {}, {} of its {}x{}: its data window is only a part of its "
+                    "display window",
+                    covered.width, covered.height, covered.x, covered.y, file.width, file.height),
+        where, "a file with a pixel everywhere");
 }
 
 Orientation Orientation::of_tag(int tag) {

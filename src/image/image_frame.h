@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/image.h"
+#include "image/image_file.h"
 #include "image/pixel_rect.h"
 
 namespace aoscore {
@@ -11,6 +12,10 @@ PixelRect within_frame(const PixelRect& pixels, int frame_width, int frame_heigh
 /// Places a picture at `x`, `y` of a frame: pixels outside of the frame are dropped, and those of the frame
 /// that the picture does not reach are NaN.
 ImageF placed(const ImageF& picture, int x, int y, int frame_width, int frame_height);
+
+/// Throws file_error where a channel has pixels for a part of its frame alone, as where an EXR's data window
+/// is smaller than its display window. `where` names the file.
+void require_whole_frame(const ImageFile& file, std::size_t channel, const std::string& where);
 
 /// How a picture that is stored with an Orientation is to be shown: transposed first, then mirrored (left and
 /// right change places), then turned over (top and bottom do).

@@ -45,33 +45,63 @@ std::map<std::string, std::string> leading_chunks(const std::filesystem::path& p
     return chunks;
 }
 
-std::optional<Coding> coding_of_profile(const std::string& chunk) {
+/// A curve by the words of a chunk; none for curves that are not known here.
+struct Curve {
+    std::optional<Coding> coding;
+    const char* name;
+};
+constexpr Curve kLinear{Coding::linear, "linear"}, kSrgb{Coding::srgb, "sRGB-coded"}, kPq{{}, "coded by PQ"},
+    kHlg{{}, "coded by HLG"};
+
+/// The curves of code points of transfer characteristics (ITU-T, Recommendation H.273, table 3).
+std::optional<Curve> curve_of_code_points(const std::string& chunk) {
+    static const std::map<int, Curve> kCurves = {{8, kLinear}, {13, kSrgb}, {16, kPq}, {18, kHlg}};
+    constexpr std::size_t kTransfer = 1;
+    if (chunk.size() <= kTransfer) return std::nullopt;
+    const auto found = kCurves.find(static_cast<unsigned char>(chunk[kTransfer]));
+    return found == kCurves.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// A profile's curve by its name; that of PQ was fixed before there were code points (W3C, Using the ITU
+/// BT.2100 PQ EOTF with the PNG Format, 2017).
+std::optional<Curve> curve_of_profile(const std::string& chunk) {
     const std::string name = lower_case(chunk.substr(0, chunk.find('\0')));
-    if (name.find("linear") != std::string::npos) return Coding::linear;
-    if (name.find("srgb") != std::string::npos) return Coding::srgb;
+    if (name.find("2100_pq") != std::string::npos) return kPq;
+    if (name.find("linear") != std::string::npos) return kLinear;
+    if (name.find("srgb") != std::string::npos) return kSrgb;
     return std::nullopt;
 }
 
-std::optional<Coding> coding_of_gamma(const std::string& chunk) {
+std::optional<Curve> curve_of_gamma(const std::string& chunk) {
     const double gamma = big_endian(chunk);
-    if (std::abs(gamma / kLinearGamma - 1) < kSameGamma) return Coding::linear;
-    if (std::abs(gamma / kSrgbGamma - 1) < kSameGamma) return Coding::srgb;
+    if (std::abs(gamma / kLinearGamma - 1) < kSameGamma) return kLinear;
+    if (std::abs(gamma / kSrgbGamma - 1) < kSameGamma) return kSrgb;
     return std::nullopt;
+}
+
+std::optional<Curve> curve_of_srgb(const std::string&) {
+    return kSrgb;
 }
 
 }  // namespace
 
 std::optional<StatedCoding> coding_stated_by_png(const std::filesystem::path& path) {
     const auto chunks = leading_chunks(path);
-    const auto stated = [](const char* name, std::optional<Coding> coding) -> std::optional<StatedCoding> {
-        if (!coding) return std::nullopt;
-        return StatedCoding{*coding, std::string("chunk ") + name};
+    struct Statement {
+        const char* chunk;
+        std::optional<Curve> (*curve)(const std::string&);
     };
-    if (const auto profile = chunks.find("iCCP"); profile != chunks.end())
-        return stated("iCCP", coding_of_profile(profile->second));
-    if (chunks.contains("sRGB")) return stated("sRGB", Coding::srgb);
-    if (const auto gamma = chunks.find("gAMA"); gamma != chunks.end())
-        return stated("gAMA", coding_of_gamma(gamma->second));
+    static constexpr Statement kByRank[] = {{"cICP", curve_of_code_points},
+                                            {"iCCP", curve_of_profile},
+                                            {"sRGB", curve_of_srgb},
+                                            {"gAMA", curve_of_gamma}};
+    for (const Statement& statement : kByRank) {
+        const auto found = chunks.find(statement.chunk);
+        if (found == chunks.end()) continue;
+        const std::optional<Curve> curve = statement.curve(found->second);
+        if (!curve) return std::nullopt;
+        return StatedCoding{curve->coding, curve->name, std::string("chunk ") + statement.chunk};
+    }
     return std::nullopt;
 }
 

@@ -1,12 +1,22 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <string>
 
 namespace aoscore {
 
-/// By how much a Radiance picture's values were multiplied since they were visibility: the product of the
-/// lines EXPOSURE= of its header, which programs append to; 1 without one, and where a line is no number
-/// above 0.
-float radiance_exposure(const std::filesystem::path& path);
+/// What the header of a Radiance picture says of its values.
+struct RadianceHeader {
+    /// By how much red, green and blue were multiplied since they were visibility: the product of the lines
+    /// EXPOSURE= and COLORCORR=, which programs append to (Ward, pcomb of Radiance, divides by both for the
+    /// original); 1 without one, and where a line has no numbers above 0.
+    std::array<float, 3> factors{1, 1, 1};
+    float gamma = 1;     ///< the exponent of a line GAMMA=, which some programs write
+    std::string format;  ///< 32-bit_rle_rgbe or 32-bit_rle_xyze; empty without the line
+};
+
+/// Reads it as far as it goes; all defaults for a file of another format.
+RadianceHeader read_radiance_header(const std::filesystem::path& path);
 
 }  // namespace aoscore

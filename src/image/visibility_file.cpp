@@ -68,14 +68,16 @@ void check_coding(const std::optional<Coding>& asked, const std::filesystem::pat
     if (!asked) {
         throw usage_error(
             stated ? fmt::format("holds integers, which may be sRGB-coded or linear; its {} says {}",
-                                 stated->by, name_of(stated->coding))
+                                 stated->by, stated->curve)
                    : "holds integers, which may be sRGB-coded or linear",
             path.string(), "--srgb, as pictures for the screen are, or --linear");
     }
     if (!stated || stated->coding == *asked) return;
-    warnings.push_back(fmt::format("its {} says that its values are {}, and they are read as {}: try {}",
-                                   stated->by, name_of(stated->coding), name_of(*asked),
-                                   stated->coding == Coding::srgb ? "--srgb" : "--linear"));
+    const char* remedy = !stated->coding                  ? "no option takes that off; export it linear"
+                         : stated->coding == Coding::srgb ? "try --srgb"
+                                                          : "try --linear";
+    warnings.push_back(fmt::format("its {} says that its values are {}, and they are read as {}: {}",
+                                   stated->by, stated->curve, name_of(*asked), remedy));
 }
 
 void decode_srgb(ImageF& image) {
@@ -102,6 +104,7 @@ VisibilityFile read_visibility(const std::filesystem::path& path, const Visibili
     if (!chosen.warning.empty()) result.warnings.push_back(result.channel + ": " + chosen.warning);
     result.covered = file.covered[chosen.index];
     result.integers = file.integers;
+    result.warnings.insert(result.warnings.end(), file.doubts.begin(), file.doubts.end());
     if (file.integers) check_coding(reading.coding, path, result.warnings);
     result.mask = mask_of(file, chosen.index);
     result.visibility = std::move(file.channels[chosen.index]);

@@ -61,18 +61,18 @@ void JobListing::add(const JobGraph& graph, const std::function<double(const Job
              {"known", has_entry(job.kind) ? nlohmann::json(store_.has(job.key.hex)) : nlohmann::json()},
              {"unit", fmt::format("{}: {}", number, job.in_turns ? "times" : job.about)},
              {"cost_s", cost_s(job)}});
-        store_.put(description_key(job.key.hex), {{"arguments", arguments_}});
+        store_.put(description_key(job.key.hex), command_);
     }
 }
 
-std::vector<std::string> arguments_of_job(const std::string& key, const std::filesystem::path& cache) {
+PlannedCommand command_of_job(const std::string& key, const std::filesystem::path& cache) {
     const std::optional<nlohmann::json> found =
         ArtifactStore(ArtifactStore::folder_in(cache)).find(description_key(key));
     if (!found) {
-        throw usage_error("no command has listed the job " + key, "KEY",
+        throw usage_error("no command has listed this job", key,
                           "a key that --jobs has printed, with the same cache");
     }
-    return found->at("arguments").get<std::vector<std::string>>();
+    return PlannedCommand::of_json(*found, "the job " + key);
 }
 
 ChosenJobs::ChosenJobs(const std::vector<std::string>& keys, const ArtifactStore& store)
@@ -119,9 +119,9 @@ void ChosenJobs::make(const JobGraph& graph, Maker& maker) {
 std::size_t ChosenJobs::failed() const {
     if (!left_.empty())
         throw usage_error(
-            fmt::format("the command has no job {}: another build listed it, or an input has changed since",
-                        *left_.begin()),
-            "KEY", "a key that --jobs prints for it now; where a plan names it, make the plan again");
+            "the command has no such job: another build listed it, or a file that it reads has changed since",
+            *left_.begin(),
+            "a key that --jobs prints for it now; where a plan names it, make the plan again");
     if (store_.lost_some())
         throw file_error("does not keep all that was made, and nothing else was to be done",
                          store_.folder().string(), "a cache that can be written");

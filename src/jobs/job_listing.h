@@ -1,6 +1,7 @@
 #pragma once
 
 #include "jobs/executor.h"
+#include "jobs/planned_command.h"
 #include "store/artifact_store.h"
 
 #include <nlohmann/json.hpp>
@@ -16,28 +17,28 @@ namespace aoscore {
 /// The jobs of one command, none of them made: {"jobs": [{"key", "kind", "about", "inputs", "after", "asked",
 /// "known", "unit", "cost_s"}]}, each once. A job is "asked" for where the results hold its artifact, and
 /// "known" where the store has that. Jobs of one "unit" are best made by one process: they share what they
-/// need, or meet the same disturbances. "cost_s" is the estimate. `arguments` are the command line's; they
-/// are kept in the store under every job, so that any process that shares it can make the job from its key
-/// alone.
+/// need, or meet the same disturbances. "cost_s" is the estimate. `arguments` are the command line's; the
+/// command is kept in the store under every job, so that any process that shares it can make the job from its
+/// key alone.
 class JobListing {
   public:
     /// `store` must outlive it.
     JobListing(const ArtifactStore& store, std::vector<std::string> arguments)
-        : store_(store), arguments_(std::move(arguments)) {}
+        : store_(store), command_(PlannedCommand::of(std::move(arguments)).json()) {}
 
     void add(const JobGraph& graph, const std::function<double(const Job&)>& cost_s);
     nlohmann::json json() const { return {{"jobs", jobs_}}; }
 
   private:
     const ArtifactStore& store_;
-    std::vector<std::string> arguments_;
+    nlohmann::json command_;
     nlohmann::json jobs_ = nlohmann::json::array();
     std::set<Key> listed_;
     std::size_t graphs_ = 0;
 };
 
-/// The arguments of the command that listed this job. Throws usage_error where none did.
-std::vector<std::string> arguments_of_job(const std::string& key, const std::filesystem::path& cache);
+/// The command that listed this job. Throws usage_error where none did.
+PlannedCommand command_of_job(const std::string& key, const std::filesystem::path& cache);
 
 /// Some of a command's jobs, to be made without the others.
 class ChosenJobs {

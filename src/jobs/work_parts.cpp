@@ -81,8 +81,10 @@ std::vector<WorkPart> even_parts(const nlohmann::json& listing, std::size_t coun
 void write_parts(const WorkParts& work, const std::filesystem::path& file) {
     nlohmann::json parts = nlohmann::json::array();
     for (const WorkPart& part : work.parts) parts.push_back({{"cost_s", part.cost_s}, {"jobs", part.keys}});
-    const nlohmann::json json{
-        {"aoscore", version()}, {"arguments", work.arguments}, {"times_on", work.times_on}, {"parts", parts}};
+    const nlohmann::json json{{"aoscore", version()},
+                              {"command", work.command.json()},
+                              {"times_on", work.times_on},
+                              {"parts", parts}};
     write_atomically(file, json.dump(1) + "\n");
 }
 
@@ -92,8 +94,9 @@ WorkParts read_parts(const std::filesystem::path& file) {
     if (const std::string made_by = root.text("aoscore"); made_by != version())
         throw file_error(fmt::format("was written by version {}, this is {}", made_by, version()),
                          root.where("aoscore"), "a plan of this version: make it again");
-    WorkParts work{
-        .arguments = root.texts_or_empty("arguments"), .times_on = root.text("times_on"), .parts = {}};
+    WorkParts work{.command = PlannedCommand::of_json(root.raw("command"), root.where("command")),
+                   .times_on = root.text("times_on"),
+                   .parts = {}};
     for (StrictObject& object : root.objects("parts")) {
         work.parts.push_back(
             {object.number("cost_s", 0, std::numeric_limits<double>::max()), object.texts_or_empty("jobs")});

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "jobs/planned_command.h"
+
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
@@ -17,8 +19,8 @@ struct WorkPart {
 
 /// A command's work in parts, for processes that share a cache.
 struct WorkParts {
-    std::vector<std::string> arguments;  ///< of the command
-    std::string times_on;                ///< the kind of node whose times count
+    PlannedCommand command;
+    std::string times_on;  ///< the kind of node whose times count
     std::vector<WorkPart> parts;
 };
 
@@ -28,7 +30,8 @@ struct WorkParts {
 /// the truths, and without truths there are fewer parts.
 std::vector<WorkPart> even_parts(const nlohmann::json& listing, std::size_t count);
 
-/// {"aoscore": version, "arguments": [text], "times_on": text, "parts": [{"cost_s": n, "jobs": [key]}]}
+/// {"aoscore": version, "command": what PlannedCommand::json() gives, "times_on": text, "parts": [{"cost_s":
+/// n, "jobs": [key]}]}
 void write_parts(const WorkParts& work, const std::filesystem::path& file);
 
 /// Reads what write_parts() wrote. Throws file_error for another form or another version of the program.

@@ -26,7 +26,7 @@ constexpr std::size_t kLargePage_bytes = std::size_t{50} << 20;
 
 std::string section_html(const Section& section, const nlohmann::json& content) {
     const fs::path fragment = page_folder() / "sections" / (std::string(section.id) + ".html");
-    return fill_template(read_file(fragment), content, fragment.string());
+    return fill_template(template_text(fragment), content, fragment.string());
 }
 
 /// Whether the rankings are all that there is to show, so that they are shown without pictures. Those of a

@@ -8,14 +8,9 @@
 #include <algorithm>
 
 namespace aoscore {
-namespace {
-
-/// Whether methods give signals beside visibility where they shade these pixels, as MethodRunner has it.
 bool gives_signals(Resolution resolution) {
     return resolution == Resolution::full || resolution == Resolution::half_gbuffer;
 }
-
-}  // namespace
 
 std::shared_ptr<const Environment> named_environment(const std::string& name, double turn_deg) {
     if (name == kSkyId) return nullptr;

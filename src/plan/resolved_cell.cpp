@@ -5,6 +5,7 @@
 #include "jobs/contest/few_rays.h"
 #include "jobs/contest/folder_image.h"
 #include "jobs/own_truth.h"
+#include "plan/lit_cells.h"
 #include "screen/method/lengths.h"
 
 #include <fmt/format.h>
@@ -127,6 +128,9 @@ ResolvedCell resolve(const CellPlan& plan, const Registry& registry, std::uint64
     if (const OutsideMethod* outside = find_outside(registry, plan.method))
         cell.request.parameters = outside->shown_values(plan.preset);
     cell.request.seed = seed + static_cast<std::uint64_t>(plan.draw);
+    if (!plan.signals.empty() && !gives_signals(plan.modes.resolution))
+        throw usage_error("bent normals and cones are given at full resolution alone", "--signals",
+                          "--resolution full or half-gbuffer, or no --signals");
     cell.request.signals = plan.signals;
     plan.modes.apply_to(cell.request);
     add_lengths(method, cell.request.parameters, plan.overrides, origin, "", cell.lengths);

@@ -5,6 +5,7 @@
 #include "scene/view_choice.h"
 #include "store/key.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -78,6 +79,14 @@ std::vector<View> wanted_views(const Scene& scene, const LoadOptions& loaded_wit
     std::vector<View> views = kept_automatic_views(scene, aspect, store);
     for (View& view : views) view.options += frame_options(loaded_with);
     return choose_views(scene.id, views, choice);
+}
+
+std::string no_camera_text(const Scene& scene, const std::vector<View>& views) {
+    if (!scene.views.empty() || views.empty()) return {};
+    return fmt::format("{} has no camera: taking {} (a camera of your own: --eye and --target, or --views)",
+                       scene.id,
+                       views.size() == 1 ? "the automatic view " + views.front().id
+                                         : fmt::format("{} automatic views", views.size()));
 }
 
 }  // namespace aoscore

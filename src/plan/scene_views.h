@@ -13,4 +13,8 @@ namespace aoscore {
 std::vector<View> wanted_views(const Scene& scene, const LoadOptions& loaded_with, const std::string& choice,
                                double aspect, const ArtifactStore& store);
 
+/// Says that views of wanted_views() are automatic because the scene has no camera, and how to name one;
+/// empty where it has.
+std::string no_camera_text(const Scene& scene, const std::vector<View>& views);
+
 }  // namespace aoscore

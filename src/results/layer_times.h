@@ -8,6 +8,12 @@
 
 namespace aoscore {
 
+/// Whether the cell's method reads several layers of depth. Results before schema 10 tell it by their times
+/// alone.
+inline bool reads_layers(const CellRecord& cell) {
+    return cell.layer_bytes.has_value() || !cell.layers_processor.runs_ms.empty();
+}
+
 /// The runs of the AO pass as processor time, each without the part that drew its depth layers.
 inline std::vector<double> runs_without_layers_ms(const CellRecord& cell) {
     std::vector<double> runs_ms = cell.ao.processor_runs_ms;

@@ -17,6 +17,8 @@
 #include <numeric>
 #include <random>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace aoscore {
 namespace {
@@ -393,6 +395,18 @@ class Judge {
     const Results& results_;
 };
 
+/// Says where the pictures of a view had another size before; empty where none had.
+std::string other_size_text(const Results& now, const Results& before) {
+    for (const ViewRecord& view : now.views) {
+        const ViewRecord* earlier = find_row(before.views, view.key, &ViewRecord::key);
+        if (earlier == nullptr || (earlier->width == view.width && earlier->height == view.height)) continue;
+        return fmt::format(
+            "measured at another size: {} {}x{}, before: {}x{}; verdicts may have changed by that alone\n",
+            printable(view.key), view.width, view.height, earlier->width, earlier->height);
+    }
+    return {};
+}
+
 }  // namespace
 
 std::vector<ClaimRecord> judge_claims(const std::vector<ClaimList>& lists, const Results& results) {
@@ -424,23 +438,32 @@ std::string verdict_table(const std::vector<ClaimRecord>& claims) {
     lines.push_back(all);
     std::string text;
     for (Counts& line : lines) {
-        const std::size_t hold = line.by_verdict[ClaimRecord::kHolds], fail = line.by_verdict[ClaimRecord::kFails],
+        const std::size_t hold = line.by_verdict[ClaimRecord::kHolds],
+                          fail = line.by_verdict[ClaimRecord::kFails],
                           open = line.by_verdict[ClaimRecord::kCannotTell];
-        text += fmt::format("{:>4} judged: {:>3} hold, {:>3} do not, {:>3} cannot be told  {}\n", hold + fail + open,
-                            hold, fail, open, printable(line.source));
+        text += fmt::format("{:>4} judged: {:>3} hold, {:>3} do not, {:>3} cannot be told  {}\n",
+                            hold + fail + open, hold, fail, open, printable(line.source));
     }
     return text;
 }
 
-std::string changed_verdicts(const std::vector<ClaimRecord>& now, const std::vector<ClaimRecord>& before) {
+std::string changed_verdicts(const Results& now, const Results& before) {
     std::string text;
-    for (const ClaimRecord& claim : now) {
-        const ClaimRecord* earlier = find_row(before, claim.id);
+    for (const ClaimRecord& claim : now.claims) {
+        const ClaimRecord* earlier = find_row(before.claims, claim.id);
         if (earlier != nullptr && earlier->verdict == claim.verdict) continue;
         text += fmt::format("{} {}, before: {}\n", claim.id, claim.verdict,
                             earlier == nullptr ? "not judged" : printable(earlier->verdict));
     }
-    return text.empty() ? "no verdict has changed\n" : text;
+    if (text.empty()) text = "no verdict has changed\n";
+    std::vector<std::string> left_out;
+    for (const ClaimRecord& earlier : before.claims) {
+        if (find_row(now.claims, earlier.id) == nullptr) left_out.push_back(printable(earlier.id));
+    }
+    if (!left_out.empty()) {
+        text += fmt::format("judged before, and not now: {}\n", fmt::join(left_out, ", "));
+    }
+    return text + other_size_text(now, before);
 }
 
 }  // namespace aoscore

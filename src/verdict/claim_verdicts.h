@@ -20,7 +20,8 @@ std::string verdict_text(const ClaimRecord& claim);
 std::string verdict_table(const std::vector<ClaimRecord>& claims);
 
 /// A line for each claim that has another verdict than `before`, or none there: "V13 holds, before: does not
-/// hold"; one that says so where none has.
-std::string changed_verdicts(const std::vector<ClaimRecord>& now, const std::vector<ClaimRecord>& before);
+/// hold"; one that says so where none has. Then which claims were judged before alone, and whether the same
+/// views had another size.
+std::string changed_verdicts(const Results& now, const Results& before);
 
 }  // namespace aoscore

@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -232,6 +233,82 @@ TEST_F(Frame, ScoresAlikeByEveryKindOfDepthAndUnit) {
         expect_same_scores(scored("--gbuffer frame.exr --camera camera.json --truth truth.exr"), expected,
                            2e-3);
     }
+}
+
+TEST_F(Frame, ScoresAlikeWhereItsDepthBufferHasNoFarPlane) {
+    const Results expected = scored("--gbuffer gbuffer.exr --truth truth.exr");
+    const double near = 0.05;
+    for (const bool reversed : {false, true}) {
+        SCOPED_TRACE(reversed);
+        std::vector<std::pair<std::string, ImageF>> channels;
+        for (const std::string axis : {"X", "Y", "Z"})
+            channels.emplace_back("Normal." + axis, plane("Ns." + axis));
+        channels.emplace_back("Depth.Z", changed(plane("Z"), [&](float, std::size_t i) {
+                                  const double from_far =
+                                      is_surface(i) ? near / double{plane("Z").pixels[i]} : 0;
+                                  return static_cast<float>(reversed ? from_far : 1 - from_far);
+                              }));
+        write("frame.exr", channels);
+        write_atomically(folder / "camera.json",
+                         camera_json({{"depth", reversed ? "reversed-window" : "window"},
+                                      {"near_m", near},
+                                      {"far_m", "infinite"},
+                                      {"normals", "view"}})
+                             .dump());
+        expect_same_scores(scored("--gbuffer frame.exr --camera camera.json --truth truth.exr"), expected,
+                           2e-3);
+    }
+}
+
+TEST_F(Frame, WhoseNormalsPointTheOtherWayIsToldTheSignsByWhichTheyFit) {
+    const Results expected = scored("--gbuffer gbuffer.exr --truth truth.exr");
+    for (const auto& signs : {std::array{1, -1, 1}, std::array{1, 1, -1}, std::array{-1, 1, 1}}) {
+        std::vector<std::pair<std::string, ImageF>> channels{{"Depth.Z", plane("Z")}};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::string letter(1, "XYZ"[axis]);
+            const auto sign = static_cast<float>(signs[axis]);
+            channels.emplace_back(
+                "Normal." + letter,
+                changed(plane("Ns." + letter), [&](float n, std::size_t) { return sign * n; }));
+        }
+        write("frame.exr", channels);
+        write_atomically(folder / "camera.json", camera_json({{"normals", "view"}}).dump());
+        const Results turned = scored("--gbuffer frame.exr --camera camera.json --truth truth.exr");
+        const bool first_alone = signs[0] < 0;  // the same as both others, as normals face the camera
+        EXPECT_THAT(turned.views[0].warnings,
+                    ::testing::Contains(
+                        HasSubstr(fmt::format(R"("normal_signs": [1, {}, {}])", first_alone ? -1 : signs[1],
+                                              first_alone ? -1 : signs[2]))));
+        write_atomically(folder / "camera.json",
+                         camera_json({{"normals", "view"}, {"normal_signs", signs}}).dump());
+        const Results right = scored("--gbuffer frame.exr --camera camera.json --truth truth.exr");
+        EXPECT_TRUE(right.views[0].warnings.empty());
+        expect_same_scores(right, expected, 2e-3);
+    }
+}
+
+TEST_F(Frame, OfAnotherCodingOfNormalsOrAMirroringCameraIsRefused) {
+    std::vector<std::pair<std::string, ImageF>> channels{{"Depth.Z", plane("Z")}};
+    const auto octahedral = [&](const std::string& axis) {
+        return changed(plane("Ns." + axis), [&](float n, std::size_t i) {
+            const float sum = std::abs(plane("Ns.X").pixels[i]) + std::abs(plane("Ns.Y").pixels[i]) +
+                              std::abs(plane("Ns.Z").pixels[i]);
+            return std::round(127 * n / std::max(sum, 1e-6F)) / 127;
+        });
+    };
+    channels.emplace_back("Normal.X", octahedral("X"));
+    channels.emplace_back("Normal.Y", octahedral("Y"));
+    write_atomically(folder / "camera.json", camera_json({{"normals", "view"}}).dump());
+    write("two.exr", channels);
+    expect_refused("--gbuffer two.exr --camera camera.json --truth truth.exr", 4, "octahedral");
+    channels.emplace_back("Normal.Z", ImageF(64, 48, 0));
+    write("three.exr", channels);
+    expect_refused("--gbuffer three.exr --camera camera.json --truth truth.exr", 4, "coded in two");
+    nlohmann::json mirroring = camera_json({{"normals", "world"}});
+    for (std::size_t i = 8; i < 12; ++i)
+        mirroring["world_to_camera"][i] = -mirroring["world_to_camera"][i].get<double>();
+    write_atomically(folder / "camera.json", mirroring.dump());
+    expect_refused("--gbuffer three.exr --camera camera.json --truth truth.exr", 4, "third row negated");
 }
 
 TEST_F(Frame, WithoutNormalsGetsThemFromDepthAndSaysSo) {

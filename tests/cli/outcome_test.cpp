@@ -159,8 +159,8 @@ TEST(Exports, SayOfABoundThatItIsOne) {
     write_bound(folder / "mine/my-bound");
     const std::map<std::string, std::string> marks{{".csv", "wall/facing,bound,my-bound,bound,default"},
                                                    {".json", "\"method_label\": \"My limit (bound)\""},
-                                                   {".md", "| wall/facing | bound | my-bound | bound |"},
-                                                   {".tex", "wall/facing & bound & my-bound & bound"},
+                                                   {".md", "| wall/facing | bound | my-bound | default |"},
+                                                   {".tex", "wall/facing & bound & my-bound & default"},
                                                    {".xml", "<property name=\"role\" value=\"bound\""}};
     std::string arguments =
         "score wall --view facing --size 64x48 --samples 16 --methods alchemy,my-bound --methods-dir mine "

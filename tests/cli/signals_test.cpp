@@ -78,6 +78,20 @@ TEST(ScoreOfSignals, RefusesWhatNoMethodGives) {
     EXPECT_THAT(unknown.err, HasSubstr("bent_normal"));
 }
 
+TEST(ScoreOfSignals, IsRefusedBeforeTheWorkWhereAResolutionGivesNone) {
+    const auto folder = output_dir();
+    for (const char* resolution : {"half", "dual"}) {
+        const auto run = run_aoscore(
+            "score wall --view facing --size 48x32 --samples 4 --methods gtao --signals "
+            "bent_normal --out out --resolution " +
+                std::string(resolution),
+            folder);
+        EXPECT_EQ(run.exit_code, 64) << run.err;
+        EXPECT_THAT(run.err, HasSubstr("--resolution full or half-gbuffer"));
+        EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+    }
+}
+
 TEST(ScoreOfSignals, IsTakenFromWhatIsKept) {
     const auto folder = output_dir();
     const std::string command = "score sphere --size 48x27 --samples 16 --methods gtao --signals cone_angle ";

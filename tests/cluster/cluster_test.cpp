@@ -115,6 +115,47 @@ TEST(Plan, SaysWhoseTimesCount) {
     EXPECT_EQ(run_aoscore("work plan.json --part 1 --node-kind farm", folder).exit_code, 0);
 }
 
+/// A floor and a wall, of two triangles each.
+constexpr const char* kCorner = R"(v 0 0 0
+v 2 0 0
+v 2 0 2
+v 0 0 2
+v 0 2 0
+v 2 2 0
+f 1 3 2
+f 1 4 3
+f 1 2 6
+f 1 6 5
+)";
+const std::string kScoreOfFile =
+    "score corner.obj --eye 1,1,3 --target 1,0.3,0 --methods hbao --size 48x32 --samples 4 --unit m --up y "
+    "--radius 0.5 --out out";
+
+TEST(Plan, IsWorkedFromAnyFolderOnTheFilesOfItsOwn) {
+    const fs::path folder = output_dir(), elsewhere = folder / "elsewhere";
+    fs::create_directories(elsewhere);
+    write_atomically(folder / "corner.obj", kCorner);
+    write_atomically(elsewhere / "corner.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::string cache = "env AOSCORE_CACHE=" + (folder / "one-cache").string();
+    ASSERT_EQ(run_aoscore("plan --parts 1 --out plan.json " + kScoreOfFile, folder, cache).exit_code, 0);
+    const auto work = run_aoscore("work ../plan.json --part 1", elsewhere, "env AOSCORE_CACHE=../one-cache");
+    EXPECT_EQ(work.exit_code, 0) << work.err;
+    ASSERT_EQ(run_aoscore(kScoreOfFile, folder, cache).exit_code, 0);
+    EXPECT_EQ(read_results(folder / "out").work.passes, 0u) << "something was left for the command";
+}
+
+TEST(Plan, NamesTheFileThatHasChangedSince) {
+    const fs::path folder = output_dir();
+    write_atomically(folder / "corner.obj", kCorner);
+    ASSERT_EQ(run_aoscore("plan --parts 1 --out plan.json " + kScoreOfFile, folder).exit_code, 0);
+    write_atomically(folder / "corner.obj", std::string(kCorner) + "v 1 1 1\nf 1 2 7\n");
+    const auto work = run_aoscore("work plan.json --part 1", folder);
+    EXPECT_EQ(work.exit_code, 64) << work.err;
+    EXPECT_THAT(work.err, ::testing::AllOf(HasSubstr("corner.obj has changed since the jobs were listed"),
+                                           HasSubstr("make the plan again")));
+    EXPECT_THAT(work.err, ::testing::Not(HasSubstr("KEY")));
+}
+
 TEST(Plan, LeavesNoOptionOfAPartUnheeded) {
     const fs::path folder = output_dir();
     ASSERT_EQ(run_aoscore("plan --parts 1 --out plan.json " + kScore, folder).exit_code, 0);

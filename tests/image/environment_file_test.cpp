@@ -67,6 +67,13 @@ TEST(EnvironmentFile, OfOneChannelIsGray) {
     EXPECT_EQ(read_environment(path, 0).radiance({0, 1, 0}), glm::dvec3(3));
 }
 
+TEST(EnvironmentFile, IsNotDarkerForWhatCompressionLeavesBelowZero) {
+    const ImageF plane = with(-0.01F);
+    const Environment light = read_environment(file_of(plane, plane, plane), 0);
+    for (const glm::vec3& texel : light.map()->radiance.pixels)
+        EXPECT_TRUE(texel == glm::vec3(1) || texel == glm::vec3(0)) << texel.x;
+}
+
 TEST(EnvironmentFile, IsRefusedWhereItCannotBeLight) {
     EXPECT_THAT(refusal(ImageF(8, 8, 1)), HasSubstr("twice as wide as high"));
     EXPECT_THAT(refusal(ImageF(8, 4, 0)), HasSubstr("black everywhere"));

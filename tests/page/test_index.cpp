@@ -4,6 +4,7 @@
 #include "page/index_results.h"
 #include "page/page.h"
 #include "page/synthetic_results.h"
+#include "results/light_modes.h"
 #include "support/support.h"
 
 #include <gmock/gmock.h>
@@ -83,6 +84,31 @@ TEST(Index, KeepsTheLatestOfTheSameContestantOnTheSameView) {
     results.views[0].radius_m *= 2;
     index.add(results, "nowhere");
     EXPECT_GT(index.contents().cells.size(), cells) << "at another radius it is another view";
+}
+
+TEST(Index, ShowsTheLeastErrorOfLightAndKeepsItWhereALaterRunLitNothing) {
+    const std::filesystem::path folder = testing::output_dir();
+    IndexBuilder index(folder);
+    Results results = testing::without_pictures(testing::synthetic_results());
+    index.add(results, "nowhere");
+    const auto page = [&] { return read_file(write_index_page(index.contents(), folder, "index", 1)); };
+    EXPECT_FALSE(index.contents().cells[0].light);
+    EXPECT_THAT(page(), Not(HasSubstr("Light is the error of irradiance")));
+    Results lit = results;
+    lit.created_utc = "2027-01-01T00:00:00Z";
+    for (ViewRecord& view : lit.views) view.light.emplace().environment = "court.hdr";
+    lit.cells[0].light[light_modes()[0].relative_error()] = {0.3, {}};
+    lit.cells[0].light[light_modes()[2].relative_error()] = {0.2, {}};
+    index.add(lit, "nowhere");
+    results.created_utc = "2028-01-01T00:00:00Z";
+    index.add(results, "nowhere");
+    const auto& light = index.contents().cells[0].light;
+    ASSERT_TRUE(light);
+    EXPECT_EQ(light->relative_error, 0.2);
+    EXPECT_EQ(light->mode, light_modes()[2].label);
+    EXPECT_EQ(light->environment, "court.hdr");
+    EXPECT_THAT(page(), HasSubstr("Light is the error of irradiance"));
+    EXPECT_THAT(page(), HasSubstr("[20.0,\"bent cone\",\"court.hdr\"]"));
 }
 
 TEST(Index, LeadsToThePagesOfTheResultsAndShowsTheirViews) {

@@ -92,6 +92,7 @@ TEST(LightSection, HasATableAndPicturesOfEveryModeThatAMethodHas) {
     EXPECT_EQ(count_of(page, "alt=\"Light of "), light_modes().size() + 1);
     EXPECT_EQ(count_of(page, "alt=\"Error of the light of "), light_modes().size() + 1);
     EXPECT_EQ(count_of(page, "alt=\"Ray-traced irradiance on "), 1u);
+    EXPECT_EQ(count_of(page, "<h4>By the "), light_modes().size()) << "methods stand side by side";
     EXPECT_NE(page.find("0.50 % of that mean"), std::string::npos) << "the standard error";
 }
 
@@ -123,6 +124,19 @@ TEST(LitPicture, DependsOnTheShareOfWhiteAlone) {
     EXPECT_EQ(lit_picture(gray(view, 0.4F), 0.8, 480).uri, lit_picture(gray(view, 2), 4, 480).uri);
     EXPECT_EQ(lit_picture(gray(view, 3), 1, 480).uri, lit_picture(gray(view, 1), 1, 480).uri) << "clipped";
     EXPECT_NE(lit_picture(gray(view, 0.4F), 0.8, 480).uri, lit_picture(gray(view, 0.3F), 0.8, 480).uri);
+}
+
+TEST(LitPicture, KeepsTheHueOfWhatIsBeyondWhite) {
+    const ViewRecord view = synthetic_results().views.front();
+    const auto of = [&](float red, float green, float blue) {
+        ColourPlanes colours = gray(view, red);
+        colours[1] = gray(view, green)[0];
+        colours[2] = gray(view, blue)[0];
+        return lit_picture(colours, 1, 480).uri;
+    };
+    EXPECT_EQ(of(4, 2, 1), of(1, 0.5F, 0.25F));
+    EXPECT_NE(of(4, 2, 1), of(1, 1, 1)) << "clipped channel by channel";
+    EXPECT_NE(of(0.5F, 0.25F, 0.125F), of(1, 0.5F, 0.25F)) << "what is within white is not made brighter";
 }
 
 TEST(LitErrorPicture, IsOfTheLuminanceOverTheMean) {

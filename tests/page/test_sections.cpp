@@ -241,6 +241,19 @@ TEST(Cost, SaysInShortWhatNoOtherMethodBeats) {
               "On atrium/wide, Alchemy AO, quality is the fastest and closest of 6 methods.");
 }
 
+TEST(Cost, NamesNoMethodTheFirstOfOne) {
+    SyntheticPage page;
+    const CellRecord* timed = nullptr;
+    for (CellRecord& cell : page.results.cells) {
+        const bool first = timed == nullptr && cell.view_key == "atrium/wide" && cell.role == kMethodRole;
+        if (first) timed = &cell;
+        if (!first) cell.ao = {};
+    }
+    EXPECT_EQ(section::cost(page.source())["in_short"],
+              "On atrium/wide, " + shown_name(*timed) + ", " + timed->preset +
+                  " is the only method with both a time and an error.");
+}
+
 TEST(Cost, PutsNoBoundOnTheFront) {
     SyntheticPage page;
     for (CellRecord& cell : page.results.cells) {

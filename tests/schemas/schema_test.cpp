@@ -152,9 +152,11 @@ std::vector<Kind> kinds(const fs::path& folder) {
              write_json(to / "views.json", content);
              read_view_file(to / "views.json");
          }});
-    const json cameras = {{{"fovy_deg", 50}, {"near_m", 0.1}, {"far_m", 50}},
-                          {{"fovx_deg", 80}},
-                          {{"projection", "orthographic"}, {"half_height_m", 2}}};
+    const json cameras = {
+        {{"fovy_deg", 50}, {"near_m", 0.1}, {"far_m", 50}},
+        {{"fovx_deg", 80}},
+        {{"fovy_deg", 50}, {"near_m", 0.1}, {"far_m", "infinite"}, {"normal_signs", {1, -1, 1}}},
+        {{"projection", "orthographic"}, {"half_height_m", 2}}};
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         const fs::path file = folder / ("camera-" + std::to_string(i) + ".json");
         write_json(file, cameras[i]);

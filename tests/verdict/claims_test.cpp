@@ -471,6 +471,31 @@ TEST_F(Claims, EveryCellThatTheClaimsAskForCanBeResolved) {
     }
 }
 
+TEST_F(Claims, WhatChangedSinceAnEarlierRunIsToldFromWhatWasNotJudgedOrMeasuredLarger) {
+    const auto run = [](std::vector<std::pair<std::string, std::string>> verdicts, int width) {
+        Results results;
+        for (const auto& [id, verdict] : verdicts) {
+            results.claims.emplace_back();
+            results.claims.back().id = id;
+            results.claims.back().verdict = verdict;
+        }
+        results.views.emplace_back();
+        results.views.back().key = "v";
+        results.views.back().width = width;
+        results.views.back().height = 90;
+        return results;
+    };
+    const std::string holds = ClaimRecord::kHolds, fails = ClaimRecord::kFails;
+    const Results now = run({{"T01", holds}, {"T02", fails}, {"T03", holds}}, 160);
+    EXPECT_EQ(changed_verdicts(now, now), "no verdict has changed\n");
+    EXPECT_EQ(
+        changed_verdicts(now, run({{"T01", fails}, {"T02", fails}, {"T04", fails}}, 320)),
+        "T01 holds, before: does not hold\n"
+        "T03 holds, before: not judged\n"
+        "judged before, and not now: T04\n"
+        "measured at another size: v 160x90, before: 320x90; verdicts may have changed by that alone\n");
+}
+
 TEST_F(Claims, EveryClaimOfTheListsIsAnswered) {
     REQUIRE_SHARED_INPUTS();
     const std::string text = read_file(testing::shared_dir() / "claims.md");

@@ -54,6 +54,9 @@ const startChart = (place) => {
   const offered = (choices) => Object.fromEntries(Object.entries(choices).filter(([key]) => has(key)));
   const chosen = { cost: 'ms', error: 'error' };
   const near = (chart, low, high) => [low / 1.1, high * 1.1];
+  // With the intervals of the times, which are drawn too.
+  const ends = data.curves.flatMap((curve) => curve.points.flatMap((p) => [p.ms_low, p.ms_high])).filter((ms) => ms > 0);
+  const nearIntervals = (chart, low, high) => near(chart, Math.min(low, ...ends), Math.max(high, ...ends));
   const options = () => {
     const series = data.curves.map((curve, i) => {
       const look = seriesLook(i);
@@ -62,7 +65,7 @@ const startChart = (place) => {
     const front = { label: 'Pareto front', stroke: pageColour('ink'), width: 1, dash: [6, 4], spanGaps: true, points: { show: false } };
     return {
       legend: { live: false },
-      scales: { x: { time: false, distr: 3, range: near }, y: { distr: 3, range: near } },
+      scales: { x: { time: false, distr: 3, range: chosen.cost === 'ms' ? nearIntervals : near }, y: { distr: 3, range: near } },
       axes: [logAxis(costs[chosen.cost]), logAxis(errors[chosen.error], { size: 70 })],
       series: [{ label: costs[chosen.cost] }, ...series, front],
       hooks: { draw: chosen.cost === 'ms' ? [(chart) => drawIntervals(chart, data.curves, chosen.error)] : [] },

@@ -41,7 +41,12 @@ glm::dmat3 read_rotation(StrictObject& object) {
         for (int column = 0; column < 3; ++column)
             rotation[column][row] = m[static_cast<std::size_t>(4 * row + column)];
     }
-    const double scale = std::cbrt(std::abs(glm::determinant(rotation)));
+    const double determinant = glm::determinant(rotation);
+    if (determinant < 0)
+        throw file_error("mirrors what it turns, as the matrix of a camera does that looks down +z",
+                         object.where("world_to_camera"),
+                         "the same with its third row negated, to a camera that looks down -z with y up");
+    const double scale = std::cbrt(determinant);
     rotation /= scale > 0 ? scale : 1;
     const glm::dmat3 product = glm::transpose(rotation) * rotation;
     for (int i = 0; i < 3; ++i) {
@@ -50,6 +55,33 @@ glm::dmat3 read_rotation(StrictObject& object) {
                              "16 numbers, row by row, to a camera that looks down -z with y up");
     }
     return rotation;
+}
+
+/// The far plane; a text in its place says that there is none.
+void read_planes(StrictObject& object, FrameCamera& result) {
+    Camera& camera = result.camera;
+    camera.near = object.number("near_m", kLeast_m, kMost_m);
+    result.infinite_far = object.has("far_m") && object.raw("far_m").is_string();
+    if (!result.infinite_far) {
+        camera.far = object.number("far_m", camera.near, kMost_m);
+        if (camera.far <= camera.near)
+            throw file_error("is the near plane", object.where("far_m"), "a larger distance");
+        return;
+    }
+    if (object.text("far_m") != "infinite" || camera.projection == Camera::Projection::orthographic)
+        throw file_error("is no far plane", object.where("far_m"),
+                         "a number of metres; \"infinite\" for a perspective camera without a far plane");
+    camera.far = 2 * camera.near;  // until the depths are known
+}
+
+/// Signs of the three axes.
+glm::dvec3 read_signs(StrictObject& object) {
+    const std::vector<double> signs = object.numbers("normal_signs", 3);
+    for (const double sign : signs) {
+        if (std::abs(sign) != 1)
+            throw file_error("holds no sign", object.where("normal_signs"), "1 or -1, three of them");
+    }
+    return {signs[0], signs[1], signs[2]};
 }
 
 double header_number(const std::map<std::string, std::string>& attributes, const std::string& name,
@@ -74,12 +106,8 @@ FrameCamera read_frame_camera(const std::filesystem::path& path, double aspect) 
     FrameCamera result;
     read_projection(object, aspect, result.camera);
     result.has_planes = object.has("near_m") || object.has("far_m");
-    if (result.has_planes) {
-        result.camera.near = object.number("near_m", kLeast_m, kMost_m);
-        result.camera.far = object.number("far_m", result.camera.near, kMost_m);
-        if (result.camera.far <= result.camera.near)
-            throw file_error("is the near plane", object.where("far_m"), "a larger distance");
-    }
+    if (result.has_planes) read_planes(object, result);
+    if (object.has("normal_signs")) result.normal_signs = read_signs(object);
     if (object.has("depth"))
         result.depth = row_in_file(depth_kinds(), object.text("depth"), object.where("depth")).kind;
     if (object.has("unit")) {

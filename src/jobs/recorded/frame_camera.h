@@ -14,9 +14,11 @@ namespace aoscore {
 struct FrameCamera {
     Camera camera;                              ///< at the origin, looking down -z
     bool has_planes = true;                     ///< whether near and far were stated
+    bool infinite_far = false;                  ///< whether its depth buffer has no far plane
     std::optional<DepthKind> depth;             ///< empty: as the layout has it
     double metres_per_unit = 1;                 ///< of depths
     std::optional<bool> world_normals;          ///< empty: as the layout has it
+    glm::dvec3 normal_signs{1, 1, 1};           ///< times the components of the file's normals
     std::optional<glm::dmat3> view_from_world;  ///< the camera's rotation; empty: not stated
 };
 

@@ -37,6 +37,13 @@ double view_depth_of(double stored, DepthKind kind, double unit_m, const CameraF
     return kNone;
 }
 
+/// The same of a perspective depth buffer without a far plane: as far / (far - near) tends to 1, window depth
+/// is 1 - near / depth.
+double view_depth_without_far(double stored, DepthKind kind, double near) {
+    const double from_far = kind == DepthKind::reversed_window ? stored : 1 - stored;
+    return from_far > 0 ? near / from_far : kNone;
+}
+
 /// Refuses what no depth of this kind can be.
 void require_plausible(const ImageF& stored, DepthKind kind, double background_from,
                        const std::string& where) {
@@ -115,10 +122,12 @@ FrameDepth frame_depth(const ImageF& stored, DepthKind kind, double background_f
         for (int x = 0; x < stored.width; ++x) {
             const auto value = double{stored.at(x, y)};
             if (!std::isfinite(value) || (background_from > 0 && value >= background_from)) continue;
-            depths.at(x, y) = view_depth_of(value, kind, described.metres_per_unit, rays, x, y);
+            depths.at(x, y) = is_window(kind) && described.infinite_far
+                                  ? view_depth_without_far(value, kind, camera.near)
+                                  : view_depth_of(value, kind, described.metres_per_unit, rays, x, y);
         }
     }
-    if (!described.has_planes) choose_planes(depths, camera);
+    if (!described.has_planes || described.infinite_far) choose_planes(depths, camera);
     FrameDepth result{CameraFrame(camera, stored.width, stored.height),
                       ImageF(stored.width, stored.height, static_cast<float>(camera.far)),
                       ImageF(stored.width, stored.height, 1.0F), Mask(stored.width, stored.height)};

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "image/frame_layout.h"
+#include "image/image_frame.h"
 #include "jobs/recorded/frame_camera.h"
 #include "jobs/recorded/frame_depth.h"
 #include "jobs/recorded/frame_normals.h"
@@ -63,11 +64,12 @@ FrameFile read_frame(const FrameRequest& request) {
     const FrameCamera camera = camera_of(request, file, where);
     const std::size_t channel = *find_channel(layout, layout.depth, file);
     const std::string& name = file.channel_names[channel];
+    require_whole_frame(file, channel, where + ": " + name);
     const DepthKind kind = camera.depth.value_or(layout.depth_kind);
     FrameDepth depth =
         frame_depth(file.channels[channel], kind, layout.background_from, camera, where + ": " + name);
     mask_out(file, depth);
-    FrameFile result{depth.frame, {}, fmt::format("layout {}: depth {}", layout.id, name), {}};
+    FrameFile result{depth.frame, {}, fmt::format("layout {}: depth {}", layout.id, name), file.doubts};
     for (const DepthKindName& row : depth_kinds()) {
         if (row.kind == kind) result.read_as += fmt::format(" ({})", row.id);
     }

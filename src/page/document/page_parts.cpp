@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <vector>
 
 namespace aoscore {
@@ -52,6 +53,19 @@ std::string licence_comment(const Library& library) {
 
 fs::path page_folder() {
     return data_dir() / "reports" / "page";
+}
+
+std::string template_text(const fs::path& file) {
+    constexpr std::string_view kBegin = "{{>", kEnd = "}}";
+    std::string text = read_file(file);
+    for (auto begin = text.find(kBegin); begin != std::string::npos; begin = text.find(kBegin, begin)) {
+        const auto end = text.find(kEnd, begin);
+        if (end == std::string::npos) break;  // which the template's own parser reports
+        const std::string name = text.substr(begin + kBegin.size(), end - begin - kBegin.size());
+        text.replace(begin, end + kEnd.size() - begin,
+                     read_file(page_folder() / "partials" / (name + ".html")));
+    }
+    return text;
 }
 
 std::string page_style() {

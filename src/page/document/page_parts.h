@@ -9,6 +9,10 @@ namespace aoscore {
 /// The folder of the page's template, style sheets, scripts and sections.
 std::filesystem::path page_folder();
 
+/// The text of a template, with reports/page/partials/NAME.html in the place of each {{>NAME}}. Throws
+/// file_error where one is missing.
+std::string template_text(const std::filesystem::path& file);
+
 /// The style sheets of the libraries, then reports/page/style/*.css in the order of their names. Throws
 /// file_error when a library is not installed.
 std::string page_style();

@@ -5,9 +5,12 @@
 #include "page/pictures/stored_images.h"
 #include "page/pictures/thumbnail.h"
 #include "page/section.h"
+#include "results/light_errors.h"
 #include "results/ranked_value.h"
 
 #include <fmt/format.h>
+
+#include <utility>
 
 namespace aoscore {
 namespace {
@@ -92,7 +95,8 @@ void IndexBuilder::add_cell(IndexedCell cell) {
     }
     ++contents_.replaced;
     IndexedCell& earlier = contents_.cells[found->second];
-    if (earlier.made < cell.made) earlier = std::move(cell);
+    if (earlier.made < cell.made) std::swap(earlier, cell);
+    if (!earlier.light) earlier.light = std::move(cell.light);
 }
 
 void IndexBuilder::add(const Results& results, const fs::path& folder) {
@@ -108,6 +112,8 @@ void IndexBuilder::add(const Results& results, const fs::path& folder) {
         IndexedCell one = indexed(cell, page);
         one.view = place_of(view, picture == pictures.end() ? "" : picture->second);
         one.contestant = place_of(cell);
+        if (const auto least = least_light_error(cell.light); least && view.light)
+            one.light = {least->error->value, std::string(least->mode->label), view.light->environment};
         if (const auto rank = ranks.find(cell.id); rank != ranks.end()) one.rank = rank->second;
         one.made = results.created_utc;
         add_cell(std::move(one));

@@ -24,12 +24,20 @@ struct IndexedContestant {
     std::string role = kMethodRole;
 };
 
+/// How a cell is lit by the environment of its results.
+struct IndexedLight {
+    double relative_error = 0;  ///< the least over its light modes
+    std::string mode;           ///< that mode, in words
+    std::string environment;    ///< "sky", or the name of a picture
+};
+
 /// A cell of some results: one contestant on one view.
 struct IndexedCell {
     std::size_t view = 0, contestant = 0;  ///< their places in IndexContents
     std::optional<double> error;           ///< the ranking's metric; empty where it failed or has none
     std::optional<Interval> interval;      ///< of the error, by the blocks of its picture
     std::optional<double> bias, ms, fetches;
+    std::optional<IndexedLight> light;  ///< empty where nothing was lit
     std::string rank;     ///< on its view among the contestants of its results; empty without one
     std::string failure;  ///< why it failed; else empty
     std::string link;     ///< to the cell on its results' page, from the index's folder; empty without a page
@@ -44,7 +52,8 @@ struct UnreadableResults {
 struct IndexContents {
     std::vector<IndexedView> views;
     std::vector<IndexedContestant> contestants;
-    std::vector<IndexedCell> cells;  ///< one of each contestant on each view: the latest
+    std::vector<IndexedCell> cells;  ///< one of each contestant on each view: the latest, with the light of
+                                     ///< an earlier one where it was not lit
     std::vector<UnreadableResults> unreadable;
     std::size_t read = 0;      ///< results that were read
     std::size_t replaced = 0;  ///< cells left out for later ones of the same contestant on the same view

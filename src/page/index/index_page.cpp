@@ -71,6 +71,12 @@ json number(const std::optional<double>& value) {
     return value ? json(*value) : json();
 }
 
+/// The error of light in per cent, its mode and the environment; null for a cell that was not lit.
+json light_model(const IndexedCell& cell) {
+    if (!cell.light) return nullptr;
+    return {100 * cell.light->relative_error, cell.light->mode, cell.light->environment};
+}
+
 /// What the script shows: views, contestants in the ranking's order, and cells as rows of numbers and texts.
 json data_model(const IndexContents& contents, const SceneRanking& ranking) {
     json views = json::array(), contestants = json::array(), cells = json::array(), order = json::array();
@@ -87,7 +93,7 @@ json data_model(const IndexContents& contents, const SceneRanking& ranking) {
         cells.push_back({cell.view, cell.contestant, number(cell.error),
                          cell.interval ? json(cell.interval->low) : json(),
                          cell.interval ? json(cell.interval->high) : json(), number(cell.bias), cell.rank,
-                         number(cell.ms), number(cell.fetches), cell.link, cell.failure});
+                         number(cell.ms), number(cell.fetches), cell.link, cell.failure, light_model(cell)});
     return {{"views", std::move(views)},
             {"contestants", std::move(contestants)},
             {"order", std::move(order)},
@@ -114,6 +120,8 @@ json page_model(const IndexContents& contents, const SceneRanking& ranking, cons
             {"ranked_over", fmt::format("{} of {}", counted(ranking.views, "view", "views"),
                                         counted(ranking.scenes, "scene", "scenes"))},
             {"several_scenes", ranking.scenes > 1},
+            {"has_light",
+             std::ranges::any_of(contents.cells, [](const IndexedCell& c) { return c.light.has_value(); })},
             {"has_repeated", repeated > 0},
             {"repeated", counted(repeated, "camera stands", "cameras stand")},
             {"has_left_out", ranking.left_out > 0},

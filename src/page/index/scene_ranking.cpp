@@ -4,7 +4,7 @@
 #include "metrics/evaluate.h"
 #include "metrics/roles.h"
 #include "page/document/number_text.h"
-#include "page/sections/listing.h"
+#include "page/sections/closest_sentence.h"
 
 #include <fmt/format.h>
 
@@ -139,28 +139,25 @@ std::string scene_sentence(const SceneRanking& ranking, const IndexContents& con
     if (ranking.scenes < 2)
         return "The methods share only one scene, so it cannot be told how far its ranking carries over to "
                "others.";
-    std::vector<std::string> leaders;
+    std::vector<const ScenePlace*> leaders;
     std::size_t ranked = 0;
-    const ScenePlace* best = nullptr;
     for (const ScenePlace& place : ranking.places) {
         if (!place.rank) continue;
-        if (best == nullptr) best = &place;
         ++ranked;
-        if (place.rank->best == 1)
-            leaders.push_back(fmt::format("{} ({})", name(place), fixed_text(place.error, 4)));
+        if (place.rank->best == 1) leaders.push_back(&place);
     }
-    const std::string metric(aoscore::metric(kRankingMetric).in_text);
-    if (best == nullptr) return "Only bounds were scored.";
-    if (ranked == 1)
-        return fmt::format("{} is the only method scored: its {} {} is {}.", name(*best), metric, over,
-                           fixed_text(best->error, 4));
-    if (leaders.size() == 1)
-        return fmt::format("{} is closest of {} methods to the ray-traced truth {}: its {} is {}.",
-                           name(*best), ranked, over, metric, fixed_text(best->error, 4));
-    return fmt::format(
-        "{} tie as the closest of {} methods to the ray-traced truth {}: their {}s do not differ "
-        "significantly.",
-        listed(std::move(leaders)), ranked, over, metric);
+    if (leaders.empty()) return "Only bounds were scored.";
+    ClosestMethods closest{.leaders = {},
+                           .ranked = ranked,
+                           .where = over,
+                           .metric = std::string(metric(kRankingMetric).in_text),
+                           .value = fixed_text(leaders[0]->error, 4)};
+    for (const ScenePlace* place : leaders) {
+        closest.leaders.push_back(leaders.size() == 1
+                                      ? name(*place)
+                                      : fmt::format("{} ({})", name(*place), fixed_text(place->error, 4)));
+    }
+    return closest_sentence(closest);
 }
 
 }  // namespace aoscore

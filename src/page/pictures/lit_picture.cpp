@@ -22,6 +22,10 @@ std::uint8_t lit_shade(float value, double white) {
     return static_cast<std::uint8_t>(std::lround(255 * srgb_from_linear(share)));
 }
 
+float largest_at(const ColourPlanes& colours, std::size_t i) {
+    return std::max({colours[0].pixels[i], colours[1].pixels[i], colours[2].pixels[i]});
+}
+
 }  // namespace
 
 ColourPlanes colour_planes(const ImageFile& file, const std::filesystem::path& path,
@@ -39,12 +43,19 @@ ImageF luminance_of(const ColourPlanes& colours) {
     return result;
 }
 
+ImageF largest_of(const ColourPlanes& colours) {
+    ImageF result(colours[0].width, colours[0].height);
+    for (std::size_t i = 0; i < result.size(); ++i) result.pixels[i] = largest_at(colours, i);
+    return result;
+}
+
 Picture lit_picture(const ColourPlanes& colours, double white, int width_px) {
     const ColourPlanes small{shrunk(colours[0], width_px), shrunk(colours[1], width_px),
                              shrunk(colours[2], width_px)};
     Image<std::array<std::uint8_t, 3>> shades(small[0].width, small[0].height);
     for (std::size_t i = 0; i < shades.size(); ++i) {
-        for (std::size_t c = 0; c < 3; ++c) shades.pixels[i][c] = lit_shade(small[c].pixels[i], white);
+        const double full = std::max(white, double{largest_at(small, i)});
+        for (std::size_t c = 0; c < 3; ++c) shades.pixels[i][c] = lit_shade(small[c].pixels[i], full);
     }
     return {"data:image/png;base64," + base64(encode_png_rgb(shades)), shades.width, shades.height};
 }

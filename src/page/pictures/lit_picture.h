@@ -20,7 +20,11 @@ ColourPlanes colour_planes(const ImageFile& file, const std::filesystem::path& p
 /// The luminance of colours.
 ImageF luminance_of(const ColourPlanes& colours);
 
-/// Makes a picture, at most `width_px` wide: colours are divided by `white`, clipped at 1, and coded as sRGB.
+/// The largest of red, green and blue in each pixel.
+ImageF largest_of(const ColourPlanes& colours);
+
+/// Makes a picture, at most `width_px` wide: colours are divided by `white` and coded as sRGB. A colour with
+/// a component above 1 is divided by that as a whole, so that it keeps its hue.
 Picture lit_picture(const ColourPlanes& colours, double white, int width_px);
 
 /// Errors from -kLitErrorRange to kLitErrorRange of the mean of the truth are told apart.

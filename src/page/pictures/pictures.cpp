@@ -142,8 +142,9 @@ std::optional<TracedLight> read_light(const ViewRecord& view, const Mask& valid,
     light.colours = colour_planes(read_image(path), path, {"R", "G", "B"});
     require_size(light.colours[0], view, path);
     light.luminance = luminance_of(light.colours);
-    // A pixel of a hundred is clipped, so that a few bright ones do not darken the picture.
-    if (const double bright = quantile(light.luminance, valid, 0.99); bright > 0) light.white = bright;
+    // A pixel of a hundred is too bright, so that a few bright ones do not darken the picture.
+    if (const double bright = quantile(largest_of(light.colours), valid, 0.99); bright > 0)
+        light.white = bright;
     return light;
 }
 

@@ -38,7 +38,7 @@ struct ViewPictures {
     Picture truth_thumbnail;
     std::map<std::string, Picture> signals;  ///< the truth's signals beside visibility, by id
     Picture irradiance;                      ///< empty where nothing is lit by an environment
-    double irradiance_white = 0;             ///< irradiance over pi that lit pictures show as white
+    double irradiance_white = 0;             ///< irradiance over pi that lit pictures show at full brightness
 };
 
 struct CellPictures {

@@ -1,6 +1,7 @@
 #include "page/sections/baseline_table.h"
 
 #include "page/document/number_text.h"
+#include "results/baseline_scope.h"
 
 #include <fmt/format.h>
 
@@ -28,6 +29,7 @@ nlohmann::json baseline_tables(const Results& results) {
     tables.push_back({{"command", results.baseline->command},
                       {"created", results.baseline->created_utc},
                       {"version", results.baseline->program_version},
+                      {"scope", baseline_scope(results)},
                       {"rows", std::move(rows)}});
     return tables;
 }

@@ -33,6 +33,8 @@ std::string front_sentence(const CostChart& chart, const std::string& view_key) 
         chart.points, [](const CostPoint& point) { return point.cell->role != kBoundRole; });
     if (names.empty()) return fmt::format("On {} only bounds have both a time and an error.", view_key);
     const std::string all = counted(static_cast<std::size_t>(in_use), "method", "methods");
+    if (in_use == 1)
+        return fmt::format("On {}, {} is the only method with both a time and an error.", view_key, names[0]);
     if (names.size() == 1)
         return fmt::format("On {}, {} is the fastest and closest of {}.", view_key, names[0], all);
     return fmt::format("On {}, no method beats these {} of {} in both time and error: {}.", view_key,

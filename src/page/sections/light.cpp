@@ -1,7 +1,7 @@
 #include "page/document/number_text.h"
 #include "page/pictures/lit_picture.h"
 #include "page/section.h"
-#include "results/light_modes.h"
+#include "results/light_errors.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -43,31 +43,14 @@ const MeasureRecord* measure_in(const LightMap& light, const std::string& id) {
     return found == light.end() ? nullptr : &found->second;
 }
 
-/// A cell's error by one mode.
-struct LightError {
-    const MeasureRecord* error;
-    const LightMode* mode;
-};
-
-/// The least relative error of a cell over the modes that it has.
-std::optional<LightError> least_error(const LightMap& light) {
-    std::optional<LightError> least;
-    for (const LightMode& mode : light_modes()) {
-        const MeasureRecord* error = measure_in(light, mode.relative_error());
-        if (error != nullptr && (!least || error->value < least->error->value))
-            least = LightError{error, &mode};
-    }
-    return least;
-}
-
 /// The cells of a view that are lit, least error first.
 std::vector<const CellRecord*> lit_cells(const Results& results, const ViewRecord& view) {
     std::vector<const CellRecord*> cells;
     for (const CellRecord& cell : results.cells) {
-        if (cell.view_key == view.key && least_error(cell.light)) cells.push_back(&cell);
+        if (cell.view_key == view.key && least_light_error(cell.light)) cells.push_back(&cell);
     }
-    std::ranges::stable_sort(cells, {},
-                             [](const CellRecord* cell) { return least_error(cell->light)->error->value; });
+    std::ranges::stable_sort(
+        cells, {}, [](const CellRecord* cell) { return least_light_error(cell->light)->error->value; });
     return cells;
 }
 
@@ -106,30 +89,56 @@ json light_heads() {
     return list;
 }
 
-/// The pictures of one cell, a figure a mode.
-json lit_figures(const CellRecord& cell, const CellPictures& pictures) {
-    json figures = json::array();
+/// A lit cell with its pictures.
+struct ShownCell {
+    const CellRecord* cell;
+    const CellPictures* pictures;
+};
+
+/// The picture of a cell by a mode under this label; null where it has none.
+json lit_figure(const ShownCell& shown, const LightMode& mode, const std::string& label) {
+    const auto lit = shown.pictures->lit.find(std::string(mode.id));
+    if (lit == shown.pictures->lit.end()) return nullptr;
+    return {{"label", label},
+            {"name", lit_name(*shown.cell)},
+            {"mode", std::string(mode.label)},
+            {"uri", lit->second.uri},
+            {"error", shown.pictures->lit_errors.at(std::string(mode.id)).uri},
+            {"number", percent_text(measure_in(shown.cell->light, mode.relative_error())->value, 1)}};
+}
+
+json lit_group(const std::string& title, json figures) {
+    return {{"title", title}, {"figures", std::move(figures)}};
+}
+
+/// Pictures side by side: the methods by each mode, or the modes of the only method.
+json lit_groups(const std::vector<ShownCell>& cells) {
+    json groups = json::array();
+    const bool alone = cells.size() == 1;
+    json of_one = json::array();
     for (const LightMode& mode : light_modes()) {
-        const auto lit = pictures.lit.find(std::string(mode.id));
-        if (lit == pictures.lit.end()) continue;
-        const MeasureRecord* error = measure_in(cell.light, mode.relative_error());
-        figures.push_back({{"mode", std::string(mode.label)},
-                           {"uri", lit->second.uri},
-                           {"error", pictures.lit_errors.at(std::string(mode.id)).uri},
-                           {"number", percent_text(error->value, 1)}});
+        json figures = json::array();
+        for (const ShownCell& shown : cells) {
+            json figure = lit_figure(shown, mode, alone ? std::string(mode.label) : lit_name(*shown.cell));
+            if (!figure.is_null()) (alone ? of_one : figures).push_back(std::move(figure));
+        }
+        if (!figures.empty())
+            groups.push_back(lit_group("By the " + std::string(mode.label), std::move(figures)));
     }
-    return figures;
+    if (!of_one.empty()) groups.push_back(lit_group(lit_name(*cells[0].cell), std::move(of_one)));
+    return groups;
 }
 
 json lit_view(const PageSource& source, const ViewRecord& view) {
     const LightRecord& light = *view.light;
-    json rows = json::array(), methods = json::array();
+    json rows = json::array();
+    std::vector<ShownCell> shown_cells;
     if (!light.of_truth.empty()) rows.push_back(light_row("Truth", "", light.of_truth));
     for (const CellRecord* cell : lit_cells(source.results, view)) {
         rows.push_back(light_row(lit_name(*cell), cell->id, cell->light));
         const auto shown = source.pictures.cells.find(cell->id);
         if (shown == source.pictures.cells.end() || shown->second.lit.empty()) continue;
-        methods.push_back({{"name", lit_name(*cell)}, {"figures", lit_figures(*cell, shown->second)}});
+        shown_cells.push_back({cell, &shown->second});
     }
     const auto pictures = source.pictures.views.find(view.key);
     const bool has_picture = pictures != source.pictures.views.end() && pictures->second.irradiance;
@@ -147,7 +156,7 @@ json lit_view(const PageSource& source, const ViewRecord& view) {
             {"traced", has_picture ? pictures->second.irradiance.uri : ""},
             {"white", has_picture ? fmt::format("{:.3g}", pictures->second.irradiance_white) : ""},
             {"range", percent_text(kLitErrorRange, 0)},
-            {"methods", std::move(methods)}};
+            {"groups", lit_groups(shown_cells)}};
 }
 
 /// Whether the interval of a method's error reaches down to that of the least one.
@@ -159,7 +168,7 @@ bool may_be_as_close(const MeasureRecord& least, const MeasureRecord& error) {
 /// How close the lit cells of a view come, least error first; at least one.
 std::string closeness_text(const std::string& view, const std::vector<const CellRecord*>& cells) {
     constexpr std::size_t kNamed = 4;
-    const auto [least, mode] = *least_error(cells[0]->light);
+    const auto [least, mode] = *least_light_error(cells[0]->light);
     const std::string error = percent_text(least->value, 1);
     if (cells.size() == 1) {
         return fmt::format(
@@ -168,7 +177,7 @@ std::string closeness_text(const std::string& view, const std::vector<const Cell
     }
     std::vector<std::string> names;
     for (const CellRecord* cell : cells) {
-        if (may_be_as_close(*least, *least_error(cell->light)->error)) names.push_back(lit_name(*cell));
+        if (may_be_as_close(*least, *least_light_error(cell->light)->error)) names.push_back(lit_name(*cell));
     }
     if (names.size() == 1) {
         return fmt::format(

@@ -3,6 +3,7 @@
 #include "metrics/metric.h"
 #include "metrics/roles.h"
 #include "page/document/number_text.h"
+#include "results/layer_times.h"
 
 #include <fmt/format.h>
 
@@ -14,11 +15,6 @@ namespace {
 MeasuredMetric metric_of(const CellRecord& cell, const std::string& id) {
     const auto found = cell.ranked.find(id);
     return found == cell.ranked.end() ? MeasuredMetric{std::nullopt, "not measured"} : found->second;
-}
-
-/// Whether its method reads several layers of depth. Results before schema 10 tell it by their times alone.
-bool reads_layers(const CellRecord& cell) {
-    return cell.layer_bytes.has_value() || !cell.layers_processor.runs_ms.empty();
 }
 
 // What decides between methods stays longest: the error that ranks, its sign and the cost.

@@ -3,6 +3,7 @@
 #include "metrics/evaluate.h"
 #include "page/document/number_text.h"
 #include "page/section.h"
+#include "page/sections/closest_sentence.h"
 #include "page/sections/listing.h"
 #include "page/sections/place_name.h"
 
@@ -53,23 +54,23 @@ std::string ranking_sentence(const RankingRecord& ranking) {
     const Places ranked = ranked_places(ranking), leaders = leaders_of(ranking);
     if (ranked.empty()) return with_capital(where) + " no method for use was scored.";
     const PlaceRecord& best = *ranked.front();
-    const std::string name = place_name(ranking, best), value = fixed_text(best.value, 4);
-    if (ranked.size() == 1)
-        return fmt::format("{} is the only method scored {}: its {} is {}.", name, where, metric, value);
+    ClosestMethods closest{.leaders = {},
+                           .ranked = ranked.size(),
+                           .where = where,
+                           .metric = metric,
+                           .value = fixed_text(best.value, 4)};
     if (leaders.size() == 1) {
-        const PlaceRecord& second = *ranked[1];
-        const auto part = ratio(second.value - best.value, second.value);
-        const std::string lead =
-            part ? fmt::format(", {} below that of {}", in_percent(*part), place_name(ranking, second)) : "";
-        return fmt::format("{} is closest of {} methods to the ray-traced truth {}: its {} is {}{}.", name,
-                           ranked.size(), where, metric, value, lead);
+        closest.leaders.push_back(place_name(ranking, best));
+        if (ranked.size() > 1) {
+            const PlaceRecord& second = *ranked[1];
+            if (const auto part = ratio(second.value - best.value, second.value))
+                closest.value +=
+                    fmt::format(", {} below that of {}", in_percent(*part), place_name(ranking, second));
+        }
+    } else {
+        for (const PlaceRecord* place : leaders) closest.leaders.push_back(with_value(ranking, *place));
     }
-    std::vector<std::string> names;
-    for (const PlaceRecord* place : leaders) names.push_back(with_value(ranking, *place));
-    return fmt::format(
-        "{} tie as the closest of {} methods to the ray-traced truth {}: their {}s do not differ "
-        "significantly.",
-        listed(std::move(names)), ranked.size(), where, metric);
+    return closest_sentence(closest);
 }
 
 std::string bounds_sentence(const RankingRecord& ranking) {

@@ -102,6 +102,40 @@ bool has_finding(const SweepRow* row) {
     return row->beyond_layer || row->found_of_layers;
 }
 
+/// Whether one setting is closer than another, or as close, and in less time, as far as the intervals of the
+/// times tell. Without intervals the times count as they are.
+bool beats_for_sure(const SweepRow& one, const SweepRow& other) {
+    return *one.error <= *other.error &&
+           one.cost_high_ms.value_or(*one.cost_ms) < other.cost_low_ms.value_or(*other.cost_ms);
+}
+
+/// The settings off the front that none beats for sure.
+Rows maybe_on_front(const Rows& rows) {
+    Rows measured, list;
+    std::ranges::copy_if(rows, std::back_inserter(measured), [](const SweepRow* row) {
+        return row->cost_ms && row->error && row->cell->role != kBoundRole;
+    });
+    std::ranges::copy_if(measured, std::back_inserter(list), [&](const SweepRow* row) {
+        return !row->on_front && std::ranges::none_of(measured, [&](const SweepRow* other) {
+            return beats_for_sure(*other, *row);
+        });
+    });
+    return list;
+}
+
+/// Says which settings' times are too close to those of the front to be told apart; empty where none are.
+std::string untold_text(const Rows& rows) {
+    constexpr std::size_t kNamed = 4;
+    const Rows maybe = maybe_on_front(rows);
+    if (maybe.empty()) return {};
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < std::min(kNamed, maybe.size()); ++i) names.push_back(setting(*maybe[i]));
+    if (maybe.size() > kNamed) names.push_back(fmt::format("{} more", maybe.size() - kNamed));
+    return fmt::format(" By the intervals of the times, {} cannot be told apart from these: {}.",
+                       maybe.size() == 1 ? "one setting" : fmt::format("{} settings", maybe.size()),
+                       fmt::join(names, "; "));
+}
+
 /// The leading settings in a sentence or two.
 std::string answer(const Rows& rows, std::optional<double> budget_ms) {
     Rows front;
@@ -123,6 +157,7 @@ std::string answer(const Rows& rows, std::optional<double> budget_ms) {
         names.size() == 1
             ? fmt::format("No setting is faster or closer than {}.", names.front())
             : fmt::format("No setting beats these in both time and error: {}.", fmt::join(names, "; "));
+    text += untold_text(rows);
     if (budget_ms) {
         const SweepRow* best = nullptr;
         for (const SweepRow* row : front) {
@@ -169,7 +204,8 @@ json rows_model(const Rows& rows, const SweepRecord& sweep) {
     model["finder"] = has_findings ? finder_text(rows) : "";
     model["has_layers"] = has_layers;
     model["has_findings"] = has_findings;
-    model["columns"] = std::to_string(8 + (has_layers ? 1 : 0) + (has_findings ? 3 : 0));  // beside method and setting
+    model["columns"] =
+        std::to_string(8 + (has_layers ? 1 : 0) + (has_findings ? 3 : 0));  // beside method and setting
     return model;
 }
 

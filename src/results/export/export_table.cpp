@@ -1,6 +1,7 @@
 #include "results/export/export_table.h"
 
 #include "metrics/signal_metric.h"
+#include "results/layer_times.h"
 #include "results/lengths_text.h"
 #include "results/light_modes.h"
 
@@ -14,6 +15,9 @@
 
 namespace aoscore {
 namespace {
+
+/// The column that readers are shown where a method reads several layers, as the page does.
+constexpr std::string_view kBeyondLayer = "found_beyond_layer";
 
 struct Part {
     ExportColumn column;
@@ -59,7 +63,7 @@ std::vector<Part> measure_parts() {
     add("fit_strength", "", false, [](const ErrorAnalysis& a) { return a.fit.strength; });
     add("fit_exponent", "", false, [](const ErrorAnalysis& a) { return a.fit.exponent; });
     add("fit_rmse", "", false, [](const ErrorAnalysis& a) { return a.fit.rmse; });
-    add("found_beyond_layer", "", false, [](const ErrorAnalysis& a) { return a.found_beyond_layer; });
+    add(kBeyondLayer, "Beyond one layer", false, [](const ErrorAnalysis& a) { return a.found_beyond_layer; });
     return parts;
 }
 
@@ -165,6 +169,8 @@ ExportTable export_table(const Results& results,
     table.document = to_json(results);
     table.name_columns = {"view", "rank", "method", "role", "preset", "setting", "filter"};
     add_measures(table);
+    if (std::ranges::any_of(results.cells, reads_layers))
+        std::ranges::find(table.columns, kBeyondLayer, &ExportColumn::key)->brief = true;
     const std::vector<const SignalMetric*> of_signals = signal_columns(results);
     for (const SignalMetric* metric : of_signals) {
         table.columns.push_back({std::string(metric->id), fmt::format("{} ({})", metric->label, metric->unit),
@@ -176,8 +182,8 @@ ExportTable export_table(const Results& results,
     table.columns.push_back({"rank_worst", "", 0, false});
     table.columns.push_back({"fetches_per_pixel", "Fetches", 1});
     table.columns.push_back({"ao_ms", "AO (ms)", 1});
-    table.columns.push_back({"filter_ms", "", 1, false});
-    table.columns.push_back({"frame_ms", "", 1, false});
+    table.columns.push_back({"filter_ms", "Filter (ms)", 1});
+    table.columns.push_back({"frame_ms", "Frame (ms)", 1});
     table.columns.push_back({"radius_m", "", 4, false});
     table.columns.push_back({"radius_px", "", 1, false});
     table.text_columns = {"radius_rule", "lengths"};

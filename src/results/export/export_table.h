@@ -15,7 +15,7 @@ struct ExportColumn {
     std::string key;    ///< its name in CSV and JUnit: "fetches_per_pixel"
     std::string label;  ///< its name in Markdown and LaTeX, with its unit: "AO (ms)"
     int decimals = 4;   ///< decimals in Markdown and LaTeX; CSV and JUnit have all digits
-    bool brief = true;  ///< also in tables for readers, whose width is limited
+    bool brief = true;  ///< also in tables for readers, whose width is limited (see reader_table.h)
 };
 
 /// One image that was measured.

@@ -1,7 +1,9 @@
 #include "core/printable.h"
 #include "results/export/export_format.h"
+#include "results/export/reader_table.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <map>
 
@@ -37,28 +39,20 @@ std::string number(const std::optional<double>& value, int decimals) {
 }  // namespace
 
 std::string export_as::latex(const ExportTable& table) {
-    std::string alignment(table.name_columns.size(), 'l'), head;
-    for (const std::string& name : table.name_columns)
-        head += (head.empty() ? "" : " & ") + latex_escaped(name);
-    for (const ExportColumn& column : table.columns) {
-        if (!column.brief) continue;
-        alignment += 'r';
-        head += " & " + latex_escaped(column.label);
-    }
+    ReaderTable shown(table, {latex_escaped, number});
+    shown.align();
+    std::string alignment;
+    for (const bool is_number : shown.is_number) alignment += is_number ? 'r' : 'l';
     std::string text = fmt::format("% {}\n", latex_escaped(table.title));
     for (const std::string& note : table.notes) text += fmt::format("% {}\n", latex_escaped(note));
     text += fmt::format("% needs \\usepackage{{booktabs}}\n\\begin{{tabular}}{{{}}}\n\\toprule\n{} \\\\\n",
-                        alignment, head);
+                        alignment, fmt::join(shown.heads, " & "));
     const std::string* group = nullptr;
-    for (const ExportRow& row : table.rows) {
-        if (group == nullptr || *group != row.names.front()) text += "\\midrule\n";
-        group = &row.names.front();
-        for (std::size_t i = 0; i < row.names.size(); ++i)
-            text += (i > 0 ? " & " : "") + latex_escaped(row.names[i]);
-        for (std::size_t i = 0; i < row.numbers.size(); ++i) {
-            if (table.columns[i].brief) text += " & " + number(row.numbers[i], table.columns[i].decimals);
-        }
-        text += " \\\\\n";
+    for (std::size_t r = 0; r < shown.rows.size(); ++r) {
+        const std::string& first = table.rows[r].names.front();
+        if (group == nullptr || *group != first) text += "\\midrule\n";
+        group = &first;
+        text += fmt::format("{} \\\\\n", fmt::join(shown.rows[r], " & "));
     }
     return text + "\\bottomrule\n\\end{tabular}\n";
 }

@@ -1,7 +1,11 @@
 #include "core/printable.h"
 #include "results/export/export_format.h"
+#include "results/export/reader_table.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 namespace aoscore {
 namespace {
@@ -18,26 +22,21 @@ std::string markdown_escaped(const std::string& text) {
 }  // namespace
 
 std::string export_as::markdown(const ExportTable& table) {
-    std::string head = "|", rule = "|";
-    for (const std::string& name : table.name_columns) {
-        head += " " + markdown_escaped(name) + " |";
-        rule += " --- |";
+    ReaderTable shown(table, {markdown_escaped, brief_number});
+    // A rule has at least three hyphens, and a colon where numbers stand at the right.
+    for (std::size_t c = 0; c < shown.heads.size(); ++c)
+        shown.heads[c].resize(std::max<std::size_t>(shown.heads[c].size(), 4), ' ');
+    shown.align();
+    std::string rule = "|";
+    for (std::size_t c = 0; c < shown.heads.size(); ++c) {
+        const std::string hyphens(shown.width(c) - (shown.is_number[c] ? 1 : 0), '-');
+        rule += " " + hyphens + (shown.is_number[c] ? ": |" : " |");
     }
-    for (const ExportColumn& column : table.columns) {
-        if (!column.brief) continue;
-        head += " " + markdown_escaped(column.label) + " |";
-        rule += " ---: |";
-    }
-    std::string text = head + "\n" + rule + "\n";
-    for (const ExportRow& row : table.rows) {
-        text += "|";
-        for (const std::string& name : row.names) text += " " + markdown_escaped(name) + " |";
-        for (std::size_t i = 0; i < row.numbers.size(); ++i) {
-            if (table.columns[i].brief)
-                text += " " + brief_number(row.numbers[i], table.columns[i].decimals) + " |";
-        }
-        text += "\n";
-    }
+    const auto line = [](const std::vector<std::string>& cells) {
+        return fmt::format("| {} |\n", fmt::join(cells, " | "));
+    };
+    std::string text = line(shown.heads) + rule + "\n";
+    for (const auto& row : shown.rows) text += line(row);
     for (const std::string& note : table.notes) text += "\n" + markdown_escaped(note) + "\n";
     for (const ExportRow& row : table.rows) {
         if (!row.error.empty())
