@@ -191,6 +191,24 @@ TEST(OwnViews, WithNumbersThatNoPictureCanBeMadeOfAreRefused) {
     EXPECT_THAT(nodes.err, HasSubstr("is left out"));
 }
 
+TEST(OwnViews, AreNamedAsTheRemedyWhereASceneHasNoCamera) {
+    const fs::path folder = output_dir();
+    write_floor(folder / "floor.gltf");
+    write_floor(folder / "seen.gltf", {{0, 1, 1}});
+    for (const char* command : {"gbuffer %.gltf --size 32x18 --out %.exr",
+                                "score %.gltf --size 32x18 --samples 2 --methods alchemy --out %"}) {
+        for (const std::string scene : {"floor", "seen"}) {
+            std::string words = command;
+            for (auto at = words.find('%'); at != std::string::npos; at = words.find('%'))
+                words.replace(at, 1, scene);
+            const auto run = run_aoscore(words, folder);
+            EXPECT_EQ(run.err.find("has no camera: taking") != std::string::npos, scene == "floor")
+                << words << "\n"
+                << run.err;
+        }
+    }
+}
+
 TEST(OwnViews, AreListedAsAFileThatGivesTheSameViewsAgain) {
     const fs::path folder = output_dir();
     for (const char* scene : {"plane", "pit", "atrium"}) {
