@@ -72,7 +72,8 @@ json rows_model(const ComparisonPage& comparison) {
     for (const MaskArea& area : mask_areas()) {
         rows.push_back(row(
             std::string(area.id), std::string(area.label) + " occlusion", area.value(*comparison.analysis), 4,
-            fmt::format("Share of the pixels that are {} than the truth beyond threshold and noise.",
+            fmt::format("Share of the pixels that are {} than the truth by more than the threshold; where "
+                        "the truth's standard error is known, without those that its noise adds.",
                         area.side),
             comparison.analysis));
     }

@@ -1,6 +1,7 @@
 #include "metrics/intervals/bootstrap.h"
 
 #include "core/error.h"
+#include "metrics/analysis/mask_summary.h"
 #include "metrics/evaluate.h"
 #include "pictures.h"
 
@@ -42,8 +43,7 @@ TEST(BlockErrors, AddUpToTheImage) {
     Pair pair = natural_pair(130, 70);
     testing::mask_out(pair, 0.7);
     const ImageF standard_error(130, 70, 0.5F);
-    const BlockErrors blocks =
-        block_errors(pair.input(&standard_error), occlusion_masks(pair.input(&standard_error)));
+    const BlockErrors blocks = block_errors(pair.input(&standard_error));
     EXPECT_EQ(blocks.side_px, 5);
     ASSERT_EQ(blocks.counts.size(), static_cast<std::size_t>(blocks.across * blocks.down));
     double count = 0, squared = 0, variance = 0;
@@ -111,10 +111,9 @@ Measured measured(const Pair& pair) {
     input.maps = &maps;
     Measured result;
     for (const auto& [id, metric] : evaluate(input)) result.values[id] = metric.value.value();
-    const OcclusionMasks masks = occlusion_masks(input);
-    result.values[kMissingArea] = masks.missing_area;
-    result.values[kFalseArea] = masks.false_area;
-    result.blocks = block_errors(input, masks);
+    result.values[kMissingArea] = measure_mask(input, MaskSide::missing, kMaskThreshold).summary.area;
+    result.values[kFalseArea] = measure_mask(input, MaskSide::false_occlusion, kMaskThreshold).summary.area;
+    result.blocks = block_errors(input);
     return result;
 }
 
@@ -236,7 +235,7 @@ TEST(Bootstrap, IntervalOfMsSsimIsAsWideAsPicturesOfOneKindDiffer) {
         MetricInput input = pair.input();
         input.maps = &maps;
         const double value = *evaluate(input, ids).at("ms_ssim").value;
-        calibration.add(value, intervals_of(block_errors(input, occlusion_masks(input))).at("ms_ssim"));
+        calibration.add(value, intervals_of(block_errors(input)).at("ms_ssim"));
     }
     EXPECT_GT(calibration.ratio(), 0.65);
     EXPECT_LT(calibration.ratio(), 1.4);
@@ -257,7 +256,7 @@ TEST(Bootstrap, OfSeveralViewsIsWiderThanOfEachBecauseViewsDiffer) {
 TEST(Bootstrap, HasNoIntervalWithoutAValidPixelNorForAnInfinitePsnr) {
     Pair pair = natural_pair(48, 48);
     pair.valid = Mask(48, 48, 0);
-    const BlockErrors nothing = block_errors(pair.input(), occlusion_masks(pair.input()));
+    const BlockErrors nothing = block_errors(pair.input());
     const std::array<const BlockErrors*, 1> images{&nothing};
     EXPECT_TRUE(confidence_intervals(images, 1).empty());
     EXPECT_FALSE(confidence_interval(values("psnr", blocks_of({0, 0, 0}))));

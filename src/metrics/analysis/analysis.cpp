@@ -19,8 +19,10 @@ std::optional<ErrorAnalysis> analyse(const MetricInput& input, const PixelFacts&
     ErrorAnalysis analysis;
     analysis.fit = *fit;
     const OcclusionMasks masks = occlusion_masks(input, mask_threshold);
-    analysis.missing = summarize_mask(masks.missing, input, facts.causes);
-    analysis.false_occlusion = summarize_mask(masks.false_occlusion, input, {});
+    MeasuredMask missing = measure_mask(input, MaskSide::missing, mask_threshold, facts.causes);
+    MeasuredMask false_occlusion = measure_mask(input, MaskSide::false_occlusion, mask_threshold);
+    analysis.missing = std::move(missing.summary);
+    analysis.false_occlusion = std::move(false_occlusion.summary);
     analysis.regions = worst_regions(masks, input, facts.causes);
     const std::vector<PixelDivision> own =
         divisions != nullptr ? std::vector<PixelDivision>() : pixel_divisions(input.valid, facts);
@@ -31,13 +33,15 @@ std::optional<ErrorAnalysis> analyse(const MetricInput& input, const PixelFacts&
     analysis.distribution = error_distribution(input);
     analysis.tile_pattern = tile_pattern(input);
     if (facts.one_layer != nullptr) analysis.found_beyond_layer = found_beyond_layer(input, *facts.one_layer);
-    analysis.blocks = block_errors(input, masks);
+    analysis.blocks = block_errors(input, mask_threshold);
     if (input.halves != nullptr) {
-        const BlockErrors first = block_errors(against_half(input, 0), masks);
-        const BlockErrors second = block_errors(against_half(input, 1), masks);
+        const BlockErrors first = block_errors(against_half(input, 0));
+        const BlockErrors second = block_errors(against_half(input, 1));
         analysis.truth_noise = truth_noise(analysis.blocks, first, second, *input.halves);
         analysis.blocks = extrapolated(std::move(analysis.blocks), first, second);
     }
+    if (missing.truth_noise) analysis.truth_noise[kMissingArea] = *missing.truth_noise;
+    if (false_occlusion.truth_noise) analysis.truth_noise[kFalseArea] = *false_occlusion.truth_noise;
     const std::array<const BlockErrors*, 1> images{&analysis.blocks};
     analysis.intervals = confidence_intervals(images, seed);
     return analysis;
