@@ -1,7 +1,7 @@
 #include "metrics/intervals/block_errors.h"
 
 #include "core/threads.h"
-#include "metrics/analysis/beyond_threshold.h"
+#include "metrics/analysis/mask_totals.h"
 #include "metrics/intervals/block_grid.h"
 #include "metrics/measures/mean_error.h"
 #include "metrics/measures/noise.h"
@@ -15,13 +15,12 @@ namespace {
 
 /// Adds the pixels of a row from `from` to `to`, which lie in one block. They are summed before they are
 /// written, in the order of reading.
-void add_piece(const MetricInput& input, double mask_threshold, std::size_t block, std::size_t from,
+void add_piece(const MetricInput& input, std::size_t block, std::size_t from,
                std::size_t to, BlockErrors& blocks) {
     const bool noise = knows_noise(input);
     double count = blocks.counts[block], squared = blocks.squared_sums[block];
     double absolute = blocks.absolute_sums[block], signed_sum = blocks.signed_sums[block];
     double variance = noise ? blocks.variance_sums[block] : 0;
-    double missing = blocks.missing_counts[block], false_occlusion = blocks.false_counts[block];
     for (std::size_t i = from; i < to; ++i) {
         if (input.valid.pixels[i] == 0) continue;
         const double error = double{input.test.pixels[i]} - double{input.truth.pixels[i]};
@@ -29,16 +28,12 @@ void add_piece(const MetricInput& input, double mask_threshold, std::size_t bloc
         squared += error * error;
         absolute += std::abs(error);
         signed_sum += error;
-        missing += beyond_threshold(input, i, MaskSide::missing, mask_threshold).share;
-        false_occlusion += beyond_threshold(input, i, MaskSide::false_occlusion, mask_threshold).share;
         if (noise) variance += noise_variance(input, i);
     }
     blocks.counts[block] = count;
     blocks.squared_sums[block] = squared;
     blocks.absolute_sums[block] = absolute;
     blocks.signed_sums[block] = signed_sum;
-    blocks.missing_counts[block] = missing;
-    blocks.false_counts[block] = false_occlusion;
     if (noise) blocks.variance_sums[block] = variance;
 }
 
@@ -54,7 +49,6 @@ BlockErrors block_errors(const MetricInput& input, double mask_threshold) {
     blocks.down = grid.down;
     blocks.counts.assign(grid.size(), 0);
     blocks.squared_sums = blocks.absolute_sums = blocks.signed_sums = blocks.counts;
-    blocks.missing_counts = blocks.false_counts = blocks.counts;
     if (knows_noise(input)) blocks.variance_sums = blocks.counts;
     if (input.maps != nullptr) blocks.maps = *input.maps;
     parallel_for(static_cast<std::size_t>(grid.down), [&](std::size_t block_row) {
@@ -62,11 +56,15 @@ BlockErrors block_errors(const MetricInput& input, double mask_threshold) {
         for (int y = top; y < std::min(top + grid.side_px, height); ++y) {
             const std::size_t row = input.truth.index(0, y);
             grid.for_each_piece(y, 0, width, 0, [&](std::size_t block, int from, int to) {
-                add_piece(input, mask_threshold, block, row + static_cast<std::size_t>(from),
+                add_piece(input, block, row + static_cast<std::size_t>(from),
                           row + static_cast<std::size_t>(to), blocks);
             });
         }
     });
+    if (std::isinf(mask_threshold)) return blocks;  // nothing is beyond it, and the sums are not asked for
+    const MaskTotals masks = mask_totals(input, mask_threshold);
+    blocks.missing_counts = masks.missing.blocks;
+    blocks.false_counts = masks.false_occlusion.blocks;
     return blocks;
 }
 
