@@ -89,8 +89,7 @@ std::string verdict(const ComparisonPage& comparison) {
     if (!error || !bias) return "Nothing could be compared.";
     return fmt::format("The image’s {} against the truth is {}; it is {} by {} in the mean.",
                        metric(kNoisyRankingMetric).in_text, fixed_text(error, 4),
-                       *bias < 0 ? "too dark" : "too bright",
-                       fixed_text(std::abs(*bias), 4));
+                       *bias < 0 ? "too dark" : "too bright", fixed_text(std::abs(*bias), 4));
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
-// Compares areas of missing and false occlusion against noisy truths with those that closed forms give for the
-// distribution of the errors, where the plain share of the pixels beyond the threshold is too large.
-#include "metrics/analysis/error_distribution.h"
+// Compares areas of missing and false occlusion against noisy truths with those that closed forms give for
+// the distribution of the errors, where the plain share of the pixels beyond the threshold is too large.
 #include "metrics/analysis/mask_summary.h"
+
+#include "metrics/analysis/error_distribution.h"
 #include "metrics/analysis/occlusion_masks.h"
 #include "metrics/intervals/block_errors.h"
 #include "metrics/intervals/bootstrap.h"
@@ -22,8 +23,8 @@ using testing::Pair;
 
 constexpr double kThreshold = 0.1;
 
-/// A picture whose errors (test - truth) are the quantiles of a distribution, in the order of the pixels, with
-/// normal noise in the truth.
+/// A picture whose errors (test - truth) are the quantiles of a distribution, in the order of the pixels,
+/// with normal noise in the truth.
 struct NoisyPicture {
     Pair pair;
     ImageF standard_error;
@@ -55,13 +56,14 @@ double sinhc(double x) {
     return std::sinh(x) / x;
 }
 
-// Noise of the standard deviation s multiplies the plain area by exp(200 s^2), which is 1.083 at .02. Boxes of
-// half the widths s sqrt(3/4) and s sqrt(6), whose variances are s^2/4 and 2 s^2, multiply that by sinhc, and
-// 12/7 and -5/7 of them leave 0.99.
+// Noise of the standard deviation s multiplies the plain area by exp(200 s^2), which is 1.083 at .02. Boxes
+// of half the widths s sqrt(3/4) and s sqrt(6), whose variances are s^2/4 and 2 s^2, multiply that by sinhc,
+// and 12/7 and -5/7 of them leave 0.99.
 TEST(MaskArea, OfExponentialErrorsIsTheClosedFormThatNoiseRaises) {
     constexpr double kNoise = 0.02, kArea = 0.1353352832366127;
     const double raised = std::exp(200 * kNoise * kNoise);
-    const double left = raised * (12 * sinhc(20 * kNoise * std::sqrt(0.75)) - 5 * sinhc(20 * kNoise * std::sqrt(6.0))) / 7;
+    const double left =
+        raised * (12 * sinhc(20 * kNoise * std::sqrt(0.75)) - 5 * sinhc(20 * kNoise * std::sqrt(6.0))) / 7;
     EXPECT_NEAR(left, 0.99, 0.002);
     double plain = 0, area = 0, mean = 0;
     constexpr int kSeeds = 20;
@@ -81,7 +83,8 @@ TEST(MaskArea, OfExponentialErrorsIsTheClosedFormThatNoiseRaises) {
 TEST(MaskArea, OfEvenlySpreadErrorsIsExact) {
     double area = 0;
     for (unsigned seed = 1; seed <= 20; ++seed)
-        area += NoisyPicture(200, 0.03, [](double rank) { return 0.4 * rank - 0.1; }, seed)
+        area += NoisyPicture(
+                    200, 0.03, [](double rank) { return 0.4 * rank - 0.1; }, seed)
                     .missing()
                     .summary.area /
                 20;
@@ -119,8 +122,8 @@ TEST(MaskArea, IsNothingWhereNoTruthCouldBeSoFarAway) {
 
 TEST(MaskArea, OfBlocksIsThatOfThePicture) {
     const NoisyPicture picture(120, 0.05, exponential, 3);
-    EXPECT_NEAR(value_of_blocks(kMissingArea, block_errors(picture.input())),
-                picture.missing().summary.area, 1e-12);
+    EXPECT_NEAR(value_of_blocks(kMissingArea, block_errors(picture.input())), picture.missing().summary.area,
+                1e-12);
 }
 
 TEST(MaskArea, CausesAddUpToItAndNoneIsNegative) {
@@ -129,10 +132,9 @@ TEST(MaskArea, CausesAddUpToItAndNoneIsNegative) {
     for (int y = 0; y < 60; ++y) {
         for (int x = 0; x < 60; ++x) (x < 20 ? left : x < 55 ? right : rare).at(x, y) = 0.4F;
     }
-    const MaskSummary summary =
-        measure_mask(picture.input(), MaskSide::missing, kThreshold,
-                     {{"left", &left}, {"right", &right}, {"rare", &rare}})
-            .summary;
+    const MaskSummary summary = measure_mask(picture.input(), MaskSide::missing, kThreshold,
+                                             {{"left", &left}, {"right", &right}, {"rare", &rare}})
+                                    .summary;
     double sum = 0;
     for (const CauseShare& cause : summary.causes) {
         EXPECT_GE(cause.area, 0) << cause.cause;
@@ -166,7 +168,8 @@ TEST(MaskArea, HasTheVarianceThatItsDoubtSays) {
     std::vector<double> areas;
     double doubt = 0;
     for (unsigned seed = 1; seed <= kSeeds; ++seed) {
-        const NoisyPicture picture(kSide, 0.03, [](double rank) { return 0.4 * rank - 0.1; }, seed);
+        const NoisyPicture picture(
+            kSide, 0.03, [](double rank) { return 0.4 * rank - 0.1; }, seed);
         areas.push_back(picture.missing().summary.area);
         for (std::size_t i = 0; i < picture.pair.truth.size(); ++i)
             doubt += beyond_threshold(picture.input(), i, MaskSide::missing, kThreshold).doubt;
@@ -187,7 +190,8 @@ double farthest_from_areas(const MetricInput& input) {
     double farthest = 0, within = 0;
     for (std::size_t i = 0; i < curve.cumulative.size(); ++i) {
         const BlockErrors blocks = block_errors(input, static_cast<double>(i) * curve.cumulative_step);
-        const double beyond = (total(blocks.missing_counts) + total(blocks.false_counts)) / total(blocks.counts);
+        const double beyond =
+            (total(blocks.missing_counts) + total(blocks.false_counts)) / total(blocks.counts);
         within = std::max(within, std::min(1 - beyond, 1.0));
         farthest = std::max(farthest, std::abs(within - curve.cumulative[i]));
     }

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t kBins = 201, kSteps = 201;
 
-/// What noise adds to the curve is little, so that of a large picture about so many pixels tell it well enough.
+/// What noise adds to the curve is little, so that of a large picture about so many pixels tell it well
+/// enough.
 constexpr std::size_t kTellingPixels = 1 << 16;
 
 /// The number of errors in each bin, and the number that each step holds first; the last step is beyond all.

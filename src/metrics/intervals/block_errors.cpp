@@ -15,8 +15,8 @@ namespace {
 
 /// Adds the pixels of a row from `from` to `to`, which lie in one block. They are summed before they are
 /// written, in the order of reading.
-void add_piece(const MetricInput& input, std::size_t block, std::size_t from,
-               std::size_t to, BlockErrors& blocks) {
+void add_piece(const MetricInput& input, std::size_t block, std::size_t from, std::size_t to,
+               BlockErrors& blocks) {
     const bool noise = knows_noise(input);
     double count = blocks.counts[block], squared = blocks.squared_sums[block];
     double absolute = blocks.absolute_sums[block], signed_sum = blocks.signed_sums[block];
