@@ -68,7 +68,10 @@ void print_table(const Comparison& comparison) {
     if (analysis) {
         for (const MaskArea& area : mask_areas()) {
             const std::string id(area.id);
-            print_line(id, fmt::format("{:.6f}", area.value(*analysis)), interval_text(analysis, id));
+            std::string note = interval_text(analysis, id);
+            if (const auto noise = analysis->truth_noise.find(id); noise != analysis->truth_noise.end())
+                note += fmt::format(" the truth's noise leaves it sure to {:.6f}", noise->second);
+            print_line(id, fmt::format("{:.6f}", area.value(*analysis)), note);
         }
         print_line("fit_rmse", fmt::format("{:.6f}", analysis->fit.rmse),
                    fmt::format("at strength {:.3g} and exponent {:.3g}", analysis->fit.strength,
@@ -182,7 +185,8 @@ CommandEntry add_compare_command(CLI::App& program, const GlobalOptions& global)
     app->add_option("--mask", request.mask, "An image of the truth's size: pixels above 1/2 count");
     app->add_option("--mask-channel", request.mask_channel, "Of the mask [mask.Y, or the only one]");
     app->add_option("--mask-threshold", request.mask_threshold,
-                    "Of missing and false occlusion, in visibility")
+                    "An error beyond this, in visibility, is missing or false occlusion; of a truth with a "
+                    "standard error, the share of pixels that its noise adds is taken off")
         ->check(number_in(0.0, 1.0))
         ->capture_default_str();
     app->add_option("--json", options->json,

@@ -117,7 +117,8 @@ CLI::Option* add_score_error_option(CLI::App& app, std::optional<double>& error)
         .add_option(
             "--score-error", error,
             fmt::format("Trace until the truth's noise leaves every debiased RMSE within this, 95 % of the "
-                        "time, and every other metric within {:g} times this; the page is written as soon as "
+                        "time, and every other metric and the areas of missing and false occlusion within "
+                        "{:g} times this; the page is written as soon as "
                         "noise cannot change the ranking, and again at the end [{:g}]",
                         ScoreGoal::kOtherMetrics, ScoreGoal().error))
         ->check(number_in(1e-6, 0.5));

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -63,9 +64,9 @@ MetricMap measured(const MetricInput& input, const ScoreSettings& settings,
 /// The noise as analyse() finds it, for the metrics that evaluate() has measured.
 std::map<std::string, double> noise_of(const MetricInput& input) {
     if (input.halves == nullptr) return {};
-    const OcclusionMasks masks = occlusion_masks(input);
-    return truth_noise(block_errors(input, masks), block_errors(against_half(input, 0), masks),
-                       block_errors(against_half(input, 1), masks), *input.halves);
+    constexpr double kNoMask = std::numeric_limits<double>::infinity();
+    return truth_noise(block_errors(input, kNoMask), block_errors(against_half(input, 0), kNoMask),
+                       block_errors(against_half(input, 1), kNoMask), *input.halves);
 }
 
 MetricMap raw_metrics(const Truth& truth, const Ground& ground, const TruthSide& side, const ImageF& raw,

@@ -72,7 +72,8 @@ json rows_model(const ComparisonPage& comparison) {
     for (const MaskArea& area : mask_areas()) {
         rows.push_back(row(
             std::string(area.id), std::string(area.label) + " occlusion", area.value(*comparison.analysis), 4,
-            fmt::format("Share of the pixels that are {} than the truth beyond threshold and noise.",
+            fmt::format("Share of the pixels that are {} than the truth by more than the threshold; where "
+                        "the truth's standard error is known, without those that its noise adds.",
                         area.side),
             comparison.analysis));
     }
@@ -88,8 +89,7 @@ std::string verdict(const ComparisonPage& comparison) {
     if (!error || !bias) return "Nothing could be compared.";
     return fmt::format("The image’s {} against the truth is {}; it is {} by {} in the mean.",
                        metric(kNoisyRankingMetric).in_text, fixed_text(error, 4),
-                       *bias < 0 ? "too dark" : "too bright",
-                       fixed_text(std::abs(*bias), 4));
+                       *bias < 0 ? "too dark" : "too bright", fixed_text(std::abs(*bias), 4));
 }
 
 }  // namespace

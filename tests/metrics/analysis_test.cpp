@@ -41,8 +41,9 @@ TEST(MaskSummary, DividesPixelsAmongTheirCausesInProportion) {
     ImageF outside(4, 1), hidden(4, 1);
     outside.pixels = {0.25F, 0.5F, 0.5F, 0};
     hidden.pixels = {0.75F, 0, 0, 1};
-    const MaskSummary summary = summarize_mask(occlusion_masks(pair.input()).missing, pair.input(),
-                                               {{"outside", &outside}, {"hidden", &hidden}});
+    const MaskSummary summary = measure_mask(pair.input(), MaskSide::missing, kMaskThreshold,
+                                             {{"outside", &outside}, {"hidden", &hidden}})
+                                    .summary;
     EXPECT_DOUBLE_EQ(summary.area, 2.0 / 3);
     EXPECT_DOUBLE_EQ(*summary.mean, 0.625);
     ASSERT_EQ(summary.causes.size(), 2U);

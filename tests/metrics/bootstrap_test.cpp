@@ -1,6 +1,7 @@
 #include "metrics/intervals/bootstrap.h"
 
 #include "core/error.h"
+#include "metrics/analysis/mask_summary.h"
 #include "metrics/evaluate.h"
 #include "pictures.h"
 
@@ -42,8 +43,7 @@ TEST(BlockErrors, AddUpToTheImage) {
     Pair pair = natural_pair(130, 70);
     testing::mask_out(pair, 0.7);
     const ImageF standard_error(130, 70, 0.5F);
-    const BlockErrors blocks =
-        block_errors(pair.input(&standard_error), occlusion_masks(pair.input(&standard_error)));
+    const BlockErrors blocks = block_errors(pair.input(&standard_error));
     EXPECT_EQ(blocks.side_px, 5);
     ASSERT_EQ(blocks.counts.size(), static_cast<std::size_t>(blocks.across * blocks.down));
     double count = 0, squared = 0, variance = 0;
@@ -111,10 +111,9 @@ Measured measured(const Pair& pair) {
     input.maps = &maps;
     Measured result;
     for (const auto& [id, metric] : evaluate(input)) result.values[id] = metric.value.value();
-    const OcclusionMasks masks = occlusion_masks(input);
-    result.values[kMissingArea] = masks.missing_area;
-    result.values[kFalseArea] = masks.false_area;
-    result.blocks = block_errors(input, masks);
+    result.values[kMissingArea] = measure_mask(input, MaskSide::missing, kMaskThreshold).summary.area;
+    result.values[kFalseArea] = measure_mask(input, MaskSide::false_occlusion, kMaskThreshold).summary.area;
+    result.blocks = block_errors(input);
     return result;
 }
 
@@ -154,8 +153,8 @@ TEST(BlockErrors, OfMapsAddUpToTheirMetrics) {
     const BlockErrors& blocks = all.blocks;
     EXPECT_NEAR(total(blocks.maps.ssim_sums) / total(blocks.maps.ssim_weights), all.values.at("ssim"), 1e-12);
     EXPECT_NEAR(total(blocks.maps.flip_sums) / total(blocks.counts), all.values.at("flip"), 1e-12);
-    EXPECT_NEAR(total(blocks.missing_counts) / total(blocks.counts), all.values.at(kMissingArea), 1e-12);
-    EXPECT_NEAR(total(blocks.false_counts) / total(blocks.counts), all.values.at(kFalseArea), 1e-12);
+    for (const char* area : {kMissingArea, kFalseArea})
+        EXPECT_NEAR(value_of_blocks(area, blocks), all.values.at(area), 1e-12) << area;
 }
 
 TEST(BlockErrors, InfluenceOfASquareIsWhatMsSsimLosesWithoutIt) {
@@ -236,7 +235,7 @@ TEST(Bootstrap, IntervalOfMsSsimIsAsWideAsPicturesOfOneKindDiffer) {
         MetricInput input = pair.input();
         input.maps = &maps;
         const double value = *evaluate(input, ids).at("ms_ssim").value;
-        calibration.add(value, intervals_of(block_errors(input, occlusion_masks(input))).at("ms_ssim"));
+        calibration.add(value, intervals_of(block_errors(input)).at("ms_ssim"));
     }
     EXPECT_GT(calibration.ratio(), 0.65);
     EXPECT_LT(calibration.ratio(), 1.4);
@@ -257,7 +256,7 @@ TEST(Bootstrap, OfSeveralViewsIsWiderThanOfEachBecauseViewsDiffer) {
 TEST(Bootstrap, HasNoIntervalWithoutAValidPixelNorForAnInfinitePsnr) {
     Pair pair = natural_pair(48, 48);
     pair.valid = Mask(48, 48, 0);
-    const BlockErrors nothing = block_errors(pair.input(), occlusion_masks(pair.input()));
+    const BlockErrors nothing = block_errors(pair.input());
     const std::array<const BlockErrors*, 1> images{&nothing};
     EXPECT_TRUE(confidence_intervals(images, 1).empty());
     EXPECT_FALSE(confidence_interval(values("psnr", blocks_of({0, 0, 0}))));

@@ -1,3 +1,4 @@
+#include "metrics/analysis/mask_summary.h"
 #include "metrics/analysis/occlusion_masks.h"
 #include "metrics/evaluate.h"
 #include "metrics/measures/noise.h"
@@ -70,6 +71,10 @@ TEST(MaxError, NamesItsPixelAndBothValues) {
     EXPECT_EQ(measured("max_error", pair).note, "at pixel 31, 7: truth 0.5, test 0.125");
 }
 
+double missing_area(const Pair& pair, double threshold) {
+    return measure_mask(pair.input(), MaskSide::missing, threshold).summary.area;
+}
+
 TEST(OcclusionMasks, HoldMissingAndFalseOcclusionBeyondTheThreshold) {
     Pair pair(5, 1);
     pair.truth.pixels = {0.5F, 0.5F, 0.5F, 0.5F, 0.5F};
@@ -78,16 +83,20 @@ TEST(OcclusionMasks, HoldMissingAndFalseOcclusionBeyondTheThreshold) {
     const OcclusionMasks masks = occlusion_masks(pair.input());
     EXPECT_EQ(masks.missing.pixels, (std::vector<std::uint8_t>{1, 0, 0, 0, 0}));
     EXPECT_EQ(masks.false_occlusion.pixels, (std::vector<std::uint8_t>{0, 0, 1, 0, 0}));
-    EXPECT_DOUBLE_EQ(masks.missing_area, 0.25);
-    EXPECT_DOUBLE_EQ(masks.false_area, 0.25);
-    EXPECT_DOUBLE_EQ(occlusion_masks(pair.input(), 0.01).missing_area, 0.5);
+    EXPECT_DOUBLE_EQ(missing_area(pair, 0.1), 0.25);
+    EXPECT_DOUBLE_EQ(measure_mask(pair.input(), MaskSide::false_occlusion, 0.1).summary.area, 0.25);
+    EXPECT_DOUBLE_EQ(missing_area(pair, 0.01), 0.5);
 }
 
 TEST(OcclusionMasks, HaveNoAreaWithoutValidPixels) {
     Pair pair = natural_pair(16, 16);
     pair.valid = Mask(16, 16, 0);
-    EXPECT_EQ(occlusion_masks(pair.input()).missing_area, 0);
-    EXPECT_EQ(occlusion_masks(pair.input()).false_area, 0);
+    for (const MaskSide side : {MaskSide::missing, MaskSide::false_occlusion}) {
+        const MeasuredMask mask = measure_mask(pair.input(), side, kMaskThreshold);
+        EXPECT_EQ(mask.summary.area, 0);
+        EXPECT_FALSE(mask.summary.mean);
+        EXPECT_FALSE(mask.truth_noise);
+    }
 }
 
 TEST(FinitePixels, CountsThoseThatEitherImageSpoils) {

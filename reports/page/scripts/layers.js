@@ -69,7 +69,7 @@ function maskLayer(view, cell) {
   const { threshold } = stageData;
   return {
     key: `masks ${cell.id}`, title: `${cell.name}: masks`,
-    text: `Where visibility is off by more than ${threshold} and three standard errors of the truth, which lies under it in gray.`,
+    text: `Where visibility is off by more than ${threshold} and three standard errors of the truth, which lies under it in gray. The areas are those beyond ${threshold} alone, without the noise of the truth: with few rays the picture shows less.`,
     width: view.width, height: view.height, bars: [],
     keys: [{ colour: signColours.missing, text: `missing occlusion, ${cell.missing} % of the valid pixels` },
       { colour: signColours.false, text: `false occlusion, ${cell.false} %` }],

@@ -3,6 +3,7 @@
 #include "metrics/analysis/best_fit.h"
 #include "metrics/analysis/bin_blocks.h"
 #include "metrics/analysis/error_distribution.h"
+#include "metrics/analysis/mask_summary.h"
 #include "metrics/analysis/occlusion_masks.h"
 #include "metrics/analysis/pixel_facts.h"
 #include "metrics/analysis/regions.h"
@@ -22,8 +23,8 @@ namespace aoscore {
 struct ErrorAnalysis {
     std::map<std::string, Interval> intervals;  ///< 95 % confidence, by id; see confidence_intervals()
     BestFit fit;                                ///< strength and exponent that fit it best
-    MaskSummary missing;                        ///< brighter than the truth beyond threshold and noise
-    MaskSummary false_occlusion;                ///< darker than the truth beyond both
+    MaskSummary missing;                        ///< brighter than the truth beyond the threshold
+    MaskSummary false_occlusion;                ///< darker than the truth beyond it
     std::vector<ErrorRegion> regions;           ///< worst connected pieces of both masks
     std::vector<Split> splits;                  ///< error by property of the pixel
     /// Errors on the far side of depth edges; without blocks where depth is unknown.
@@ -33,7 +34,8 @@ struct ErrorAnalysis {
     /// See found_beyond_layer(); empty where the bound was not traced.
     std::optional<double> found_beyond_layer;
     /// The half width of an interval that holds a metric's value against a truth without noise with 95 %
-    /// confidence, by id (see truth_noise()). Empty where the truth has no halves.
+    /// confidence, by id (see truth_noise()); of metrics where the truth has halves, of the masks' areas where
+    /// its standard error is known (see MeasuredMask).
     std::map<std::string, double> truth_noise;
     BlockErrors blocks;  ///< source of the intervals; pairs with other tests of the truth
 };

@@ -14,7 +14,7 @@ struct ErrorDistribution {
     /// The share of valid pixels in each of 201 equal bins; errors beyond the ends are in the outermost.
     std::vector<double> histogram;
     double cumulative_step = 0.005;
-    /// Share of the valid pixels whose |error| is at most i steps, for i = 0 to 200.
+    /// Share of the pixels whose |error| is at most i steps, i = 0 to 200, noise taken off: see ErrorCurve.
     std::vector<double> cumulative;
 };
 

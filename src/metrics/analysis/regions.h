@@ -1,6 +1,7 @@
 #pragma once
 
 #include "metrics/analysis/occlusion_masks.h"
+#include "metrics/analysis/pixel_facts.h"
 
 #include <cstddef>
 #include <string>

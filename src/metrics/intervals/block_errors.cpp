@@ -1,6 +1,7 @@
 #include "metrics/intervals/block_errors.h"
 
 #include "core/threads.h"
+#include "metrics/analysis/mask_totals.h"
 #include "metrics/intervals/block_grid.h"
 #include "metrics/measures/mean_error.h"
 #include "metrics/measures/noise.h"
@@ -14,13 +15,12 @@ namespace {
 
 /// Adds the pixels of a row from `from` to `to`, which lie in one block. They are summed before they are
 /// written, in the order of reading.
-void add_piece(const MetricInput& input, const OcclusionMasks& masks, std::size_t block, std::size_t from,
-               std::size_t to, BlockErrors& blocks) {
+void add_piece(const MetricInput& input, std::size_t block, std::size_t from, std::size_t to,
+               BlockErrors& blocks) {
     const bool noise = knows_noise(input);
     double count = blocks.counts[block], squared = blocks.squared_sums[block];
     double absolute = blocks.absolute_sums[block], signed_sum = blocks.signed_sums[block];
     double variance = noise ? blocks.variance_sums[block] : 0;
-    int missing = 0, false_occlusion = 0;
     for (std::size_t i = from; i < to; ++i) {
         if (input.valid.pixels[i] == 0) continue;
         const double error = double{input.test.pixels[i]} - double{input.truth.pixels[i]};
@@ -28,22 +28,18 @@ void add_piece(const MetricInput& input, const OcclusionMasks& masks, std::size_
         squared += error * error;
         absolute += std::abs(error);
         signed_sum += error;
-        missing += masks.missing.pixels[i];
-        false_occlusion += masks.false_occlusion.pixels[i];
         if (noise) variance += noise_variance(input, i);
     }
     blocks.counts[block] = count;
     blocks.squared_sums[block] = squared;
     blocks.absolute_sums[block] = absolute;
     blocks.signed_sums[block] = signed_sum;
-    blocks.missing_counts[block] += missing;
-    blocks.false_counts[block] += false_occlusion;
     if (noise) blocks.variance_sums[block] = variance;
 }
 
 }  // namespace
 
-BlockErrors block_errors(const MetricInput& input, const OcclusionMasks& masks) {
+BlockErrors block_errors(const MetricInput& input, double mask_threshold) {
     require_one_size(input);
     const int width = input.truth.width, height = input.truth.height;
     const BlockGrid grid(width, height);
@@ -53,7 +49,6 @@ BlockErrors block_errors(const MetricInput& input, const OcclusionMasks& masks) 
     blocks.down = grid.down;
     blocks.counts.assign(grid.size(), 0);
     blocks.squared_sums = blocks.absolute_sums = blocks.signed_sums = blocks.counts;
-    blocks.missing_counts = blocks.false_counts = blocks.counts;
     if (knows_noise(input)) blocks.variance_sums = blocks.counts;
     if (input.maps != nullptr) blocks.maps = *input.maps;
     parallel_for(static_cast<std::size_t>(grid.down), [&](std::size_t block_row) {
@@ -61,11 +56,15 @@ BlockErrors block_errors(const MetricInput& input, const OcclusionMasks& masks) 
         for (int y = top; y < std::min(top + grid.side_px, height); ++y) {
             const std::size_t row = input.truth.index(0, y);
             grid.for_each_piece(y, 0, width, 0, [&](std::size_t block, int from, int to) {
-                add_piece(input, masks, block, row + static_cast<std::size_t>(from),
+                add_piece(input, block, row + static_cast<std::size_t>(from),
                           row + static_cast<std::size_t>(to), blocks);
             });
         }
     });
+    if (std::isinf(mask_threshold)) return blocks;  // nothing is beyond it, and the sums are not asked for
+    const MaskTotals masks = mask_totals(input, mask_threshold);
+    blocks.missing_counts = masks.missing.blocks;
+    blocks.false_counts = masks.false_occlusion.blocks;
     return blocks;
 }
 

@@ -32,12 +32,12 @@ struct BlockErrors {
     std::vector<double> absolute_sums;   ///< sums of |test - truth|
     std::vector<double> signed_sums;     ///< sums of test - truth
     std::vector<double> variance_sums;   ///< sums of noise_variance(); empty where unknown
-    std::vector<double> missing_counts;  ///< pixels of missing occlusion
-    std::vector<double> false_counts;    ///< pixels of false occlusion
+    std::vector<double> missing_counts;  ///< sums of BeyondThreshold::share of missing occlusion
+    std::vector<double> false_counts;    ///< the same of false occlusion
     MapSums maps;                        ///< the sums that evaluate() left in the input
 };
 
-/// Sums the errors over blocks of 1/24 of the width. Throws sizes_differ.
-BlockErrors block_errors(const MetricInput& input, const OcclusionMasks& masks);
+/// Sums the errors over blocks of 1/24 of the width. `mask_threshold` is in visibility. Throws sizes_differ.
+BlockErrors block_errors(const MetricInput& input, double mask_threshold = kMaskThreshold);
 
 }  // namespace aoscore

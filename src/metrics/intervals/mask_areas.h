@@ -12,7 +12,8 @@ struct ErrorAnalysis;
 inline constexpr const char* kMissingArea = "missing_area";
 inline constexpr const char* kFalseArea = "false_area";
 
-/// The share of the valid pixels that an occlusion mask covers. Like a metric, it has an id, is averaged over
+/// The share of the valid pixels that miss occlusion, or add some, by more than the mask's threshold, without
+/// what the truth's noise adds where its standard error is known (MaskSummary::area). Like a metric, it has an id, is averaged over
 /// views, limited and shown.
 struct MaskArea {
     std::string_view id;       ///< its name on the command line and in JSON

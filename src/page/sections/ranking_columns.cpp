@@ -40,8 +40,8 @@ std::vector<RankingColumn> ranking_columns(const Results& results) {
     for (const MaskArea& area : mask_areas()) {
         list.push_back(
             {"", std::string(area.label), "%",
-             fmt::format("Valid pixels {} than the truth by more than {} and three standard errors "
-                         "of the truth.",
+             fmt::format("Valid pixels {} than the truth by more than {}, without those that the truth's "
+                         "noise adds.",
                          area.side, short_text(results.mask_threshold)),
              [value = area.value](const CellRecord& cell) {
                  if (!cell.analysis) return MeasuredMetric{std::nullopt, ""};

@@ -29,7 +29,8 @@ std::string truth_noise_text(const Results& results, const ViewRecord& view) {
     }
     return fmt::format(
         "The truth of {} has {} rays a pixel in two independent halves: with 95 % confidence its noise moves "
-        "no debiased RMSE by more than {} and no MAE, bias, SSIM, MS-SSIM or FLIP by more than {}.",
+        "no debiased RMSE by more than {} and no MAE, bias, SSIM, MS-SSIM, FLIP or area of missing or false "
+        "occlusion by more than {}.",
         view.key, view.samples, bound_text(ranking), bound_text(others));
 }
 
