@@ -72,17 +72,18 @@ struct TraceWork {
           queries(q),
           hits(s.extras.of_hits() ? hits_in(scene.tracer, frame) : PrimaryHits{}),
           judge(scene.tracer, frame, hits),
-          pilot(pilot_for(s)),
+          pilot(pilot_for(s, what)),
           settings(settled(s, pilot)),
-          points(s.points, SamplePlan(settings).most()) {
-        if (pilot && !what.empty())
-            log_info(fmt::format("{}: a mean error of {:g} takes {} rays a pixel, about {:.2g} s", what,
-                                 s.mean_error, pilot->rays().samples, pilot->rays().seconds));
-    }
+          points(s.points, SamplePlan(settings).most()) {}
 
-    std::optional<MeanErrorPilot> pilot_for(const TruthSettings& asked) const {
+    std::optional<MeanErrorPilot> pilot_for(const TruthSettings& asked, const std::string& what) const {
         if (asked.mean_error <= 0) return std::nullopt;
-        return std::optional<MeanErrorPilot>(std::in_place, scene, frame, queries, asked, judge);
+        const auto tell = [&](const EvenRays& rays) {
+            if (what.empty()) return;
+            log_info(fmt::format("{}: a mean error of {:g} takes about {:.2g} rays a pixel and {:.2g} s", what,
+                                 asked.mean_error, static_cast<double>(rays.samples), rays.seconds));
+        };
+        return std::optional<MeanErrorPilot>(std::in_place, scene, frame, queries, asked, judge, tell);
     }
 
     /// A group of tiles, from what is there of them; adds the rays that it traced to `rays`.

@@ -24,7 +24,7 @@ TruthSettings even_rays_alone(const TruthSettings& settings) {
 
 MeanErrorPilot::MeanErrorPilot(const ReachableScene& scene, const CameraFrame& frame,
                                const std::vector<TruthQuery>& queries, const TruthSettings& settings,
-                               const CauseJudge& judge)
+                               const CauseJudge& judge, const TellRays& tell)
     : scene_(scene),
       frame_(frame),
       queries_(queries),
@@ -34,7 +34,7 @@ MeanErrorPilot::MeanErrorPilot(const ReachableScene& scene, const CameraFrame& f
       tiles_(random_tiles(frame.width(), frame.height(), std::numeric_limits<std::size_t>::max())) {
     rays_ = rays_for_mean_error(
         settings.mean_error, tiles_.size(), settings.samples,
-        [this](std::size_t tiles, int samples) { return trace_first(tiles, samples); });
+        [this](std::size_t tiles, int samples) { return trace_first(tiles, samples); }, tell);
     for (std::size_t i = 0; usable_ && i < states_.size(); ++i)
         numbers_.emplace(std::pair(tiles_[i].y0, tiles_[i].x0), i);
 }

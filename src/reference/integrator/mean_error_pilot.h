@@ -20,7 +20,7 @@ class MeanErrorPilot {
   public:
     MeanErrorPilot(const ReachableScene& scene, const CameraFrame& frame,
                    const std::vector<TruthQuery>& queries, const TruthSettings& settings,
-                   const CauseJudge& judge);
+                   const CauseJudge& judge, const TellRays& tell);
 
     /// For every pixel, and the time that they take together.
     const EvenRays& rays() const { return rays_; }

@@ -18,16 +18,16 @@ constexpr std::size_t kFirstTiles = 64;
 /// How well the mean of all tiles is to be known by some, as a part of it, and how many tiles are traced for
 /// that at most.
 constexpr double kWantedPart = 0.01;
-constexpr std::size_t kMostTiles = 1024;
-constexpr std::size_t kMostOfPicture = 8;  ///< or, where these are more, one in so many
+constexpr std::size_t kMostTiles = 2048;
+constexpr std::size_t kMostOfPicture = 4;  ///< or, where these are more, one in so many
 /// Stated errors fall by so much as rays are doubled, see TileLaw, where it has not been measured.
 const double kUsualPower = -std::log2(std::sqrt(0.373));
 /// As they fall at worst and at best: what lies outside is chance.
 constexpr double kFlattest = 0.4, kSteepest = 1;
 /// From so many rays on pixels are proven open first, and what errors there are is less by a leap.
 constexpr int kProofsFrom = 64;
-/// The first tiles are traced no deeper than this to find what is in reach.
-constexpr int kDeepest = 4096;
+/// With so many rays the first tiles tell how long it will take, but for a small factor.
+constexpr int kSamplesToTell = 1024;
 /// A first try is a little too low, since tiles go on from fewer rays, but not from more.
 constexpr double kFirstTry = 0.8;
 constexpr int kTries = 5, kStepsOfOctave = 32;
@@ -84,16 +84,22 @@ int rounded(double samples) {
 /// Looks for the rays of one picture.
 class Search {
   public:
-    Search(double mean_error, std::size_t tiles, int first, const TracePilot& trace)
-        : mean_error_(mean_error), first_(first), all_(tiles), trace_(trace) {}
+    Search(double mean_error, std::size_t tiles, int first, const TracePilot& trace, const TellRays& tell)
+        : mean_error_(mean_error), first_(first), all_(tiles), trace_(trace), tell_(tell) {}
 
     EvenRays run() {
         find_roughly();
+        tell();
         const int samples = find_closely();
         return {samples, seconds_of(samples)};
     }
 
   private:
+    void tell() {
+        if (!told_ && tell_) tell_({static_cast<int>(wanted()), seconds_of(wanted())});
+        told_ = true;
+    }
+
     /// Rays that the error asked for takes, as far as the last measurement tells.
     double wanted() const { return std::max<double>(first_, samples_ * std::pow(ratio(), 1 / power_)); }
     /// Of the last measurement to what is asked for.
@@ -113,12 +119,13 @@ class Search {
     void find_roughly() {
         tiles_ = std::min(all_, kFirstTiles);
         measure(first_);
-        while (wanted() >= 2 * samples_ && samples_ < kDeepest) {
+        while (wanted() >= 2 * samples_) {
             require_in_reach();
+            if (samples_ >= kSamplesToTell) tell();
             const double error = error_.value, before = samples_;
             const int leap = before < kProofsFrom ? std::max<int>(2 * samples_, kProofsFrom) : 4 * samples_;
             const int octave = 1 << static_cast<int>(std::log2(std::min<double>(wanted(), kMostSamples)));
-            measure(std::min({octave, leap, kDeepest}));
+            measure(std::min(octave, leap));
             const bool leapt = before < kProofsFrom && samples_ >= kProofsFrom;
             if (!leapt && error > 0 && error_.value > 0)
                 power_ = std::clamp(std::log(error / error_.value) / std::log(samples_ / before), kFlattest,
@@ -175,6 +182,8 @@ class Search {
     int first_;
     std::size_t all_;
     const TracePilot& trace_;
+    const TellRays& tell_;
+    bool told_ = false;
     std::size_t tiles_ = 0;       ///< of the next measurement
     int samples_ = 0;             ///< of the last one
     MeanError error_;             ///< its outcome
@@ -185,8 +194,9 @@ class Search {
 
 }  // namespace
 
-EvenRays rays_for_mean_error(double mean_error, std::size_t tiles, int first, const TracePilot& trace) {
-    return Search(mean_error, tiles, first, trace).run();
+EvenRays rays_for_mean_error(double mean_error, std::size_t tiles, int first, const TracePilot& trace,
+                             const TellRays& tell) {
+    return Search(mean_error, tiles, first, trace, tell).run();
 }
 
 }  // namespace aoscore

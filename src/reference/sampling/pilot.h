@@ -21,16 +21,21 @@ struct EvenRays {
 /// Gives each pixel of the first `tiles` tiles so many rays; tiles come in random order.
 using TracePilot = std::function<std::vector<TileErrors>(std::size_t tiles, int samples)>;
 
+/// Is told once, before much is traced, roughly how many rays it will be.
+using TellRays = std::function<void(const EvenRays&)>;
+
 /// Finds how many rays a pixel bring the mean standard error of a picture's surfaces, that of the query that
-/// errs most, to `mean_error`: `first` where these are enough. The error is known to about 1 % of itself
-/// where the picture's tiles are as unlike as those of a hall, a court or a hedge. Throws usage_error where
-/// that takes more rays than a pixel can have, or more than a day, before it has traced them.
+/// errs most, to within 3 % of `mean_error`: `first` where these are enough. Where proofs of open pixels,
+/// which begin at 64 rays, make it leap, it ends below. Throws usage_error where that takes more rays than a
+/// pixel can have, or more than a day, before it has traced them. `tell` may be empty.
 ///
 /// All pixels get the same. To give each tile what it needs would spare 3 to 5 % of the rays on halls, courts
 /// and railings and 1 % on hair, even if its error were known beforehand, since the errors of tiles differ
 /// by half of their mean and a ray's gain falls as N^-1.7; but to find a tile's error its first rays must be
 /// traced by themselves, and as rays are traced the faster the more there are of them at once, that takes 2
-/// to 8 % more time (measured at 320x180, mean errors of 0.03 to 0.005).
-EvenRays rays_for_mean_error(double mean_error, std::size_t tiles, int first, const TracePilot& trace);
+/// to 8 % more time (320x180, mean errors of 0.03 to 0.005). As one count for all, it is also the picture
+/// that `--samples` gives.
+EvenRays rays_for_mean_error(double mean_error, std::size_t tiles, int first, const TracePilot& trace,
+                             const TellRays& tell = {});
 
 }  // namespace aoscore
