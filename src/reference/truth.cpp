@@ -21,6 +21,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -52,6 +53,12 @@ double longest_radius(const std::vector<TruthQuery>& queries) {
     double radius_m = 0;
     for (const TruthQuery& query : queries) radius_m = std::max(radius_m, query.radius_m);
     return radius_m;
+}
+
+/// Rays of a picture, so far as that can be said before there are any.
+double expected_rays(const CameraFrame& frame, const TruthSettings& settings) {
+    if (settings.mean_error > 0) return std::numeric_limits<double>::infinity();
+    return static_cast<double>(frame.width()) * frame.height() * SamplePlan(settings).first();
 }
 
 /// The settings with the rays that a pilot found, where there is one.
@@ -192,7 +199,8 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
         count_samples(settings, truth);
         return truth;
     }
-    const ReachableScene scene = impl_->builds.reachable(frame, longest_radius(queries));
+    const ReachableScene scene =
+        impl_->builds.reachable(frame, longest_radius(queries), expected_rays(frame, settings));
     truth.left_out_triangles = scene.left_out_triangles;
     const TraceWork work(scene, frame, queries, settings, what);
     Progress progress(what, wanted.size());
