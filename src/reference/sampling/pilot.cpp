@@ -29,10 +29,10 @@ constexpr int kProofsFrom = 64;
 /// With so many rays the first tiles tell how long it will take, but for a small factor.
 constexpr int kSamplesToTell = 1024;
 /// A first try is a little too low, since tiles go on from fewer rays, but not from more.
-constexpr double kFirstTry = 0.8;
+constexpr double kFirstTry = 0.75;
 constexpr int kTries = 5, kStepsOfOctave = 32;
-/// How far from what was asked for a try may end, and how far above it the last one may.
-constexpr double kNear = 0.02, kAbove = 0.025;
+/// How far below what was asked for a try may end, and how far above it.
+constexpr double kBelow = 0.03, kAbove = 0.02;
 /// What is called in reach by a few tiles is so by all.
 constexpr double kRoughly = 1.1;
 constexpr double kDay_s = 86400;
@@ -142,7 +142,7 @@ class Search {
             tiles_ = std::max(tiles_, tiles_for_precision());
             measure(next);
             ratios[next] = ratio();
-            if (std::abs(ratio() - 1) < kNear && tiles_ >= tiles_for_precision()) return next;
+            if (ratio() > 1 - kBelow && ratio() < 1 + kAbove && tiles_ >= tiles_for_precision()) return next;
             require_in_reach();
             const int step = std::max(1, (next - 1) / (2 * kStepsOfOctave));
             const bool more = ratio() > 1;
