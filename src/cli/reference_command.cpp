@@ -74,7 +74,8 @@ CommandEntry add_reference_command(CLI::App& program, const GlobalOptions& globa
     add_radii_option(*app, options->radii);
     add_truth_options(*app, options->effort);
     app->add_option("--mean-error", options->effort.mean_error,
-                    "Trace until the mean standard error over the picture is about this, for the fewest rays")
+                    "Trace with as many rays in every pixel as bring the mean standard error over the picture to "
+                    "this; says first how many that are")
         ->check(number_in(1e-4, 0.5))
         ->excludes("--error");
     app->add_flag(

@@ -2,15 +2,16 @@
 
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "core/log.h"
 #include "core/progress.h"
 #include "core/threads.h"
 #include "reference/integrator/flush_denormals.h"
+#include "reference/integrator/mean_error_pilot.h"
 #include "reference/integrator/tile.h"
 #include "reference/integrator/tile_integrator.h"
 #include "reference/integrator/tile_state.h"
 #include "reference/integrator/tile_store.h"
 #include "reference/integrator/truth_resolve.h"
-#include "reference/sampling/pilot.h"
 #include "reference/tracer/scene_builds.h"
 #include "reference/truth_impl.h"
 
@@ -20,9 +21,8 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <iterator>
 #include <limits>
-#include <map>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -55,86 +55,61 @@ double longest_radius(const std::vector<TruthQuery>& queries) {
     return radius_m;
 }
 
+/// Rays of a picture, so far as that can be said before there are any.
+double expected_rays(const CameraFrame& frame, const TruthSettings& settings) {
+    if (settings.mean_error > 0) return std::numeric_limits<double>::infinity();
+    return static_cast<double>(frame.width()) * frame.height() * SamplePlan(settings).first();
+}
+
+/// The settings with the rays that a pilot found, where there is one.
+TruthSettings settled(TruthSettings settings, const std::optional<MeanErrorPilot>& pilot) {
+    if (!pilot) return settings;
+    settings.mean_error = 0;
+    settings.samples = pilot->rays().samples;
+    return settings;
+}
+
 /// The state that all threads share while they trace one truth.
 struct TraceWork {
+    /// `what` names the work where a pilot says how much there is of it; empty: it says nothing.
     TraceWork(const ReachableScene& within_reach, const CameraFrame& f, const std::vector<TruthQuery>& q,
-              const TruthSettings& s)
+              const TruthSettings& s, const std::string& what = {})
         : scene(within_reach),
           frame(f),
           queries(q),
-          settings(s),
-          hits(s.extras.causes || s.extras.one_layer_bound ? hits_in(scene.tracer, frame) : PrimaryHits{}),
+          hits(s.extras.of_hits() ? hits_in(scene.tracer, frame) : PrimaryHits{}),
           judge(scene.tracer, frame, hits),
-          points(s.points, SamplePlan(s).most()) {
-        if (settings.mean_error > 0) trace_pilot();
-    }
+          pilot(pilot_for(s, what)),
+          settings(settled(s, pilot)),
+          points(s.points, SamplePlan(settings).most()) {}
 
-    /// Finds how the rays of a mean error are spread. What is traced for it is kept: these tiles go on from
-    /// there.
-    void trace_pilot() {
-        const std::vector<Tile> tiles = pilot_tiles(frame.width(), frame.height());
-        std::vector<TileState> states(tiles.size());
-        std::vector<TileConvergence> convergences(tiles.size());
-        TruthSettings rays_alone = settings;
-        rays_alone.extras = {};
-        const SamplePlan plan(settings);
-        spread = spread_for_mean_error(
-            settings.mean_error, tiles.size(), plan.first(), plan.most(), [&](std::size_t i, int samples) {
-                trace_to(samples, tiles[i], rays_alone, states[i], convergences[i]);
-                return convergences[i];
-            });
-        if (settings.extras.any()) return;  // Those of the pilot have none.
-        for (std::size_t i = 0; i < tiles.size(); ++i) {
-            if (convergences[i].steps.empty()) continue;
-            const int samples = convergences[i].steps.back().samples;
-            pilot.emplace(std::pair(tiles[i].y0, tiles[i].x0), PilotTile{samples, std::move(states[i])});
-        }
-    }
-
-    /// Goes on from what is there of the tile, and adds a step.
-    void trace_to(int samples, const Tile& tile, const TruthSettings& rays_alone, TileState& state,
-                  TileConvergence& convergence) const {
-        const FlushDenormals flush;
-        TileIntegrator integrator(scene, frame, queries, rays_alone, points, judge,
-                                  {.first = samples, .least_gain = std::numeric_limits<double>::infinity()});
-        state = integrator.trace(tile, convergence.steps.empty() ? nullptr : &state);
-        std::ranges::copy(integrator.steps(), std::back_inserter(convergence.steps));
-        const auto open = static_cast<std::size_t>(std::ranges::count(state.samples, 0u));
-        convergence.surfaces = state.surfaces();
-        convergence.traced = state.surfaces() - open;
+    std::optional<MeanErrorPilot> pilot_for(const TruthSettings& asked, const std::string& what) const {
+        if (asked.mean_error <= 0) return std::nullopt;
+        const auto tell = [&](const EvenRays& rays) {
+            if (what.empty()) return;
+            log_info(fmt::format("{}: a mean error of {:g} takes about {:.2g} rays a pixel and {:.2g} s", what,
+                                 asked.mean_error, static_cast<double>(rays.samples), rays.seconds));
+        };
+        return std::optional<MeanErrorPilot>(std::in_place, scene, frame, queries, asked, judge, tell);
     }
 
     /// A group of tiles, from what is there of them; adds the rays that it traced to `rays`.
     GroupState trace(std::span<const Tile> tiles, const GroupState& begun, std::uint64_t& rays) const {
         const FlushDenormals flush;
         const auto start = std::chrono::steady_clock::now();
-        TileIntegrator integrator(scene, frame, queries, settings, points, judge, spread);
+        TileIntegrator integrator(scene, frame, queries, settings, points, judge);
         GroupState state;
         for (std::size_t i = 0; i < tiles.size(); ++i) {
             throw_if_interrupted();
-            if (const auto known = pilot.find({tiles[i].y0, tiles[i].x0}); known != pilot.end()) {
-                state.tiles.push_back(go_on_from(known->second, tiles[i], rays));
+            const TileState* there = pilot ? pilot->state_of(tiles[i]) : nullptr;
+            if (there != nullptr && pilot->is_done(*there)) {
+                state.tiles.push_back(*there);
                 continue;
             }
-            state.tiles.push_back(
-                integrator.trace(tiles[i], begun.tiles.empty() ? nullptr : &begun.tiles[i]));
+            if (there == nullptr && !begun.tiles.empty()) there = &begun.tiles[i];
+            state.tiles.push_back(integrator.trace(tiles[i], there));
         }
         state.seconds = begun.seconds + seconds_since(start);
-        rays += integrator.rays();
-        return state;
-    }
-
-    /// A tile of the pilot, and the rays a pixel that it has.
-    struct PilotTile {
-        int samples;
-        TileState state;
-    };
-
-    TileState go_on_from(const PilotTile& known, const Tile& tile, std::uint64_t& rays) const {
-        TileIntegrator integrator(
-            scene, frame, queries, settings, points, judge,
-            {.first = std::max(known.samples, spread.first), .least_gain = spread.least_gain});
-        TileState state = integrator.trace(tile, &known.state);
         rays += integrator.rays();
         return state;
     }
@@ -142,12 +117,11 @@ struct TraceWork {
     const ReachableScene& scene;
     const CameraFrame& frame;
     const std::vector<TruthQuery>& queries;
-    const TruthSettings& settings;
     const PrimaryHits hits;  // what is hidden shows only once the whole picture is there
     const CauseJudge judge;
+    const std::optional<MeanErrorPilot> pilot;  // where a mean error is asked for
+    const TruthSettings settings;
     const PointSets points;
-    RaySpread spread;                                // where a mean error is asked for
-    std::map<std::pair<int, int>, PilotTile> pilot;  // by first row and column
 };
 
 }  // namespace
@@ -225,9 +199,10 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
         count_samples(settings, truth);
         return truth;
     }
-    const ReachableScene scene = impl_->builds.reachable(frame, longest_radius(queries));
+    const ReachableScene scene =
+        impl_->builds.reachable(frame, longest_radius(queries), expected_rays(frame, settings));
     truth.left_out_triangles = scene.left_out_triangles;
-    const TraceWork work(scene, frame, queries, settings);
+    const TraceWork work(scene, frame, queries, settings, what);
     Progress progress(what, wanted.size());
     std::atomic<std::uint64_t> rays{0};
     const auto start = std::chrono::steady_clock::now();

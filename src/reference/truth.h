@@ -84,9 +84,9 @@ struct TruthSettings {
     /// query is at most this, beginning with no fewer than 2 / max_error rays, so that an occluder that
     /// matters at this error is not missed by a lucky start, and ending with kMostSamples.
     double max_error = 0;
-    /// 0: off. Else every tile of 8x8 pixels gets a power of two of rays a pixel, `samples` or more, such
-    /// that the mean standard error over the picture comes to about this for the fewest rays: few where all
-    /// rays agree, many at the edges of shadows. Not together with max_error.
+    /// 0: off. Else every pixel gets the same number of rays, `samples` or more, such that the mean standard
+    /// error over the picture comes to about this, be it the one query's or that of the query that errs most:
+    /// the picture that so many `samples` have. Not together with max_error.
     double mean_error = 0;
     /// The rays of a pixel are two independent sequences of samples / 2 each, as TruthCache traces them: what
     /// the truth's noise does to any number that is made of the picture then follows from the two halves,

@@ -148,7 +148,7 @@ TEST(FirstHit, IsTheSameBitsWhereverTheSceneIsDividedIntoTrees) {
             const Town town(seed);
             const TraceBuild build{.baked_triangles_at_most = baked};
             const auto whole = new_ray_tracer(town.scene, build);
-            const auto part = new_ray_tracer(town.scene, build, town.near_ones);
+            const auto part = new_ray_tracer(town.scene, build, town.near_ones, 1);
             Random random(seed + 200);
             for (int i = 0; i < 20000; ++i) {
                 const auto place = i % 2 == 0 ? Town::on_the_floor : Town::on_an_edge;

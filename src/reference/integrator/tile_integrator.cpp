@@ -43,12 +43,12 @@ RaySource ray_source(const SurfaceHit& hit, const TruthSettings& settings, std::
 
 TileIntegrator::TileIntegrator(const ReachableScene& scene, const CameraFrame& frame,
                                const std::vector<TruthQuery>& queries, const TruthSettings& settings,
-                               const PointSets& points, const CauseJudge& judge, const RaySpread& spread)
+                               const PointSets& points, const CauseJudge& judge)
     : scene_(scene.tracer),
       frame_(frame),
       queries_(queries),
       settings_(settings),
-      plan_(settings, spread),
+      plan_(settings),
       observer_(scene.tracer, judge, queries[0], settings.extras),
       tracer_(scene.tracer, queries, points, settings.large_triangles_first,
               settings.extras.of_hits() ? &observer_ : nullptr),
@@ -61,7 +61,6 @@ TileIntegrator::TileIntegrator(const ReachableScene& scene, const CameraFrame& f
 
 TileState TileIntegrator::trace(const Tile& tile, const TileState* begun) {
     TileState state;
-    steps_.clear();
     find_surfaces(tile, state);
     list_traced();
     state.samples.assign(state.surfaces(), 0);
@@ -142,7 +141,6 @@ void TileIntegrator::restore(const TileState& begun) {
 }
 
 void TileIntegrator::trace_all() {
-    if (plan_.by_tile()) return trace_by_tile();
     std::vector<SampleRange> ranges;
     ranges.reserve(traced_.size());
     for (const int samples : samples_) ranges.push_back({samples, plan_.first()});
@@ -164,29 +162,6 @@ void TileIntegrator::trace_all() {
                 more = more || ranges[i].last > ranges[i].first;
             }
         }
-    }
-}
-
-void TileIntegrator::trace_by_tile() {
-    const auto pixels = static_cast<double>(traced_.size());
-    int samples = 0;
-    for (int next = plan_.first(); next > samples;) {
-        std::vector<SampleRange> ranges;
-        ranges.reserve(traced_.size());
-        for (const int before : samples_) ranges.push_back({before, next});
-        tracer_.trace(ranges);
-        samples_.assign(traced_.size(), next);
-        samples = next;
-        double error_sum = 0;  // of the query that errs most
-        for (std::size_t q = 0; q < queries_.size(); ++q) {
-            double sum = 0;
-            for (const Estimate& e : stated_estimates(traced_places_, samples_, queries_[q], settings_,
-                                                      [&](std::size_t i) { return tracer_.sums(i, q); }))
-                sum += e.standard_error;
-            error_sum = std::max(error_sum, sum);
-        }
-        steps_.push_back({samples, error_sum});
-        next = plan_.next_of_tile(samples, error_sum / pixels);
     }
 }
 

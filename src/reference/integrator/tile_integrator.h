@@ -3,7 +3,6 @@
 #include "reference/integrator/tile.h"
 #include "reference/integrator/tile_state.h"
 #include "reference/integrator/tile_tracer.h"
-#include "reference/sampling/pilot.h"
 #include "reference/sampling/sample_plan.h"
 #include "reference/tracer/hit_observer.h"
 #include "reference/tracer/open_directions.h"
@@ -32,14 +31,11 @@ class TileIntegrator {
   public:
     TileIntegrator(const ReachableScene& scene, const CameraFrame& frame,
                    const std::vector<TruthQuery>& queries, const TruthSettings& settings,
-                   const PointSets& points, const CauseJudge& judge, const RaySpread& spread = {});
+                   const PointSets& points, const CauseJudge& judge);
 
     /// All that the settings ask for, going on from `begun`, what is there of this very tile, queries and
     /// extras, where that gives the same state as tracing all of it; null: nothing is there.
     TileState trace(const Tile& tile, const TileState* begun = nullptr);
-    /// The errors of the last tile at each count that it was traced to; empty unless SamplePlan goes by
-    /// tiles.
-    const std::vector<ErrorStep>& steps() const { return steps_; }
     /// Of all tiles so far, those for bent normals left out.
     std::uint64_t rays() const { return tracer_.rays(); }
 
@@ -52,8 +48,6 @@ class TileIntegrator {
     void restore(const TileState& begun);
     /// Traces what the plan asks for, until it asks for no more.
     void trace_all();
-    /// The same where all pixels of a tile get the same.
-    void trace_by_tile();
     /// Traces as many rays again, uniform over the hemisphere. Where fewer of them are kept they are not gone
     /// on from, so that their blocks need no merging.
     void trace_open_directions();
@@ -77,7 +71,6 @@ class TileIntegrator {
     std::vector<std::size_t> traced_;  // surfaces that get rays
     std::vector<PlaceInTile> traced_places_;
     std::vector<int> samples_;  // of those, traced so far
-    std::vector<ErrorStep> steps_;
 };
 
 }  // namespace aoscore

@@ -75,12 +75,11 @@ std::vector<Estimate> stated_estimates(std::span<const PlaceInTile> places, std:
 
 void resolve_tile(const Tile& tile, const TileState& state, const CameraFrame& frame,
                   const ResolveRequest& request, Truth& truth) {
-    const int columns = tile.x1 - tile.x0;
     std::vector<std::size_t> traced, pixels;
     std::vector<PlaceInTile> places;
     std::vector<int> samples;
     for (std::size_t s = 0; s < state.surfaces(); ++s) {
-        const PlaceInTile place{state.places[s] % columns, state.places[s] / columns};
+        const PlaceInTile place = place_in(tile, state.places[s]);
         const std::size_t pixel = truth.hits.depth.index(tile.x0 + place.column, tile.y0 + place.row);
         truth.hits.surface.pixels[pixel] = 1;
         truth.hits.depth.pixels[pixel] = state.depths_m[s];

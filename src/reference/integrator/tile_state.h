@@ -31,6 +31,12 @@ struct TileState {
     bool operator==(const TileState&) const = default;
 };
 
+/// Where TileState::places has a pixel of this tile.
+inline PlaceInTile place_in(const Tile& tile, std::uint16_t place) {
+    const int columns = tile.x1 - tile.x0;
+    return {place % columns, place / columns};
+}
+
 /// Estimates for `query` of the pixels at these places, which have so many rays each, traced with these
 /// settings; `sums(i)` are the sums of pixel i.
 std::vector<Estimate> stated_estimates(std::span<const PlaceInTile> places, std::span<const int> samples,

@@ -3,6 +3,7 @@
 #include "core/interrupt.h"
 #include "core/threads.h"
 
+#include <algorithm>
 #include <atomic>
 #include <numeric>
 
@@ -49,7 +50,9 @@ void count_samples(const TruthSettings& settings, Truth& truth) {
         truth.open_pixels += truth.sample_counts.pixels[i] == 0;
     }
     truth.samples = settings.samples;
-    if (settings.max_error > 0 || settings.mean_error > 0)
+    if (settings.mean_error > 0 && truth.rays > 0)
+        truth.samples = static_cast<int>(*std::ranges::max_element(truth.sample_counts.pixels));
+    if (settings.max_error > 0)
         truth.samples = surfaces == 0 ? 0 : static_cast<int>((truth.rays + surfaces / 2) / surfaces);
 }
 

@@ -1,154 +1,202 @@
 #include "reference/sampling/pilot.h"
 
-#include "core/sampling.h"
-#include "core/threads.h"
+#include "core/error.h"
+#include "reference/truth.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
-#include <cstdint>
-#include <limits>
-#include <set>
-#include <utility>
+#include <map>
 
 namespace aoscore {
 namespace {
 
-/// Of the tiles, and never fewer than so many, where there are so many.
-constexpr double kPilotPart = 1.0 / 64;
-constexpr std::size_t kLeastTiles = 128;
-/// Stated errors fall by so much as rays are doubled, see TileLaw.
-const double kErrorPower = std::log2(std::sqrt(0.373));
-/// The time of rays that are traced at once grows about as N^0.85, as measured from 16 to 256 rays a pixel on
-/// the atrium, and on no other scene.
-constexpr double kTimePower = 0.85;
-/// So many doublings beyond what was traced are foreseen by the law of the error.
-constexpr int kForeseen = 3;
+/// Tiles that find roughly how many rays it will be.
+constexpr std::size_t kFirstTiles = 64;
+/// How well the mean of all tiles is to be known by some, as a part of it, and how many tiles are traced for
+/// that at most.
+constexpr double kWantedPart = 0.01;
+constexpr std::size_t kMostTiles = 2048;
+constexpr std::size_t kMostOfPicture = 4;  ///< or, where these are more, one in so many
+/// Stated errors fall by so much as rays are doubled, see TileLaw, where it has not been measured.
+const double kUsualPower = -std::log2(std::sqrt(0.373));
+/// As they fall at worst and at best: what lies outside is chance.
+constexpr double kFlattest = 0.4, kSteepest = 1;
+/// From so many rays on pixels are proven open first, and what errors there are is less by a leap.
+constexpr int kProofsFrom = 64;
+/// With so many rays the first tiles tell how long it will take, but for a small factor.
+constexpr int kSamplesToTell = 1024;
+/// A first try is a little too low, since tiles go on from fewer rays, but not from more.
+constexpr double kFirstTry = 0.75;
+constexpr int kTries = 5, kStepsOfOctave = 32;
+/// How far below what was asked for a try may end, and how far above it.
+constexpr double kBelow = 0.03, kAbove = 0.02;
+/// What is called in reach by a few tiles is so by all.
+constexpr double kRoughly = 1.1;
+constexpr double kDay_s = 86400;
 
-double ratio(int a, int b) {
-    return static_cast<double>(a) / b;
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-double time_of(int samples) {
-    return std::pow(samples, kTimePower);
-}
-
-/// The gain of another ray a pixel at a step; it falls from step to step.
-double gain_of(const ErrorStep& step, const TileConvergence& convergence) {
-    return step.error_sum / static_cast<double>(convergence.traced) / step.samples;
-}
-
-/// The step where a tile stops that begins with so many rays.
-const ErrorStep& step_at(const TileConvergence& convergence, const RaySpread& spread) {
-    for (const ErrorStep& step : convergence.steps) {
-        if (step.samples >= spread.first && gain_of(step, convergence) <= spread.least_gain) return step;
-    }
-    return convergence.steps.back();
-}
-
-/// What a spread comes to on the tiles of a pilot.
-struct Outcome {
-    double mean_error = 0, time = 0;
+/// A mean error over all pixels of some tiles.
+struct MeanError {
+    double value = 0;
+    double variance_of_tile = 0;  ///< relative, such that that of the mean is so much over the tiles
 };
 
-Outcome outcome_of(const std::vector<TileConvergence>& tiles, const RaySpread& spread) {
-    double errors = 0, surfaces = 0, time = 0;
-    for (const TileConvergence& tile : tiles) {
+MeanError mean_of(const std::vector<TileErrors>& tiles, std::size_t query) {
+    double errors = 0, surfaces = 0;
+    for (const TileErrors& tile : tiles) {
+        if (!tile.error_sums.empty()) errors += tile.error_sums[query];
         surfaces += static_cast<double>(tile.surfaces);
-        if (tile.steps.empty()) continue;
-        const ErrorStep& last = step_at(tile, spread);
-        errors += last.error_sum;
-        time +=
-            static_cast<double>(tile.traced) * (time_of(spread.first) + time_of(last.samples - spread.first));
     }
-    return {surfaces > 0 ? errors / surfaces : 0, time};
+    if (surfaces == 0 || errors == 0) return {};
+    const double mean = errors / surfaces;
+    double squares = 0;
+    for (const TileErrors& tile : tiles) {
+        const double sum = tile.error_sums.empty() ? 0 : tile.error_sums[query];
+        squares += std::pow(sum - mean * static_cast<double>(tile.surfaces), 2);
+    }
+    const auto count = static_cast<double>(tiles.size());
+    return {mean, count * squares / (errors * errors)};
 }
 
-/// The highest gain, among those at which some tile stops earlier, that is low enough; the lowest of them
-/// where none is.
-double highest_gain(const std::vector<TileConvergence>& tiles, int first, double mean_error) {
-    std::vector<double> gains{std::numeric_limits<double>::infinity()};
-    for (const TileConvergence& tile : tiles) {
-        for (const ErrorStep& step : tile.steps) {
-            if (step.samples >= first) gains.push_back(gain_of(step, tile));
+MeanError largest_mean_of(const std::vector<TileErrors>& tiles) {
+    MeanError largest;
+    std::size_t queries = 0;
+    for (const TileErrors& tile : tiles) queries = std::max(queries, tile.error_sums.size());
+    for (std::size_t query = 0; query < queries; ++query) {
+        const MeanError mean = mean_of(tiles, query);
+        if (mean.value > largest.value) largest = mean;
+    }
+    return largest;
+}
+
+/// The count nearest to this that is a whole number of steps of its octave.
+int rounded(double samples) {
+    const double step = std::max(1.0, std::exp2(std::floor(std::log2(samples))) / kStepsOfOctave);
+    return static_cast<int>(std::round(samples / step) * step);
+}
+
+/// Looks for the rays of one picture.
+class Search {
+  public:
+    Search(double mean_error, std::size_t tiles, int first, const TracePilot& trace, const TellRays& tell)
+        : mean_error_(mean_error), first_(first), all_(tiles), trace_(trace), tell_(tell) {}
+
+    EvenRays run() {
+        find_roughly();
+        tell();
+        const int samples = find_closely();
+        return {samples, seconds_of(samples)};
+    }
+
+  private:
+    void tell() {
+        if (!told_ && tell_) tell_({static_cast<int>(wanted()), seconds_of(wanted())});
+        told_ = true;
+    }
+
+    /// Rays that the error asked for takes, as far as the last measurement tells.
+    double wanted() const { return std::max<double>(first_, samples_ * std::pow(ratio(), 1 / power_)); }
+    /// Of the last measurement to what is asked for.
+    double ratio() const { return std::max(error_.value / mean_error_, 1e-9); }
+
+    void measure(int samples) {
+        const auto start = std::chrono::steady_clock::now();
+        error_ = largest_mean_of(trace_(tiles_, samples));
+        samples_ = samples;
+        const double rays = static_cast<double>(tiles_) * samples;
+        if (rays <= traced_) return;  // What was there was no use: that says nothing of time.
+        seconds_per_ray_ = seconds_since(start) / (rays - traced_);
+        traced_ = rays;
+    }
+
+    /// A few tiles, with more and more rays.
+    void find_roughly() {
+        tiles_ = std::min(all_, kFirstTiles);
+        measure(first_);
+        while (wanted() >= 2 * samples_) {
+            require_in_reach();
+            if (samples_ >= kSamplesToTell) tell();
+            const double error = error_.value, before = samples_;
+            const int leap = before < kProofsFrom ? std::max<int>(2 * samples_, kProofsFrom) : 4 * samples_;
+            const int octave = 1 << static_cast<int>(std::log2(std::min<double>(wanted(), kMostSamples)));
+            measure(std::min(octave, leap));
+            const bool leapt = before < kProofsFrom && samples_ >= kProofsFrom;
+            if (!leapt && error > 0 && error_.value > 0)
+                power_ = std::clamp(std::log(error / error_.value) / std::log(samples_ / before), kFlattest,
+                                    kSteepest);
         }
+        require_in_reach();
     }
-    std::sort(gains.begin(), gains.end());
-    const auto too_high = std::partition_point(gains.begin(), gains.end(), [&](double least_gain) {
-        return outcome_of(tiles, {first, least_gain}).mean_error <= mean_error;
-    });
-    return too_high == gains.begin() ? gains.front() : *(too_high - 1);
-}
 
-/// The errors at every power of two of rays: by the law of the error from the step before and the one after,
-/// or from the last one.
-void fill_gaps(TileConvergence& tile, int most) {
-    std::vector<ErrorStep> all;
-    for (std::size_t i = 0; i < tile.steps.size(); ++i) {
-        const bool is_last = i + 1 == tile.steps.size();
-        const ErrorStep step = tile.steps[i];
-        const int end = is_last ? std::min(most, step.samples << kForeseen) : tile.steps[i + 1].samples / 2;
-        double power = kErrorPower;
-        if (!is_last && step.error_sum > 0 && tile.steps[i + 1].error_sum > 0)
-            power = std::log(tile.steps[i + 1].error_sum / step.error_sum) /
-                    std::log(ratio(tile.steps[i + 1].samples, step.samples));
-        for (int samples = step.samples; samples <= end; samples *= 2)
-            all.push_back({samples, step.error_sum * std::pow(ratio(samples, step.samples), power)});
+    /// As many tiles as it takes, with what seems right, until it is.
+    int find_closely() {
+        std::map<int, double> ratios;  // by rays
+        int next = std::max(first_, rounded(kFirstTry * wanted()));
+        for (int i = 0; i < kTries && !ratios.contains(next); ++i) {
+            tiles_ = std::max(tiles_, tiles_for_precision());
+            measure(next);
+            ratios[next] = ratio();
+            if (ratio() > 1 - kBelow && ratio() < 1 + kAbove && tiles_ >= tiles_for_precision()) return next;
+            require_in_reach();
+            const int step = std::max(1, (next - 1) / (2 * kStepsOfOctave));
+            const bool more = ratio() > 1;
+            next = more ? std::max(rounded(wanted()), samples_ + step) : rounded(wanted());
+            if (samples_ < kProofsFrom && next > kProofsFrom) next = kProofsFrom;
+        }
+        const auto distance = [](const auto& tried) {
+            return tried.second < 1 + kAbove ? std::abs(tried.second - 1) : 1 + tried.second;
+        };
+        return std::ranges::min_element(ratios, {}, distance)->first;
     }
-    tile.steps = std::move(all);
-}
+
+    /// Of a finite number, the fewer are left the less they are in doubt.
+    std::size_t tiles_for_precision() const {
+        const double of_many = error_.variance_of_tile / (kWantedPart * kWantedPart);
+        const double count = of_many / (1 + of_many / static_cast<double>(all_));
+        const std::size_t most = std::min(all_, std::max(kMostTiles, all_ / kMostOfPicture));
+        return std::min(static_cast<std::size_t>(std::ceil(count)), most);
+    }
+
+    double seconds_of(double samples) const {
+        return seconds_per_ray_ * samples * static_cast<double>(all_);
+    }
+
+    void require_in_reach() const {
+        const double rays = wanted(), seconds = seconds_of(rays);
+        if (rays <= kMostSamples && seconds <= kDay_s) return;
+        const double most = std::min<double>(kMostSamples, rays * kDay_s / seconds);
+        throw usage_error(fmt::format("a mean error of {:g} takes about {:.2g} rays a pixel and {:.2g} hours",
+                                      mean_error_, rays, seconds / 3600),
+                          "mean error",
+                          fmt::format("{:.2g} or more on this view",
+                                      kRoughly * mean_error_ * std::pow(rays / most, power_)));
+    }
+
+    double mean_error_;
+    int first_;
+    std::size_t all_;
+    const TracePilot& trace_;
+    const TellRays& tell_;
+    bool told_ = false;
+    std::size_t tiles_ = 0;       ///< of the next measurement
+    int samples_ = 0;             ///< of the last one
+    MeanError error_;             ///< its outcome
+    double power_ = kUsualPower;  ///< of the rays, by which the error falls
+    double seconds_per_ray_ = 0;  ///< a ray for each pixel of a tile
+    double traced_ = 0;           ///< rays so far, likewise
+};
 
 }  // namespace
 
-std::vector<Tile> pilot_tiles(int width, int height) {
-    const std::vector<Tile> all = tiles_of(width, height);
-    const auto part = static_cast<std::size_t>(kPilotPart * static_cast<double>(all.size()));
-    const std::size_t wanted = std::max(part, kLeastTiles);
-    if (2 * wanted >= all.size()) return all;
-    const auto columns = static_cast<std::size_t>((width + kTileSide - 1) / kTileSide);
-    const auto rows = all.size() / columns;
-    std::set<std::size_t> chosen;
-    for (std::uint32_t i = 0; chosen.size() < wanted; ++i) {
-        const double u = reverse_bits(i) * 0x1p-32, v = reverse_bits(sobol_y_reversed(i)) * 0x1p-32;
-        chosen.insert(static_cast<std::size_t>(v * static_cast<double>(rows)) * columns +
-                      static_cast<std::size_t>(u * static_cast<double>(columns)));
-    }
-    std::vector<Tile> tiles;
-    for (const std::size_t number : chosen) tiles.push_back(all[number]);
-    return tiles;
-}
-
-RaySpread spread_for_mean_error(double mean_error, std::size_t tiles, int first, int most,
-                                const TraceTileTo& trace_to) {
-    std::vector<TileConvergence> convergences(tiles);
-    const auto error_of_all_at = [&](int samples) {
-        parallel_for(tiles, [&](std::size_t i) { convergences[i] = trace_to(i, samples); });
-        return outcome_of(convergences, {samples, std::numeric_limits<double>::infinity()}).mean_error;
-    };
-    // Until a doubling of all is enough, in steps that most tiles will take as well.
-    std::vector<int> counts{first};
-    for (double error = error_of_all_at(first); counts.back() < most;) {
-        const double wanted = counts.back() * std::pow(error / mean_error, -1 / kErrorPower);
-        int next = counts.back();
-        while (2 * next <= wanted && next < most) next *= 2;
-        if (next == counts.back()) break;
-        counts.push_back(next);
-        error = error_of_all_at(next);
-    }
-    for (TileConvergence& tile : convergences) fill_gaps(tile, most);
-    RaySpread soonest{.first = first, .least_gain = highest_gain(convergences, first, mean_error)};
-    double least_time = outcome_of(convergences, soonest).time;
-    for (int begin = 2 * first; begin <= counts.back(); begin *= 2) {
-        // More than that many rays for all would leave less than the error asked for.
-        if (outcome_of(convergences, {begin, std::numeric_limits<double>::infinity()}).mean_error <
-            mean_error)
-            break;
-        const RaySpread spread{.first = begin, .least_gain = highest_gain(convergences, begin, mean_error)};
-        const double time = outcome_of(convergences, spread).time;
-        if (time >= least_time) continue;
-        soonest = spread;
-        least_time = time;
-    }
-    return soonest;
+EvenRays rays_for_mean_error(double mean_error, std::size_t tiles, int first, const TracePilot& trace,
+                             const TellRays& tell) {
+    return Search(mean_error, tiles, first, trace, tell).run();
 }
 
 }  // namespace aoscore

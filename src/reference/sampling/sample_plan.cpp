@@ -17,12 +17,6 @@ int round_up(double samples) {
     return count;
 }
 
-int round_up_to_power(double samples) {
-    int count = 4;
-    while (count < samples && count < kMostSamples) count *= 2;
-    return count;
-}
-
 /// Independent rays that the most uncertain pixel, V = 1/2, would need.
 double most_uncertain(double error) {
     return 0.25 / (error * error);
@@ -35,31 +29,11 @@ constexpr double kMostGrowth = 4;
 
 }  // namespace
 
-SamplePlan::SamplePlan(const TruthSettings& settings, const RaySpread& spread)
-    : max_error_(settings.max_error),
-      least_gain_(spread.least_gain),
-      by_tile_(settings.mean_error > 0),
-      first_(settings.samples),
-      most_(settings.samples) {
-    if (by_tile_) {
-        first_ = round_up_to_power(settings.samples);
-        most_ = std::max(first_, round_up_to_power(most_uncertain(settings.mean_error)));
-        if (spread.first > 0) first_ = std::min(spread.first, most_);
-        return;
-    }
+SamplePlan::SamplePlan(const TruthSettings& settings)
+    : max_error_(settings.max_error), first_(settings.samples), most_(settings.samples) {
     if (max_error_ <= 0) return;
     first_ = round_up(std::max(static_cast<double>(settings.samples), 2 / max_error_));
     most_ = std::max(first_, round_up(most_uncertain(max_error_)));
-}
-
-int SamplePlan::next_of_tile(int samples, double mean_error) const {
-    if (samples >= most_ || mean_error / samples <= least_gain_) return samples;
-    int next = 2 * samples;
-    // The gain of a ray falls as N^-7/4. All tiles stop at an infinite least gain, none at 0.
-    if (least_gain_ <= 0) return next;
-    const double wanted = samples * std::pow(mean_error / samples / least_gain_, 4.0 / 7);
-    while (2.0 * next <= wanted && next < most_) next *= 2;
-    return next;
 }
 
 int SamplePlan::next(int samples, double error) const {

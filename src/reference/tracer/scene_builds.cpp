@@ -31,18 +31,18 @@ std::uint64_t SceneBuilds::triangles_of(const std::vector<char>& instances) cons
     return triangles;
 }
 
-const RayTracer& SceneBuilds::add(std::vector<char> instances) {
-    auto tracer = new_ray_tracer(*scene_, build_, instances);
+const RayTracer& SceneBuilds::add(std::vector<char> instances, double rays) {
+    auto tracer = new_ray_tracer(*scene_, build_, instances, rays);
     return *built_.emplace_back(Built{std::move(instances), std::move(tracer)}).tracer;
 }
 
 void SceneBuilds::build_whole() {
     const std::scoped_lock lock(mutex_);
     reach();  // for later pictures, when the scene may be gone
-    add(std::vector<char>(scene_->instances.size(), 1));
+    add(std::vector<char>(scene_->instances.size(), 1), std::numeric_limits<double>::infinity());
 }
 
-ReachableScene SceneBuilds::reachable(const CameraFrame& frame, double reach_m) {
+ReachableScene SceneBuilds::reachable(const CameraFrame& frame, double reach_m, double rays) {
     const std::scoped_lock lock(mutex_);
     std::vector<char> within = reach().instances(frame, reach_m);
     const std::vector<char> all(within.size(), 1);
@@ -55,8 +55,8 @@ ReachableScene SceneBuilds::reachable(const CameraFrame& frame, double reach_m) 
     // what building it at once does.
     const bool pays = static_cast<double>(part) < kLargestPart * static_cast<double>(whole) &&
                       triangles_in_parts_ + part <= whole;
-    if (!pays) return {add(all), std::move(within)};
-    const RayTracer& tracer = add(wanted);
+    if (!pays) return {add(all, rays), std::move(within)};
+    const RayTracer& tracer = add(wanted, rays);
     triangles_in_parts_ += part;
     return {tracer, std::move(within), whole - part};
 }

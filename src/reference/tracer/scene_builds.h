@@ -5,6 +5,7 @@
 #include "reference/truth.h"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -31,7 +32,9 @@ class SceneBuilds {
     void build_whole();
     /// For a picture whose rays reach `reach_m` (infinity allowed) from what the camera sees: what was built
     /// earlier where that has all it takes. The scene stays there as long as this lives.
-    ReachableScene reachable(const CameraFrame& frame, double reach_m);
+    /// `rays` says how many there will be, as far as that is known, see tree_effort().
+    ReachableScene reachable(const CameraFrame& frame, double reach_m,
+                             double rays = std::numeric_limits<double>::infinity());
 
     const TraceBuild& build() const { return build_; }
     /// The most memory that the tracer has held for each of them, bytes, added up.
@@ -43,7 +46,7 @@ class SceneBuilds {
         std::unique_ptr<RayTracer> tracer;
     };
     const Reach& reach();
-    const RayTracer& add(std::vector<char> instances);
+    const RayTracer& add(std::vector<char> instances, double rays);
     std::uint64_t triangles_of(const std::vector<char>& instances) const;
 
     const Scene* scene_;

@@ -11,11 +11,15 @@ std::string tracer_version() {
     return "Embree " RTC_VERSION_STRING;
 }
 
-SceneHandle new_trace_scene(RTCDevice device) {
+RTCBuildQuality build_quality(TreeEffort effort) {
+    return effort == TreeEffort::quick ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_HIGH;
+}
+
+SceneHandle new_trace_scene(RTCDevice device, TreeEffort effort) {
     SceneHandle handle(rtcNewScene(device));
     // The filter is that of first_triangles(). Rays that have none are as fast with the flag as without it.
     rtcSetSceneFlags(handle.get(), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
-    rtcSetSceneBuildQuality(handle.get(), RTC_BUILD_QUALITY_HIGH);
+    rtcSetSceneBuildQuality(handle.get(), build_quality(effort));
     check_embree(device, "making a scene");
     return handle;
 }

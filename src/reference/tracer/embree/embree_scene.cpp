@@ -68,7 +68,8 @@ bool EmbreeScene::count_memory(void* memory, ssize_t bytes, bool) {
     return true;
 }
 
-EmbreeScene::EmbreeScene(const Scene& scene, const TraceBuild& build, const std::vector<char>& wanted)
+EmbreeScene::EmbreeScene(const Scene& scene, const TraceBuild& build, const std::vector<char>& wanted,
+                         double rays)
     : device_(rtcNewDevice(nullptr)) {
     check_embree(device_.get(), "starting Embree");
     rtcSetDeviceMemoryMonitorFunction(device_.get(), count_memory, &memory_);
@@ -85,7 +86,12 @@ EmbreeScene::EmbreeScene(const Scene& scene, const TraceBuild& build, const std:
     }
     const bool bake_all = triangle_count_ <= build.baked_triangles_at_most;
 
-    scene_ = new_trace_scene(device_.get());
+    std::uint64_t in_trees = 0;
+    for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh)
+        in_trees += static_cast<std::uint64_t>(bake_all ? uses[mesh] : std::min(uses[mesh], 1)) *
+                    scene.meshes[mesh].triangles.size();
+    effort_ = tree_effort(in_trees, rays);
+    scene_ = new_trace_scene(device_.get(), effort_);
     const glm::dmat4 to_trace_space = glm::translate(glm::dmat4(1), -centre_);
 
     struct Shared {
@@ -111,7 +117,7 @@ EmbreeScene::EmbreeScene(const Scene& scene, const TraceBuild& build, const std:
         Shared& s = shared[index];
         if (s.scene == nullptr) {
             s.centre = centre_of(mesh);
-            shared_.push_back(new_trace_scene(device_.get()));
+            shared_.push_back(new_trace_scene(device_.get(), effort_));
             s.scene = shared_.back().get();
             s.geometry = &add_triangles(s.scene, mesh, glm::translate(glm::dmat4(1), -s.centre));
             rtcCommitScene(s.scene);
@@ -135,7 +141,7 @@ void EmbreeScene::copy_cutouts(const Scene& scene) {
 
 TraceGeometry& EmbreeScene::add_triangles(RTCScene target, const Mesh& mesh, const glm::dmat4& transform) {
     GeometryHandle handle(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
-    rtcSetGeometryBuildQuality(handle.get(), RTC_BUILD_QUALITY_HIGH);
+    rtcSetGeometryBuildQuality(handle.get(), build_quality(effort_));
     auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(handle.get(), RTC_BUFFER_TYPE_VERTEX, 0,
                                                                      RTC_FORMAT_FLOAT3, sizeof(glm::vec3),
                                                                      mesh.positions.size()));

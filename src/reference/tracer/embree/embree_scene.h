@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cstddef>
 #include <deque>
+#include <limits>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -35,7 +36,8 @@ struct TraceGeometry {
 class EmbreeScene final : public RayTracer {
   public:
     /// As new_ray_tracer().
-    EmbreeScene(const Scene& scene, const TraceBuild& build, const std::vector<char>& wanted = {});
+    EmbreeScene(const Scene& scene, const TraceBuild& build, const std::vector<char>& wanted = {},
+                double rays = std::numeric_limits<double>::infinity());
 
     const glm::dvec3& centre() const override { return centre_; }
     double diagonal_m() const override { return diagonal_m_; }
@@ -92,6 +94,7 @@ class EmbreeScene final : public RayTracer {
     std::vector<SceneHandle> shared_;
     SceneHandle scene_;
     Scene cutouts_;  // materials, and the textures of cut-outs alone
+    TreeEffort effort_ = TreeEffort::thorough;
     std::deque<TraceGeometry> geometries_;
     std::vector<Placement> placements_;  // by geometry id in scene_
     glm::dvec3 centre_{0};

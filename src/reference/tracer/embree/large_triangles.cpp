@@ -3,7 +3,7 @@
 namespace aoscore {
 
 LargeTriangles::LargeTriangles(RTCDevice device, std::span<const TraceTriangle> triangles, bool coherent)
-    : scene_(new_trace_scene(device)), coherent_(coherent) {
+    : scene_(new_trace_scene(device, TreeEffort::thorough)), coherent_(coherent) {
     GeometryHandle geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
     rtcSetGeometryBuildQuality(geometry.get(), RTC_BUILD_QUALITY_HIGH);
     auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX,
