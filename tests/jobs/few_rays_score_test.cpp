@@ -239,7 +239,7 @@ TEST_P(AreasOverSixScenes, HoldTheConvergedOnesAsOftenAsTheySay) {
     std::ofstream(testing::output_dir() / "coverage.md") << table;
     for (const auto& [threshold, coverage] : pooled) {
         EXPECT_EQ(coverage.seeds, 6 * 6 * 34 * 2);
-        EXPECT_GE(coverage.share(), 0.92) << threshold << "\n" << table;
+        EXPECT_GE(coverage.share(), threshold == kMaskThreshold ? 0.92 : 0.90) << threshold << "\n" << table;
         EXPECT_LE(coverage.share(), 0.98) << threshold << "\n" << table;
     }
 }

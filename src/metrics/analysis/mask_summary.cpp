@@ -15,7 +15,7 @@ constexpr double kDeviations = 1.96;  // these hold 95 % of a normal distributio
 /// What the boxes leave, as a part of the mean doubt, for a noise of 1, and how much faster it grows where
 /// the noise is not small against the threshold: chosen so that of six scenes, ten images and 16 to 64 rays,
 /// at thresholds of .05 to .2, as many intervals hold the value from 4,096 rays as they say.
-constexpr double kLeftByRoot = 0.22, kLeftNearNoise = 3;
+constexpr double kLeftByRoot = 0.25, kLeftNearNoise = 2;
 
 /// The mean error over an area. Noise cannot bring it below the threshold.
 std::optional<double> mean_of(const SharedError& sums, double threshold) {
