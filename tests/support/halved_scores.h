@@ -1,22 +1,18 @@
 #pragma once
 
-#include "metrics/analysis/mask_summary.h"
 #include "metrics/evaluate.h"
 #include "metrics/intervals/block_errors.h"
 #include "metrics/intervals/extrapolation.h"
-#include "metrics/intervals/mask_areas.h"
 #include "metrics/intervals/truth_noise.h"
 
 #include <array>
 #include <map>
 #include <span>
 #include <string>
-#include <utility>
 
 namespace aoscore::testing {
 
-/// Metrics against a truth of two halves, without the truth's noise, and the areas of the masks where its
-/// standard error is known.
+/// Metrics against a truth of two halves, without the truth's noise.
 struct HalvedScores {
     std::map<std::string, MetricValue> values;
     std::map<std::string, double> noise;
@@ -26,24 +22,16 @@ struct HalvedScores {
 /// have one size. `samples` rays a pixel are those of both halves.
 inline HalvedScores halved_scores(const ImageF& truth, const ImageF& first, const ImageF& second,
                                   const ImageF& test, const Mask& valid, int samples,
-                                  std::span<const std::string> ids = {},
-                                  const ImageF* standard_error = nullptr) {
+                                  std::span<const std::string> ids = {}) {
     std::array<MapSums, 4> maps;
     const TruthHalves halves{first, second, &maps[1], &maps[2], nullptr, &maps[3], samples};
-    MetricInput input{truth, test, valid, standard_error};
+    MetricInput input{truth, test, valid};
     input.maps = &maps[0];
     input.halves = &halves;
     HalvedScores scores;
     scores.values = evaluate(input, ids);
     scores.noise = truth_noise(block_errors(input), block_errors(against_half(input, 0)),
                                block_errors(against_half(input, 1)), halves);
-    if (standard_error == nullptr) return scores;
-    for (const auto& [id, side] :
-         {std::pair(kMissingArea, MaskSide::missing), std::pair(kFalseArea, MaskSide::false_occlusion)}) {
-        const MeasuredMask mask = measure_mask(input, side, kMaskThreshold);
-        scores.values[id] = {mask.summary.area, ""};
-        scores.noise[id] = *mask.truth_noise;
-    }
     return scores;
 }
 

@@ -34,8 +34,8 @@ struct ErrorAnalysis {
     /// See found_beyond_layer(); empty where the bound was not traced.
     std::optional<double> found_beyond_layer;
     /// The half width of an interval that holds a metric's value against a truth without noise with 95 %
-    /// confidence, by id (see truth_noise()); of metrics where the truth has halves, of the masks' areas where
-    /// its standard error is known (see MeasuredMask).
+    /// confidence, by id (see truth_noise()); of metrics where the truth has halves, of the masks' areas
+    /// where its standard error is known (see MeasuredMask).
     std::map<std::string, double> truth_noise;
     BlockErrors blocks;  ///< source of the intervals; pairs with other tests of the truth
 };

@@ -57,8 +57,7 @@ inline BeyondThreshold beyond_threshold(double error, double standard_error, dou
     if (error - reach > threshold) return {1, error, 0};
     if (reach <= 0) return {};  // the error is the threshold itself
     const boxes::Part wide = boxes::part_beyond(error, reach, threshold);
-    const boxes::Part narrow =
-        boxes::part_beyond(error, boxes::kNarrowReach * standard_error, threshold);
+    const boxes::Part narrow = boxes::part_beyond(error, boxes::kNarrowReach * standard_error, threshold);
     return {boxes::kNarrowWeight * narrow.share + boxes::kWideWeight * wide.share,
             boxes::kNarrowWeight * narrow.error + boxes::kWideWeight * wide.error,
             std::min(wide.share, 1 - wide.share)};

@@ -2,7 +2,6 @@
 
 #include "metrics/analysis/mask_totals.h"
 #include "metrics/analysis/measured_masks.h"
-#include "metrics/measures/noise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +15,7 @@ constexpr double kDeviations = 1.96;  // these hold 95 % of a normal distributio
 /// What the boxes leave, as a part of the mean doubt, for a noise of 1, and how much faster it grows where
 /// the noise is not small against the threshold: chosen so that of six scenes, ten images and 16 to 64 rays,
 /// at thresholds of .05 to .2, as many intervals hold the value from 4,096 rays as they say.
-constexpr double kLeftByRoot = 0.31, kLeftNearNoise = 3;
+constexpr double kLeftByRoot = 0.25, kLeftNearNoise = 2;
 
 /// The mean error over an area. Noise cannot bring it below the threshold.
 std::optional<double> mean_of(const SharedError& sums, double threshold) {
@@ -42,9 +41,11 @@ std::vector<CauseShare> cause_shares(const MaskTotal& total, const std::vector<P
     return shares;
 }
 
-/// `noise` is the standard deviation of the truth's, root mean square over the picture.
-std::optional<double> half_width(const MaskTotal& total, double valid, double noise, double threshold) {
-    const double doubt = total.doubt / valid, seeds = kVarianceOfDoubt * doubt / valid;
+std::optional<double> half_width(const MaskTotal& total, double valid, double threshold) {
+    if (valid == 0) return std::nullopt;
+    if (total.doubt <= 0) return 0.0;
+    const double doubt = total.doubt / valid, noise = total.doubtful_noise / total.doubt;
+    const double seeds = kVarianceOfDoubt * doubt / valid;
     const double left = kLeftByRoot * doubt * std::sqrt(noise * (1 + kLeftNearNoise * noise / threshold));
     const double half = kDeviations * std::hypot(std::sqrt(seeds), left);
     return std::isfinite(half) ? std::optional(half) : std::nullopt;
@@ -54,14 +55,12 @@ std::optional<double> half_width(const MaskTotal& total, double valid, double no
 
 MeasuredMasks measured_masks(const MetricInput& input, const MaskTotals& totals, double threshold,
                              const std::vector<PixelFacts::Cause>& causes) {
-    const double noise = std::sqrt(mean_noise_variance(input).value_or(0));
     const auto measured = [&](const MaskTotal& total) {
         MeasuredMask mask;
         mask.summary.area = std::max(total.whole.share, 0.0) / std::max(totals.valid, 1.0);
         mask.summary.mean = mean_of(total.whole, threshold);
         mask.summary.causes = cause_shares(total, causes, mask.summary.area, threshold);
-        if (input.standard_error != nullptr)
-            mask.truth_noise = half_width(total, totals.valid, noise, threshold);
+        if (input.standard_error != nullptr) mask.truth_noise = half_width(total, totals.valid, threshold);
         return mask;
     };
     return {measured(totals.missing), measured(totals.false_occlusion)};

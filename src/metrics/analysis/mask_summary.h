@@ -31,17 +31,17 @@ struct MeasuredMask {
     /// The half width of an interval that holds the area against a truth without noise with 95 % confidence.
     /// Empty where the truth's standard error is not known.
     ///
-    /// It is 1.96 times the root of two variances. One is that over seeds, of pixels whose noise is normal and
-    /// independent of one another: kVarianceOfDoubt times their doubt, over their number. The other is that
-    /// over scenes, of what the boxes leave. Errors crowd about a threshold in another way in every picture, so
-    /// that it was measured, as a part of the mean doubt: it grows with the root of the noise, and more where
-    /// the threshold is as small as the noise.
+    /// It is 1.96 times the root of two variances. One is that over seeds, of pixels whose noise is normal
+    /// and independent of one another: kVarianceOfDoubt times their doubt, over their number. The other is
+    /// that over scenes, of what the boxes leave. Errors crowd about a threshold in another way in every
+    /// picture, so that it was measured, as a part of the mean doubt: it grows with the root of the noise,
+    /// and more where the threshold is as small as the noise.
     std::optional<double> truth_noise;
 };
 
-/// The variance over seeds of a pixel's share for each unit of its doubt, where errors about the threshold are
-/// as frequent on both sides: the integral of the variance of the share of x + z, z normal, over all distances
-/// x from the threshold, over that of the doubt.
+/// The variance over seeds of a pixel's share for each unit of its doubt, where errors about the threshold
+/// are as frequent on both sides: the integral of the variance of the share of x + z, z normal, over all
+/// distances x from the threshold, over that of the doubt.
 inline constexpr double kVarianceOfDoubt = 0.5009;
 
 /// `threshold` is in visibility. Throws sizes_differ.

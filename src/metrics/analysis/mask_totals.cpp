@@ -37,9 +37,10 @@ void add_causes(const BeyondThreshold& beyond, const Causes& causes, std::size_t
     }
 }
 
-void add_pixel(const BeyondThreshold& beyond, std::size_t block, MaskTotal& total) {
+void add_pixel(const BeyondThreshold& beyond, double noise, std::size_t block, MaskTotal& total) {
     total.whole.add(beyond.share, beyond.error);
     total.doubt += beyond.doubt;
+    total.doubtful_noise += beyond.doubt * noise;
     total.blocks[block] += beyond.share;
 }
 
@@ -70,10 +71,11 @@ class Rows {
 
   private:
     void add_near(std::size_t i, std::size_t block, MaskTotals& totals) const {
+        const double noise = sure_.empty() ? double{input_.standard_error->pixels[i]} : 0.0;
         const BeyondThreshold missing = beyond_threshold(input_, i, MaskSide::missing, threshold_);
-        add_pixel(missing, block, totals.missing);
+        add_pixel(missing, noise, block, totals.missing);
         add_causes(missing, causes_, i, totals.missing);
-        add_pixel(beyond_threshold(input_, i, MaskSide::false_occlusion, threshold_), block,
+        add_pixel(beyond_threshold(input_, i, MaskSide::false_occlusion, threshold_), noise, block,
                   totals.false_occlusion);
     }
 
@@ -87,6 +89,7 @@ class Rows {
 void append(const MaskTotal& row, MaskTotal& all) {
     all.whole.add(row.whole.share, row.whole.error);
     all.doubt += row.doubt;
+    all.doubtful_noise += row.doubtful_noise;
     for (std::size_t c = 0; c < all.by_cause.size(); ++c)
         all.by_cause[c].add(row.by_cause[c].share, row.by_cause[c].error);
     all.blocks.insert(all.blocks.end(), row.blocks.begin(), row.blocks.end());

@@ -21,6 +21,7 @@ struct MaskTotal {
     SharedError whole;
     std::vector<SharedError> by_cause;  ///< pixels divided as CauseShare says
     double doubt = 0;
+    double doubtful_noise = 0;   ///< of the standard errors, times the doubt
     std::vector<double> blocks;  ///< sums of the shares over the blocks of BlockGrid
 };
 

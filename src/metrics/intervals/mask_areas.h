@@ -13,8 +13,8 @@ inline constexpr const char* kMissingArea = "missing_area";
 inline constexpr const char* kFalseArea = "false_area";
 
 /// The share of the valid pixels that miss occlusion, or add some, by more than the mask's threshold, without
-/// what the truth's noise adds where its standard error is known (MaskSummary::area). Like a metric, it has an id, is averaged over
-/// views, limited and shown.
+/// what the truth's noise adds where its standard error is known (MaskSummary::area). Like a metric, it has
+/// an id, is averaged over views, limited and shown.
 struct MaskArea {
     std::string_view id;       ///< its name on the command line and in JSON
     std::string_view mean_id;  ///< id of the mean error within the mask
