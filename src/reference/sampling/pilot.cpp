@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kFirstTiles = 64;
 /// How well the mean of all tiles is to be known by some, as a part of it, and how many tiles are traced for
 /// that at most.
-constexpr double kWantedPart = 0.01;
+constexpr double kWantedPart = 0.007;
 constexpr std::size_t kMostTiles = 2048;
 constexpr std::size_t kMostOfPicture = 4;  ///< or, where these are more, one in so many
 /// Stated errors fall by so much as rays are doubled, see TileLaw, where it has not been measured.

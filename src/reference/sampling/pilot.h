@@ -25,7 +25,7 @@ using TracePilot = std::function<std::vector<TileErrors>(std::size_t tiles, int 
 using TellRays = std::function<void(const EvenRays&)>;
 
 /// Finds how many rays a pixel bring the mean standard error of a picture's surfaces, that of the query that
-/// errs most, to within 3 % of `mean_error`: `first` where these are enough. Where proofs of open pixels,
+/// errs most, to within 4 % of `mean_error`: `first` where these are enough. Where proofs of open pixels,
 /// which begin at 64 rays, make it leap, it ends below. Throws usage_error where that takes more rays than a
 /// pixel can have, or more than a day, before it has traced them. `tell` may be empty.
 ///
