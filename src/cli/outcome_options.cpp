@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <map>
+#include <set>
 
 namespace aoscore {
 namespace {
@@ -33,13 +34,34 @@ void require_cells(const Results& results, const Gates& gates) {
                 "a view and methods that it has everything for");
 }
 
+/// The measures that at least one cell has a value of.
+std::set<std::string> measured_of_some(const Results& results) {
+    std::set<std::string> ids;
+    for (const CellRecord& cell : results.cells) {
+        for (const auto& [id, measure] : limited_measures(cell)) {
+            if (measure.value) ids.insert(id);
+        }
+    }
+    return ids;
+}
+
+/// Says which limits are not held against which cells, since their methods do not give the signal.
+void print_not_judged(const std::map<std::string, std::vector<std::string>>& cells_by_limit) {
+    for (const auto& [limit, cells] : cells_by_limit) {
+        log_error(fmt::format("{} is not held against {}: no such signal is given there", limit,
+                              fmt::join(cells, ", ")));
+    }
+}
+
 }  // namespace
 
 void add_outcome_options(CLI::App& app, OutcomeOptions& options) {
     std::vector<std::string_view> extensions;
     for (const ExportFormat& format : export_formats()) extensions.push_back(format.extension);
-    app.add_option("--fail", options.fail,
-                   "Exit with 2 when this holds: rmse>0.02 (also without a value); may be repeated")
+    app.add_option(
+           "--fail", options.fail,
+           "Exit with 2 when this holds: rmse>0.02 (also without a value, but for signals that a method "
+           "does not give); may be repeated")
         ->allow_extra_args(false);
     app.add_option("--warn", options.warn, "Exit with 1 when this holds: ssim<0.9")->allow_extra_args(false);
     app.add_option(
@@ -74,7 +96,17 @@ void Outcome::print_summary(const Gates::Tripped& tripped, const std::string& wh
 ExitCode Outcome::conclude(const Results& results) {
     require_cells(results, gates_);
     std::map<std::string, Gates::Tripped> by_cell;
-    for (const CellRecord& cell : results.cells) by_cell[cell.id] = gates_.check(limited_measures(cell));
+    const std::set<std::string> measured = measured_of_some(results);
+    std::map<std::string, std::vector<std::string>> not_judged;
+    for (const CellRecord& cell : results.cells) {
+        const MetricMap measures = limited_measures(cell);
+        // What failed cannot be told from what a method does not give.
+        const std::set<std::string> elsewhere = cell.error.empty() ? measured : std::set<std::string>();
+        by_cell[cell.id] = gates_.check(measures, elsewhere);
+        for (const std::string& limit : gates_.not_judging(measures, elsewhere))
+            not_judged[limit].push_back(cell.id);
+    }
+    print_not_judged(not_judged);
     if (results.baseline) {
         log_info("Baseline: " + baseline_scope(results));
         for (const ChangeRecord& change : results.baseline->changes)

@@ -40,6 +40,12 @@ const MeasuredMetric* find(const MetricMap& metrics, const std::string& id) {
     return found != metrics.end() && found->second.value ? &found->second : nullptr;
 }
 
+/// Of a signal beside visibility, or of light, which not every method gives.
+bool is_of_some_methods(const std::string& id) {
+    return id.starts_with(kLightPrefix) ||
+           std::ranges::any_of(signal_metrics(), [&](const SignalMetric& row) { return row.id == id; });
+}
+
 }  // namespace
 
 std::vector<std::string> limited_ids() {
@@ -95,6 +101,11 @@ Gate Gate::parse(const std::string& text) {
         return gate;
     }
     throw usage_error("no limit", text, kForm);
+}
+
+bool Gate::judges(const MetricMap& metrics, const std::set<std::string>& measured_of_some) const {
+    return find(metrics, metric) != nullptr || !is_of_some_methods(metric) ||
+           !measured_of_some.contains(metric);
 }
 
 bool Gate::tripped_by(const MetricMap& metrics) const {

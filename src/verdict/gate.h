@@ -3,6 +3,7 @@
 #include "results/results.h"
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,12 @@ struct Gate {
 
     /// Reads a limit. Throws usage_error for another form or an unknown measure, listing the known ones.
     static Gate parse(const std::string& text);
+
+    /// Whether it is held against a cell of these measures. One on a signal beside visibility, or on light,
+    /// is not where the cell lacks the value and others of its run have it (`measured_of_some`, ids): the
+    /// method does not give that signal. Where no cell has it, nothing was measured, and every cell is
+    /// judged.
+    bool judges(const MetricMap& metrics, const std::set<std::string>& measured_of_some) const;
 
     /// Whether the measured value trips the limit. A missing value trips every limit.
     bool tripped_by(const MetricMap& metrics) const;

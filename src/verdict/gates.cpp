@@ -42,15 +42,27 @@ void Gates::require_above_noise(double noise_floor_rmse, const std::string& wher
     }
 }
 
-Gates::Tripped Gates::check(const MetricMap& measures) const {
-    Tripped tripped;
-    for (const Gate& gate : fail_.gates) {
-        if (gate.tripped_by(measures)) tripped.failures.push_back(gate.explain(measures));
+Gates::Tripped Gates::check(const MetricMap& measures, const std::set<std::string>& measured_of_some) const {
+    const auto lines = [&](const Limits& limits) {
+        std::vector<std::string> tripped;
+        for (const Gate& gate : limits.gates) {
+            if (gate.judges(measures, measured_of_some) && gate.tripped_by(measures))
+                tripped.push_back(gate.explain(measures));
+        }
+        return tripped;
+    };
+    return {lines(fail_), lines(warn_)};
+}
+
+std::vector<std::string> Gates::not_judging(const MetricMap& measures,
+                                            const std::set<std::string>& measured_of_some) const {
+    std::vector<std::string> texts;
+    for (const Limits* limits : {&fail_, &warn_}) {
+        for (const Gate& gate : limits->gates) {
+            if (!gate.judges(measures, measured_of_some)) texts.push_back(gate.text);
+        }
     }
-    for (const Gate& gate : warn_.gates) {
-        if (gate.tripped_by(measures)) tripped.warnings.push_back(gate.explain(measures));
-    }
-    return tripped;
+    return texts;
 }
 
 Gates::Tripped Gates::check(const ChangeRecord& change) const {

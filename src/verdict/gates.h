@@ -4,6 +4,7 @@
 #include "results/results.h"
 #include "verdict/gate.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,12 @@ class Gates {
         std::size_t count() const { return failures.size() + warnings.size(); }
         void add(const Tripped& other);
     };
-    Tripped check(const MetricMap& measures) const;  ///< of limited_measures()
+    /// Of limited_measures(); `measured_of_some` are the ids that some cell of the run has a value of, see
+    /// Gate::judges().
+    Tripped check(const MetricMap& measures, const std::set<std::string>& measured_of_some = {}) const;
+    /// The texts of the limits that are not held against a cell of these measures.
+    std::vector<std::string> not_judging(const MetricMap& measures,
+                                         const std::set<std::string>& measured_of_some) const;
     Tripped check(const ChangeRecord& change) const;
 
   private:

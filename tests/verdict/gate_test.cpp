@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -85,6 +86,22 @@ TEST(Gate, TakesEveryMetricOfASignalAndEveryErrorOfLight) {
         EXPECT_TRUE(gate.tripped_by(unmeasured)) << id;
         EXPECT_THAT(gate.explain(unmeasured), HasSubstr("it is measured by score --")) << id;
     }
+}
+
+TEST(Gates, DoNotHoldMethodsToSignalsThatTheyDoNotGive) {
+    CellRecord with, without;
+    with.light["relative_rmse.cone"].value = 0.3;
+    const Gates gates({"light.relative_rmse.cone>0.2", "rmse>0.02"}, {}, false);
+    const std::set<std::string> measured = {"light.relative_rmse.cone"};
+    EXPECT_EQ(gates.check(limited_measures(with), measured).failures.size(), 2u);
+    const Gates::Tripped tripped = gates.check(limited_measures(without), measured);
+    ASSERT_EQ(tripped.failures.size(), 1u) << "a missing RMSE is a failure of every method";
+    EXPECT_THAT(tripped.failures[0], HasSubstr("rmse"));
+    EXPECT_THAT(gates.not_judging(limited_measures(without), measured),
+                ::testing::ElementsAre("light.relative_rmse.cone>0.2"));
+    EXPECT_THAT(gates.not_judging(limited_measures(with), measured), ::testing::IsEmpty());
+    // Where no cell has the value, nothing was measured, and a gate must not pass.
+    EXPECT_EQ(gates.check(limited_measures(without), {}).failures.size(), 2u);
 }
 
 TEST(Gates, RefuseALimitBelowTheNoiseWhereTheRowSaysThatNoiseAdds) {
