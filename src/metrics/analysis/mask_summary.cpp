@@ -13,9 +13,10 @@ namespace {
 
 constexpr double kDeviations = 1.96;  // these hold 95 % of a normal distribution
 /// What the boxes leave, as a part of the mean doubt, for a noise of 1, and how much faster it grows where
-/// the noise is not small against the threshold: chosen so that of six scenes, ten images and 16 to 64 rays,
-/// at thresholds of .05 to .2, as many intervals hold the value from 4,096 rays as they say.
-constexpr double kLeftByRoot = 0.25, kLeftNearNoise = 2;
+/// the noise is not small against the threshold, and where it is as large: chosen so that of six scenes, ten
+/// images and 16 to 64 rays, at thresholds of .05 to .2, as many intervals hold the value from 4,096 rays as
+/// they say.
+constexpr double kLeftByRoot = 0.25, kLeftNearNoise = 2, kLeftInNoise = 1;
 
 /// The mean error over an area. Noise cannot bring it below the threshold.
 std::optional<double> mean_of(const SharedError& sums, double threshold) {
@@ -46,7 +47,9 @@ std::optional<double> half_width(const MaskTotal& total, double valid, double th
     if (total.doubt <= 0) return 0.0;
     const double doubt = total.doubt / valid, noise = total.doubtful_noise / total.doubt;
     const double seeds = kVarianceOfDoubt * doubt / valid;
-    const double left = kLeftByRoot * doubt * std::sqrt(noise * (1 + kLeftNearNoise * noise / threshold));
+    const double part = noise / threshold;
+    const double grown = 1 + kLeftNearNoise * part + kLeftInNoise * part * part * part * part;
+    const double left = kLeftByRoot * doubt * std::sqrt(noise * grown);
     const double half = kDeviations * std::hypot(std::sqrt(seeds), left);
     return std::isfinite(half) ? std::optional(half) : std::nullopt;
 }
