@@ -4,6 +4,7 @@
 #include "experiment/experiment.h"
 #include "jobs/camera_contract.h"
 #include "results/baseline_scope.h"
+#include "verdict/baseline.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -109,6 +110,8 @@ ExitCode Outcome::conclude(const Results& results) {
     print_not_judged(not_judged);
     if (results.baseline) {
         log_info("Baseline: " + baseline_scope(results));
+        if (const std::string text = baseline_ ? other_truths(results, *baseline_) : ""; !text.empty())
+            log_warning(text);
         for (const ChangeRecord& change : results.baseline->changes)
             by_cell[change.cell_id].add(gates_.check(change));
     }

@@ -129,4 +129,14 @@ BaselineRecord against_baseline(const Results& now, const Results& before) {
     return record;
 }
 
+std::string other_truths(const Results& now, const Results& before) {
+    const bool other = std::ranges::any_of(now.views, [&](const ViewRecord& view) {
+        const ViewRecord* old = find_row(before.views, view.key, &ViewRecord::key);
+        return old != nullptr && old->integrator != view.integrator;
+    });
+    return other ? "The baseline's truths were made by another version of the ray tracer: what changed may "
+                   "be the truth or its stated noise, and not the method."
+                 : "";
+}
+
 }  // namespace aoscore

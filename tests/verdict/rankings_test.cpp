@@ -234,6 +234,14 @@ TEST(Baseline, AsksMoreOfOneChangeTheMoreAreHeldAgainstIt) {
     EXPECT_NEAR(among_twenty / alone, 3.02 / 1.96, 0.12);
 }
 
+TEST(Baseline, SaysThatAnotherRayTracerMadeItsTruths) {
+    const Results before = results_of({cell("v", "m", 0.2, 0.3)});
+    Results now = before;
+    EXPECT_EQ(other_truths(now, before), "");
+    now.views[0].integrator = "another";
+    EXPECT_NE(other_truths(now, before), "");
+}
+
 TEST(Baseline, DoesNotCompareWhatShowsSomethingElse) {
     const Results before = results_of({cell("v", "m", 0.2, 0.3)});
     Results now = before;
