@@ -3,6 +3,7 @@
 #include "core/folders.h"
 #include "core/log.h"
 #include "core/output.h"
+#include "core/rough_text.h"
 #include "store/artifact_store.h"
 #include "store/truth/truth_cache.h"
 
@@ -23,13 +24,6 @@ struct CacheOptions {
 
 std::string bytes_text(std::uint64_t bytes) {
     return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1 << 20));
-}
-
-std::string age_text(double seconds) {
-    if (seconds < 120) return fmt::format("{:.0f} s", seconds);
-    if (seconds < 7200) return fmt::format("{:.0f} min", seconds / 60);
-    if (seconds < 172800) return fmt::format("{:.0f} h", seconds / 3600);
-    return fmt::format("{:.0f} d", seconds / 86400);
 }
 
 std::string query_text(const TruthQuery& query) {
@@ -69,7 +63,7 @@ void print(const CacheEntry& entry) {
     if (settings.extras.bent_normals) extras += ", bent normals";
     print_result("{} {} {}x{}: {}{}; {}; {}; {} old; {}\n", entry.label.scene, entry.label.view,
                  entry.request.width, entry.request.height, fmt::join(queries, ", "), extras, effort,
-                 bytes_text(entry.bytes), age_text(entry.age_s), state_text(entry));
+                 bytes_text(entry.bytes), rough_duration(entry.age_s), state_text(entry));
 }
 
 ArtifactStore measurements() {

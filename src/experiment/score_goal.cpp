@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/log.h"
+#include "core/rough_text.h"
 #include "metrics/roles.h"
 #include "store/key.h"
 #include "store/truth/truth_cache.h"
@@ -123,8 +124,8 @@ void require_in_reach(const ScoreGoal& goal, double excess, int samples, double 
     if (samples * times <= kMostSamples && seconds * times <= kDay_s) return;
     const double most = std::min(double{kMostSamples} / samples, kDay_s / std::max(seconds, 1e-3));
     throw usage_error(
-        fmt::format("{}: a score error of {:g} takes {:.3g} rays a pixel and {:.3g} hours at least", view,
-                    goal.error, samples * times, seconds * times / 3600),
+        fmt::format("{}: a score error of {:g} takes {} rays a pixel and {} at least", view, goal.error,
+                    rough_number(samples * times), rough_duration(seconds * times)),
         "--score-error",
         fmt::format("{:.2g} or more on this view", goal.error * excess * std::pow(most, kSlope)));
 }

@@ -4,6 +4,7 @@
 #include "core/hash.h"
 #include "core/machine.h"
 #include "core/pace.h"
+#include "core/rough_text.h"
 #include "core/threads.h"
 
 #include <fmt/format.h>
@@ -59,11 +60,6 @@ bool is_known(const ViewJobs& jobs, const CellKeys& keys, const ArtifactStore& s
            known(keys.light) && known(keys.lit_file) && (!pictured || known(keys.image));
 }
 
-std::string duration_text(double seconds) {
-    if (seconds < 90) return fmt::format("{:.0f} s", std::max(seconds, 1.0));
-    return fmt::format("{:.0f} min", seconds / 60);
-}
-
 }  // namespace
 
 std::string WorkPlan::text() const {
@@ -73,12 +69,12 @@ std::string WorkPlan::text() const {
     if (to_do == 0 && views_known == views) return text + "all measured before";
     text += fmt::format("{} measured before, {} to do", cells_known, to_do);
     if (views_known < views) text += fmt::format(", {} to trace", views - views_known);
-    return text + (seconds ? ", about " + duration_text(*seconds) : std::string(", time not known yet"));
+    return text + (seconds ? ", about " + rough_duration(*seconds) : std::string(", time not known yet"));
 }
 
 std::string WorkPlan::rest_text() const {
     return fmt::format("{}, about {}", counted(views, "more view", "more views"),
-                       duration_text(seconds.value_or(0)));
+                       rough_duration(seconds.value_or(0)));
 }
 
 WorkPlan plan_work(std::span<const ViewRun> runs, const ArtifactStore& store) {

@@ -4,6 +4,7 @@
 #include "core/interrupt.h"
 #include "core/log.h"
 #include "core/progress.h"
+#include "core/rough_text.h"
 #include "core/threads.h"
 #include "reference/integrator/flush_denormals.h"
 #include "reference/integrator/mean_error_pilot.h"
@@ -87,10 +88,17 @@ struct TraceWork {
         if (asked.mean_error <= 0) return std::nullopt;
         const auto tell = [&](const EvenRays& rays) {
             if (what.empty()) return;
-            log_info(fmt::format("{}: a mean error of {:g} takes about {:.2g} rays a pixel and {:.2g} s", what,
-                                 asked.mean_error, static_cast<double>(rays.samples), rays.seconds));
+            log_info(fmt::format(
+                "{}: a mean error of {:g} takes roughly {} rays a pixel and {}; how many it "
+                "takes exactly is found first",
+                what, asked.mean_error, rough_number(rays.samples), rough_duration(rays.seconds)));
         };
-        return std::optional<MeanErrorPilot>(std::in_place, scene, frame, queries, asked, judge, tell);
+        std::optional<MeanErrorPilot> found(std::in_place, scene, frame, queries, asked, judge, tell);
+        if (!what.empty()) {
+            log_info(fmt::format("{}: a mean error of {:g} takes {} rays a pixel", what, asked.mean_error,
+                                 found->rays().samples));
+        }
+        return found;
     }
 
     /// A group of tiles, from what is there of them; adds the rays that it traced to `rays`.

@@ -223,7 +223,7 @@ TEST(TracingToAMeanError, SaysWhatIsOutOfReachBeforeItIsTraced) {
         FAIL() << "4,000,000 rays a pixel";
     } catch (const Error& e) {
         EXPECT_EQ(e.exit_code(), ExitCode::usage);
-        EXPECT_NE(std::string(e.what()).find("0.0001 takes about 4e+06 rays a pixel"), std::string::npos)
+        EXPECT_NE(std::string(e.what()).find("0.0001 takes about 4000000 rays a pixel"), std::string::npos)
             << e.what();
         EXPECT_NE(std::string(e.what()).find("valid: 0.00021 or more"), std::string::npos) << e.what();
     }

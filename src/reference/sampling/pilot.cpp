@@ -1,6 +1,7 @@
 #include "reference/sampling/pilot.h"
 
 #include "core/error.h"
+#include "core/rough_text.h"
 #include "reference/truth.h"
 
 #include <fmt/format.h>
@@ -163,16 +164,14 @@ class Search {
         return std::min(static_cast<std::size_t>(std::ceil(count)), most);
     }
 
-    double seconds_of(double samples) const {
-        return seconds_per_ray_ * samples * static_cast<double>(all_);
-    }
+    double seconds_of(double samples) const { return seconds_per_ray_ * samples * static_cast<double>(all_); }
 
     void require_in_reach() const {
         const double rays = wanted(), seconds = seconds_of(rays);
         if (rays <= kMostSamples && seconds <= kDay_s) return;
         const double most = std::min<double>(kMostSamples, rays * kDay_s / seconds);
-        throw usage_error(fmt::format("a mean error of {:g} takes about {:.2g} rays a pixel and {:.2g} hours",
-                                      mean_error_, rays, seconds / 3600),
+        throw usage_error(fmt::format("a mean error of {:g} takes about {} rays a pixel and {}", mean_error_,
+                                      rough_number(rays), rough_duration(seconds)),
                           "mean error",
                           fmt::format("{:.2g} or more on this view",
                                       kRoughly * mean_error_ * std::pow(rays / most, power_)));
