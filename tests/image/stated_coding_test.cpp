@@ -153,6 +153,16 @@ TEST(StatedScale, OfAPfmIsAppliedAndSaid) {
     EXPECT_THAT(scaled.warnings, ElementsAre(HasSubstr("scale is 2, by which its values are multiplied")));
 }
 
+TEST(StatedScale, OfNothingOrNoNumberInAPfmIsRefused) {
+    const auto path = output_dir() / "image.pfm";
+    for (const std::string scale : {"0", "-0.0", "0.000", "nan", "inf"}) {
+        testing::write_bytes(path, "Pf\n1 1\n" + scale + "\n" + std::string("\0\0\0\x3f", 4));
+        EXPECT_THAT(file_error_of([&] { read_visibility(path, kLinear); }),
+                    AllOf(HasSubstr("image.pfm"), HasSubstr("scale")))
+            << scale;
+    }
+}
+
 TEST(StatedCoding, IsNamedWhereNoOptionSaysWhich) {
     const auto path = png_with({kLinearGamma});
     try {
@@ -186,6 +196,15 @@ TEST(StatedExposure, OfAColourCorrectionIsTakenOffByChannel) {
     ASSERT_EQ(file.channels.size(), 3U);
     for (const auto& [channel, original] : {std::pair{0, 0.25}, std::pair{1, 0.125}, std::pair{2, 0.03125}})
         EXPECT_NEAR(file.channels[static_cast<std::size_t>(channel)].at(0, 0), original, kHalfStep);
+}
+
+TEST(StatedExposure, OfNothingIsRefusedByItsLine) {
+    for (const std::string line : {"EXPOSURE=0", "EXPOSURE=-1", "EXPOSURE=inf", "EXPOSURE=", "EXPOSURE=1 2",
+                                   "COLORCORR=1 0 1", "COLORCORR=2"}) {
+        const auto path = radiance_with("EXPOSURE=2\n" + line + "\nFORMAT=32-bit_rle_rgbe\n");
+        EXPECT_THAT(file_error_of([&] { read_visibility(path, kLinear); }),
+                    HasSubstr("its header says " + line + ","));
+    }
 }
 
 TEST(StatedExposure, OfAGammaIsAWarning) {
