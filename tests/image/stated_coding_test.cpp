@@ -54,9 +54,9 @@ std::filesystem::path png_with(const std::vector<Chunk>& chunks) {
     return path;
 }
 
-/// Code points of H.273: primaries of BT.2020, a transfer characteristic, no matrix, full range.
-Chunk code_points(char transfer) {
-    return {"cICP", std::string{'\x9', transfer, '\0', '\1'}};
+/// Code points of H.273: primaries of BT.2020, a transfer characteristic, no matrix, and the range.
+Chunk code_points(char transfer, bool full_range = true) {
+    return {"cICP", std::string{'\x9', transfer, '\0', full_range ? '\1' : '\0'}};
 }
 
 const Chunk kSrgbChunk{"sRGB", std::string(1, '\0')}, kLinearGamma{"gAMA", big_endian(100000)},
@@ -94,6 +94,7 @@ TEST(StatedCoding, OfCodePointsIsHeldAboveAllElseAndNoOptionReadsPqAndHlg) {
                  {13, "chunk cICP says that its values are sRGB-coded", ""},
                  {16, "coded by PQ", "coded by PQ"},
                  {18, "coded by HLG", "coded by HLG"},
+                 {1, "the curve of video", "the curve of video"},
                  {2, "", ""}};
     for (const auto& [transfer, against_linear, against_srgb] : cases) {
         for (const Chunk& other : {kLinearGamma, kSrgbChunk}) {
@@ -108,6 +109,24 @@ TEST(StatedCoding, OfCodePointsIsHeldAboveAllElseAndNoOptionReadsPqAndHlg) {
                 }
             }
         }
+    }
+}
+
+TEST(StatedCoding, OfALimitedRangeIsAWarningWhateverTheCurveAndTheOption) {
+    for (const char transfer : {1, 8, 13, 16}) {
+        const auto path = png_with({code_points(transfer, false)});
+        for (const auto& reading : {kLinear, kSrgb})
+            EXPECT_THAT(read_visibility(path, reading).warnings, ElementsAre(HasSubstr("of limited range")));
+    }
+}
+
+TEST(StatedCoding, OfAChunkOfAWrongSizeCountsAsNone) {
+    for (const std::size_t size : {0, 2, 3, 5, 100}) {
+        const Chunk malformed{"cICP", std::string(size, '\x10')};
+        EXPECT_THAT(read_visibility(png_with({malformed}), kLinear).warnings, IsEmpty()) << size;
+        EXPECT_THAT(read_visibility(png_with({malformed, kSrgbChunk}), kLinear).warnings,
+                    ElementsAre(HasSubstr("chunk sRGB")))
+            << size;
     }
 }
 
