@@ -2,6 +2,8 @@
 
 #include "core/known_names.h"
 
+#include <algorithm>
+
 namespace aoscore {
 namespace {
 
@@ -49,6 +51,12 @@ std::string unknown_option(const CLI::App& program, const CLI::App* command, con
                              names);
 }
 
+/// Leaves out the first -- behind `plan`: the command that is divided begins there with or without it.
+void leave_out_mark_of_command(std::vector<std::string>& words) {
+    const auto plan = std::ranges::find(words, "plan");
+    if (const auto mark = std::find(plan, words.end(), "--"); mark != words.end()) words.erase(mark);
+}
+
 }  // namespace
 
 std::vector<std::string> arguments(int argc, char** argv) {
@@ -58,6 +66,7 @@ std::vector<std::string> arguments(int argc, char** argv) {
         if (words.size() > 1) words.resize(1);
         words.emplace_back("--help");
     }
+    leave_out_mark_of_command(words);
     std::vector<std::string> result;
     bool setting = false;
     for (const std::string& word : words) {

@@ -7,8 +7,9 @@
 
 namespace aoscore {
 
-/// The words behind the program's name, prepared for the parser: `help score` becomes `score --help`, and
-/// every assignment behind --set gets a --set of its own, so that the scene may follow them.
+/// The words behind the program's name, prepared for the parser: `help score` becomes `score --help`,
+/// every assignment behind --set gets a --set of its own, so that the scene may follow them, and the -- with
+/// which some introduce the command of `plan` is left out.
 std::vector<std::string> arguments(int argc, char** argv);
 
 /// Says why words could not be parsed: names the first unknown command or option, and the one that was

@@ -186,7 +186,8 @@ CommandEntry add_compare_command(CLI::App& program, const GlobalOptions& global)
     app->add_option("--mask-channel", request.mask_channel, "Of the mask [mask.Y, or the only one]");
     app->add_option("--mask-threshold", request.mask_threshold,
                     "An error beyond this, in visibility, is missing or false occlusion; of a truth with a "
-                    "standard error, the share of pixels that its noise adds is taken off")
+                    "standard error, the share of pixels that its noise adds is taken off. "
+                    "Beyond 0 is every difference, by noise too")
         ->check(number_in(0.0, 1.0))
         ->capture_default_str();
     app->add_option("--json", options->json,

@@ -10,6 +10,8 @@
 namespace aoscore {
 namespace {
 
+constexpr const char* kExample = "plan --parts 8 --out plan.json score atrium --samples 64";
+
 struct PlanOptions {
     std::size_t parts = 0;
     std::filesystem::path out;
@@ -23,7 +25,7 @@ struct WorkOptions {
 ExitCode plan(const PlanOptions& options, const std::vector<std::string>& command) {
     if (command.empty())
         throw usage_error("the command to divide is missing", "plan",
-                          "for example: plan --parts 8 --out plan.json score atrium --samples 64");
+                          fmt::format("for example: {}", kExample));
     return run_division(command, options.out, options.parts);
 }
 
@@ -44,6 +46,10 @@ CommandEntry add_plan_command(CLI::App& program, const GlobalOptions&) {
     CLI::App* app = program.add_subcommand(
         "plan",
         "Divide the work of a command, which follows the options, into parts for many processes or machines");
+    app->footer(
+        fmt::format("Example: aoscore {}\nThen, in as many processes: aoscore work plan.json --part 1 "
+                    "(to 8), and at last the command itself.",
+                    kExample));
     const auto options = std::make_shared<PlanOptions>();
     app->add_option("--parts", options->parts,
                     "How many, of even estimated cost; fewer where there is less to do")

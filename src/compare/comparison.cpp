@@ -127,6 +127,14 @@ std::vector<std::string> warnings_of(const Pair& pair, const ComparisonRequest& 
     return warnings;
 }
 
+/// Warns of a threshold of 0, see mask_totals().
+void add_noise_in_areas(const MetricInput& input, double threshold, std::vector<std::string>& warnings) {
+    if (threshold > 0 || input.standard_error == nullptr) return;
+    warnings.push_back(
+        "beyond a --mask-threshold of 0 every difference counts, also one by the truth's noise: how sure the "
+        "areas of missing and false occlusion are is not known");
+}
+
 nlohmann::json json_of(const MeasuredMetric& metric) {
     nlohmann::json object = {{"value", metric.value ? nlohmann::json(*metric.value) : nlohmann::json()}};
     if (!metric.note.empty()) object["note"] = metric.note;
@@ -158,6 +166,7 @@ Comparison compare_images(const ComparisonRequest& request) {
     result.metrics = evaluate(input);
     if (input.standard_error != nullptr) result.noise = noise_floor(*input.standard_error, result.valid);
     result.analysis = analyse(input, {}, request.mask_threshold, request.seed);
+    add_noise_in_areas(input, request.mask_threshold, result.warnings);
     return result;
 }
 

@@ -163,6 +163,7 @@ ImageFile read_all_parts(OIIO::ImageInput& input, const fs::path& path) {
             file.height = part.frame_height;
             file.integers = !spec.format.is_floating_point();
             file.attributes = attributes_of(spec, exr);
+            refuse_factors_of_none(input, path);
             file.doubts = doubts_of(input, spec, path);
         }
         read_part(input, subimage, part, name, where, file);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <string_view>
 
@@ -21,15 +22,18 @@ constexpr std::array<std::string_view, 5> kNoBrightness = {"Printing density", "
                                                            "Z depth linear", "Z depth homogeneous"};
 constexpr std::array<std::string_view, 4> kNoCurve = {"", "User defined", "Linear", "Undefined"};
 
-/// The third word of a PFM: its sign is the byte order, its magnitude the scale. 1 where it is no number.
+/// The third word of a PFM: its sign is the byte order, its magnitude the scale. 1 where the header ends
+/// before it.
 float pfm_scale(const std::filesystem::path& path) {
     std::ifstream in(path, std::ios::binary);
     std::string kind;
     int width = 0, height = 0;
-    float scale = 1;
-    in >> kind >> width >> height >> scale;
+    std::string word;
+    in >> kind >> width >> height >> word;
     const bool pfm = kind == "PF" || kind == "Pf";
-    return in && pfm ? std::abs(scale) : 1;
+    if (!in || !pfm) return 1;
+    // Streams do not read nan and inf, which the library multiplies by.
+    return std::abs(std::strtof(word.c_str(), nullptr));
 }
 
 }  // namespace
@@ -41,6 +45,21 @@ void refuse_film(const OIIO::ImageSpec& spec, const std::string& where) {
     throw file_error(fmt::format("holds values that are not linear: its header says {}",
                                  transfer.empty() ? "film density" : transfer),
                      where, "a linear export, such as EXR");
+}
+
+void refuse_factors_of_none(const OIIO::ImageInput& input, const std::filesystem::path& path) {
+    const std::string_view format = input.format_name();
+    if (format == "pnm") {
+        const float scale = pfm_scale(path);
+        if (!(scale > 0) || std::isinf(scale))
+            throw file_error("its header's scale, by which its values are multiplied, is 0 or no number",
+                             path.string(), "-1, or 1 where the bytes are big-endian");
+    }
+    if (format != "hdr") return;
+    if (const RadianceHeader header = read_radiance_header(path); !header.wrong_factor.empty())
+        throw file_error(
+            fmt::format("its header says {}, by which its values were multiplied", header.wrong_factor),
+            path.string(), "an EXPOSURE of one number above 0, a COLORCORR of three");
 }
 
 std::vector<std::string> doubts_of(const OIIO::ImageInput& input, const OIIO::ImageSpec& spec,

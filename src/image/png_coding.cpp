@@ -51,13 +51,16 @@ struct Curve {
     const char* name;
 };
 constexpr Curve kLinear{Coding::linear, "linear"}, kSrgb{Coding::srgb, "sRGB-coded"}, kPq{{}, "coded by PQ"},
-    kHlg{{}, "coded by HLG"};
+    kHlg{{}, "coded by HLG"}, kVideo{{}, "coded by the curve of video, BT.709"},
+    kLimited{{}, "of limited range"};
 
-/// The curves of code points of transfer characteristics (ITU-T, Recommendation H.273, table 3).
+/// The curves of code points of transfer characteristics (ITU-T, Recommendation H.273, table 3). Limited
+/// range, in which black and white are not the least and the greatest integer, goes before every curve.
 std::optional<Curve> curve_of_code_points(const std::string& chunk) {
-    static const std::map<int, Curve> kCurves = {{8, kLinear}, {13, kSrgb}, {16, kPq}, {18, kHlg}};
-    constexpr std::size_t kTransfer = 1;
-    if (chunk.size() <= kTransfer) return std::nullopt;
+    static const std::map<int, Curve> kCurves = {
+        {1, kVideo}, {8, kLinear}, {13, kSrgb}, {16, kPq}, {18, kHlg}};
+    constexpr std::size_t kTransfer = 1, kFullRange = 3;
+    if (chunk[kFullRange] == 0) return kLimited;
     const auto found = kCurves.find(static_cast<unsigned char>(chunk[kTransfer]));
     return found == kCurves.end() ? std::nullopt : std::optional(found->second);
 }
@@ -90,14 +93,16 @@ std::optional<StatedCoding> coding_stated_by_png(const std::filesystem::path& pa
     struct Statement {
         const char* chunk;
         std::optional<Curve> (*curve)(const std::string&);
+        std::size_t size;  ///< in bytes, without which the chunk counts as none; 0: any
     };
-    static constexpr Statement kByRank[] = {{"cICP", curve_of_code_points},
-                                            {"iCCP", curve_of_profile},
-                                            {"sRGB", curve_of_srgb},
-                                            {"gAMA", curve_of_gamma}};
+    static constexpr Statement kByRank[] = {{"cICP", curve_of_code_points, 4},
+                                            {"iCCP", curve_of_profile, 0},
+                                            {"sRGB", curve_of_srgb, 1},
+                                            {"gAMA", curve_of_gamma, 4}};
     for (const Statement& statement : kByRank) {
         const auto found = chunks.find(statement.chunk);
         if (found == chunks.end()) continue;
+        if (statement.size != 0 && found->second.size() != statement.size) continue;
         const std::optional<Curve> curve = statement.curve(found->second);
         if (!curve) return std::nullopt;
         return StatedCoding{curve->coding, curve->name, std::string("chunk ") + statement.chunk};

@@ -16,8 +16,9 @@ struct StatedCoding {
 };
 
 /// What the chunks of a PNG say: cICP, else an iCCP profile by its name, else sRGB, else gAMA, as decoders
-/// are to rank them (W3C, Portable Network Graphics Specification, third edition, 2025). Nothing for files of
-/// other formats, and where they say nothing or a curve that is not known here.
+/// are to rank them (W3C, Portable Network Graphics Specification, third edition, 2025), without chunks of a
+/// wrong size. Nothing for files of other formats, and where they say nothing or a curve that is not known
+/// here.
 std::optional<StatedCoding> coding_stated_by_png(const std::filesystem::path& path);
 
 }  // namespace aoscore

@@ -83,6 +83,8 @@ VisibilityChannel only_picture(const std::vector<Layer>& layers, const ImageFile
 VisibilityChannel found(const ImageFile& file, const std::string& where) {
     if (const auto y = file.index("Y"); y && file.channel("V0.Y") != nullptr)
         return {*y, "the truth at its first radius", ""};
+    if (const auto y = file.index("Y"); y && file.channel("raw.Y") != nullptr)
+        return {*y, "the method's output, behind its filter", ""};
     const std::vector<Layer> layers = layers_of(file);
     const std::vector<const Layer*> occlusion = with_meaning(layers, ChannelMeaning::occlusion);
     if (occlusion.size() > 1) {

@@ -13,7 +13,16 @@ namespace aoscore {
 namespace {
 
 std::string description_key(const std::string& job) {
-    return Digest().text("job").text(job).hex();
+    return Digest().text("job by name").text(job).hex();
+}
+
+std::string name_of(const Job& job) {
+    return fmt::format("{} of {}", id_of(job.kind), job.about);
+}
+
+/// What the store keeps of a job beside its artifact: "command", of PlannedCommand::json(), and "name".
+std::optional<nlohmann::json> description_of(const std::string& key, const ArtifactStore& store) {
+    return store.find(description_key(key));
 }
 
 nlohmann::json hex_of(const std::vector<Key>& keys) {
@@ -61,18 +70,17 @@ void JobListing::add(const JobGraph& graph, const std::function<double(const Job
              {"known", has_entry(job.kind) ? nlohmann::json(store_.has(job.key.hex)) : nlohmann::json()},
              {"unit", fmt::format("{}: {}", number, job.in_turns ? "times" : job.about)},
              {"cost_s", cost_s(job)}});
-        store_.put(description_key(job.key.hex), command_);
+        store_.put(description_key(job.key.hex), {{"command", command_}, {"name", name_of(job)}});
     }
 }
 
 PlannedCommand command_of_job(const std::string& key, const std::filesystem::path& cache) {
-    const std::optional<nlohmann::json> found =
-        ArtifactStore(ArtifactStore::folder_in(cache)).find(description_key(key));
+    const auto found = description_of(key, ArtifactStore(ArtifactStore::folder_in(cache)));
     if (!found) {
         throw usage_error("no command has listed this job", key,
                           "a key that --jobs has printed, with the same cache");
     }
-    return PlannedCommand::of_json(*found, "the job " + key);
+    return PlannedCommand::of_json(found->at("command"), "the job " + key);
 }
 
 ChosenJobs::ChosenJobs(const std::vector<std::string>& keys, const ArtifactStore& store)
@@ -107,21 +115,28 @@ void ChosenJobs::make(const JobGraph& graph, Maker& maker) {
         left_.erase(key.hex);
         if (done.has_failed(key)) {
             ++failed_;
-            log_warning(fmt::format("{} of {} failed: {}", id_of(job.kind), job.about, done.failed.at(key)));
+            log_warning(fmt::format("{} failed: {}", name_of(job), done.failed.at(key)));
             continue;
         }
         if (std::ranges::find(done.left_out, key) != done.left_out.end()) continue;
         const bool was_there = std::ranges::find(done.taken, key) != done.taken.end();
-        log_info(fmt::format("{} of {}: {}", id_of(job.kind), job.about, was_there ? "was there" : "made"));
+        log_info(fmt::format("{}: {}", name_of(job), was_there ? "was there" : "made"));
     }
 }
 
 std::size_t ChosenJobs::failed() const {
-    if (!left_.empty())
-        throw usage_error(
-            "the command has no such job: another build listed it, or a file that it reads has changed since",
-            *left_.begin(),
-            "a key that --jobs prints for it now; where a plan names it, make the plan again");
+    if (!left_.empty()) {
+        const std::string& key = *left_.begin();
+        const auto listed = description_of(key, store_);
+        if (!listed)
+            throw usage_error("the command has no such job, and this cache has none of this key", key,
+                              "a key that --jobs prints for it, or a plan's with the cache of the plan");
+        throw file_error(
+            "is no job of the command any more: another build listed it, or a file that it reads "
+            "has changed since",
+            fmt::format("{} ({})", listed->at("name").get<std::string>(), key),
+            "a key that --jobs prints now; where a plan names it, make the plan again");
+    }
     if (store_.lost_some())
         throw file_error("does not keep all that was made, and nothing else was to be done",
                          store_.folder().string(), "a cache that can be written");

@@ -18,8 +18,8 @@ namespace aoscore {
 /// "known", "unit", "cost_s"}]}, each once. A job is "asked" for where the results hold its artifact, and
 /// "known" where the store has that. Jobs of one "unit" are best made by one process: they share what they
 /// need, or meet the same disturbances. "cost_s" is the estimate. `arguments` are the command line's; the
-/// command is kept in the store under every job, so that any process that shares it can make the job from its
-/// key alone.
+/// command is kept in the store under every job, with the job's name, so that any process that shares it can
+/// make the job from its key alone.
 class JobListing {
   public:
     /// `store` must outlive it.
@@ -54,8 +54,8 @@ class ChosenJobs {
     /// cannot be written, since the artifacts are all that is asked for.
     void make(const JobGraph& graph, Maker& maker);
 
-    /// How many failed. Throws usage_error for a key that no graph had, file_error where the store has lost
-    /// what was made.
+    /// How many failed. Throws file_error for a key that the command had when it was listed and has no more,
+    /// usage_error for one that nobody listed, file_error where the store has lost what was made.
     std::size_t failed() const;
 
   private:

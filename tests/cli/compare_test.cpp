@@ -58,6 +58,20 @@ TEST_F(Compare, IdenticalImagesHaveNoErrorAndAPsnrOfNullWithANote) {
     }
 }
 
+TEST_F(Compare, AThresholdOf0IsOfAllDifferencesAndSaysSoWhereTheTruthHasNoise) {
+    ImageF noisy = ramp(), error(kSide, kSide, 0.05F);
+    for (std::size_t i = 0; i < noisy.size(); ++i) noisy.pixels[i] += i % 2 == 0 ? 0.05F : -0.05F;
+    write(folder_ / "exact.exr", ramp());
+    write_exr(folder_ / "noisy.exr", std::vector<ChannelView>{{"Y", &noisy}, {"SE.Y", &error}}, {});
+    const auto warned = [](const json& result) { return result["warnings"].dump(); };
+    const json at_0 = compare("noisy.exr exact.exr --mask-threshold 0", 0);
+    EXPECT_THAT(warned(at_0), ::testing::HasSubstr("every difference counts, also one by the truth's noise"));
+    EXPECT_NEAR(at_0["masks"]["missing_area"].get<double>() + at_0["masks"]["false_area"].get<double>(), 1,
+                1e-9);
+    for (const char* arguments : {"noisy.exr exact.exr", "exact.exr noisy.exr --mask-threshold 0"})
+        EXPECT_THAT(warned(compare(arguments, 0)), ::testing::Not(::testing::HasSubstr("every difference")));
+}
+
 TEST_F(Compare, BiasIsTestMinusTruthSoSwappingTurnsItsSign) {
     ImageF brighter = ramp();
     for (float& value : brighter.pixels) value += 0.125f;

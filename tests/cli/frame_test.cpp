@@ -287,6 +287,52 @@ TEST_F(Frame, WhoseNormalsPointTheOtherWayIsToldTheSignsByWhichTheyFit) {
     }
 }
 
+// Names alone do not say that this program wrote the file, and turned its normals.
+TEST_F(Frame, OfPlainNamesHasItsNormalsReadAsTheCameraFileSaysAndHeldToTheDepth) {
+    const Results expected = scored("--gbuffer gbuffer.exr --truth truth.exr");
+    EXPECT_TRUE(expected.views[0].warnings.empty());
+    const std::vector<double> matrix = camera.at("world_to_camera");
+    std::vector<std::pair<std::string, ImageF>> negated{{"Z", plane("Z")}}, in_world = negated;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::string name = std::string("N.") + "XYZ"[axis];
+        const float sign = axis == 1 ? -1.0F : 1.0F;
+        negated.emplace_back(name, changed(plane(name), [&](float n, std::size_t) { return sign * n; }));
+        in_world.emplace_back(name, changed(plane(name), [&](float, std::size_t i) {
+                                  double sum = 0;  // the transpose turns back from the camera's space
+                                  for (std::size_t row = 0; row < 3; ++row)
+                                      sum += matrix[4 * row + axis] *
+                                             double{plane(std::string("N.") + "XYZ"[row]).pixels[i]};
+                                  return static_cast<float>(sum);
+                              }));
+    }
+    write("negated.exr", negated);
+    write("world.exr", in_world);
+    const auto with_camera = [&](const std::string& file, const nlohmann::json& keys) {
+        write_atomically(folder / "camera.json", camera_json(keys).dump());
+        return scored("--gbuffer " + file + " --layout aoscore --camera camera.json --truth truth.exr");
+    };
+    EXPECT_THAT(with_camera("negated.exr", nlohmann::json::object()).views[0].warnings,
+                ::testing::Contains(HasSubstr(R"("normal_signs": [1, -1, 1])")));
+    const Results signs = with_camera("negated.exr", {{"normal_signs", {1, -1, 1}}});
+    EXPECT_THAT(signs.views[0].warnings, ::testing::IsEmpty());
+    EXPECT_THAT(signs.views[0].view_note, HasSubstr("layout aoscore"));
+    expect_same_scores(signs, expected, 2e-3);
+    const Results misread = with_camera("world.exr", {{"normals", "view"}});
+    EXPECT_GT(std::abs(*cell_of(misread, "gtao").ranked.at("rmse").value -
+                       *cell_of(expected, "gtao").ranked.at("rmse").value),
+              0.01);
+    std::vector<ChannelView> views;  // as programs leave them that keep the header
+    for (const auto& [name, image] : negated) views.push_back({name, &image});
+    write_exr(folder / "edited.exr", views, frame.attributes);
+    EXPECT_THAT(scored("--gbuffer edited.exr --truth truth.exr").views[0].warnings,
+                ::testing::Contains(HasSubstr(R"("normal_signs": [1, -1, 1])")));
+    const Results world = with_camera("world.exr", {{"normals", "world"}});
+    EXPECT_THAT(world.views[0].warnings, ::testing::IsEmpty());
+    expect_same_scores(world, expected, 2e-3);
+    EXPECT_THAT(with_camera("gbuffer.exr", {{"normal_signs", {1, -1, 1}}}).views[0].warnings,
+                ::testing::Contains(HasSubstr("fit the depth in")));
+}
+
 TEST_F(Frame, OfAnotherCodingOfNormalsOrAMirroringCameraIsRefused) {
     std::vector<std::pair<std::string, ImageF>> channels{{"Depth.Z", plane("Z")}};
     const auto octahedral = [&](const std::string& axis) {

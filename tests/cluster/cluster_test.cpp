@@ -93,7 +93,7 @@ TEST(Plan, RefusesWhatPartsCannotDecideAndPlansOfAnotherVersion) {
     write_atomically(folder / "other.json", other);
     const auto changed = run_aoscore("work other.json --part 1", folder);
     EXPECT_EQ(changed.exit_code, 64);
-    EXPECT_THAT(changed.err, ::testing::AllOf(HasSubstr("0123"), HasSubstr("make the plan again")));
+    EXPECT_THAT(changed.err, ::testing::AllOf(HasSubstr("0123"), HasSubstr("the cache of the plan")));
 }
 
 TEST(Plan, FailsWhereItsPartsAreNotKept) {
@@ -150,10 +150,22 @@ TEST(Plan, NamesTheFileThatHasChangedSince) {
     ASSERT_EQ(run_aoscore("plan --parts 1 --out plan.json " + kScoreOfFile, folder).exit_code, 0);
     write_atomically(folder / "corner.obj", std::string(kCorner) + "v 1 1 1\nf 1 2 7\n");
     const auto work = run_aoscore("work plan.json --part 1", folder);
-    EXPECT_EQ(work.exit_code, 64) << work.err;
-    EXPECT_THAT(work.err, ::testing::AllOf(HasSubstr("corner.obj has changed since the jobs were listed"),
-                                           HasSubstr("make the plan again")));
+    EXPECT_EQ(work.exit_code, 4) << work.err;
+    EXPECT_THAT(work.err,
+                ::testing::AllOf(HasSubstr("corner.obj has changed since the jobs were listed"),
+                                 ::testing::ContainsRegex("[a-z_]+ of corner/.* \\([0-9a-f]{32}\\)"),
+                                 HasSubstr("make the plan again")));
     EXPECT_THAT(work.err, ::testing::Not(HasSubstr("KEY")));
+}
+
+TEST(Plan, IsTheSameWithAMarkBeforeTheCommandAndItsHelpShowsOne) {
+    const fs::path folder = output_dir();
+    ASSERT_EQ(run_aoscore("plan --parts 2 --out plain.json " + kScore, folder).exit_code, 0);
+    const auto marked = run_aoscore("plan --parts 2 --out marked.json -- " + kScore, folder);
+    ASSERT_EQ(marked.exit_code, 0) << marked.err;
+    EXPECT_EQ(read_file(folder / "marked.json"), read_file(folder / "plain.json"));
+    EXPECT_THAT(run_aoscore("plan --help", folder).out,
+                HasSubstr("aoscore plan --parts 8 --out plan.json score atrium"));
 }
 
 TEST(Plan, LeavesNoOptionOfAPartUnheeded) {

@@ -54,9 +54,9 @@ std::filesystem::path png_with(const std::vector<Chunk>& chunks) {
     return path;
 }
 
-/// Code points of H.273: primaries of BT.2020, a transfer characteristic, no matrix, full range.
-Chunk code_points(char transfer) {
-    return {"cICP", std::string{'\x9', transfer, '\0', '\1'}};
+/// Code points of H.273: primaries of BT.2020, a transfer characteristic, no matrix, and the range.
+Chunk code_points(char transfer, bool full_range = true) {
+    return {"cICP", std::string{'\x9', transfer, '\0', full_range ? '\1' : '\0'}};
 }
 
 const Chunk kSrgbChunk{"sRGB", std::string(1, '\0')}, kLinearGamma{"gAMA", big_endian(100000)},
@@ -94,6 +94,7 @@ TEST(StatedCoding, OfCodePointsIsHeldAboveAllElseAndNoOptionReadsPqAndHlg) {
                  {13, "chunk cICP says that its values are sRGB-coded", ""},
                  {16, "coded by PQ", "coded by PQ"},
                  {18, "coded by HLG", "coded by HLG"},
+                 {1, "the curve of video", "the curve of video"},
                  {2, "", ""}};
     for (const auto& [transfer, against_linear, against_srgb] : cases) {
         for (const Chunk& other : {kLinearGamma, kSrgbChunk}) {
@@ -108,6 +109,24 @@ TEST(StatedCoding, OfCodePointsIsHeldAboveAllElseAndNoOptionReadsPqAndHlg) {
                 }
             }
         }
+    }
+}
+
+TEST(StatedCoding, OfALimitedRangeIsAWarningWhateverTheCurveAndTheOption) {
+    for (const char transfer : {1, 8, 13, 16}) {
+        const auto path = png_with({code_points(transfer, false)});
+        for (const auto& reading : {kLinear, kSrgb})
+            EXPECT_THAT(read_visibility(path, reading).warnings, ElementsAre(HasSubstr("of limited range")));
+    }
+}
+
+TEST(StatedCoding, OfAChunkOfAWrongSizeCountsAsNone) {
+    for (const std::size_t size : {0, 2, 3, 5, 100}) {
+        const Chunk malformed{"cICP", std::string(size, '\x10')};
+        EXPECT_THAT(read_visibility(png_with({malformed}), kLinear).warnings, IsEmpty()) << size;
+        EXPECT_THAT(read_visibility(png_with({malformed, kSrgbChunk}), kLinear).warnings,
+                    ElementsAre(HasSubstr("chunk sRGB")))
+            << size;
     }
 }
 
@@ -153,6 +172,16 @@ TEST(StatedScale, OfAPfmIsAppliedAndSaid) {
     EXPECT_THAT(scaled.warnings, ElementsAre(HasSubstr("scale is 2, by which its values are multiplied")));
 }
 
+TEST(StatedScale, OfNothingOrNoNumberInAPfmIsRefused) {
+    const auto path = output_dir() / "image.pfm";
+    for (const std::string scale : {"0", "-0.0", "0.000", "nan", "inf"}) {
+        testing::write_bytes(path, "Pf\n1 1\n" + scale + "\n" + std::string("\0\0\0\x3f", 4));
+        EXPECT_THAT(file_error_of([&] { read_visibility(path, kLinear); }),
+                    AllOf(HasSubstr("image.pfm"), HasSubstr("scale")))
+            << scale;
+    }
+}
+
 TEST(StatedCoding, IsNamedWhereNoOptionSaysWhich) {
     const auto path = png_with({kLinearGamma});
     try {
@@ -186,6 +215,15 @@ TEST(StatedExposure, OfAColourCorrectionIsTakenOffByChannel) {
     ASSERT_EQ(file.channels.size(), 3U);
     for (const auto& [channel, original] : {std::pair{0, 0.25}, std::pair{1, 0.125}, std::pair{2, 0.03125}})
         EXPECT_NEAR(file.channels[static_cast<std::size_t>(channel)].at(0, 0), original, kHalfStep);
+}
+
+TEST(StatedExposure, OfNothingIsRefusedByItsLine) {
+    for (const std::string line : {"EXPOSURE=0", "EXPOSURE=-1", "EXPOSURE=inf", "EXPOSURE=", "EXPOSURE=1 2",
+                                   "COLORCORR=1 0 1", "COLORCORR=2"}) {
+        const auto path = radiance_with("EXPOSURE=2\n" + line + "\nFORMAT=32-bit_rle_rgbe\n");
+        EXPECT_THAT(file_error_of([&] { read_visibility(path, kLinear); }),
+                    HasSubstr("its header says " + line + ","));
+    }
 }
 
 TEST(StatedExposure, OfAGammaIsAWarning) {

@@ -50,6 +50,17 @@ TEST(VisibilityFile, PrefersYAndReadsItsMaskAndStandardError) {
     EXPECT_EQ(file.mask.at(3, 4) + file.mask.at(5, 6), 0);
 }
 
+TEST(VisibilityFile, OfAFilteredMethodIsItsOutputAndSaysSo) {
+    const VisibilityFile file = visibility_of({{"Y", &kFirst}, {"raw.Y", &kSecond}});
+    EXPECT_EQ(file.channel, "Y");
+    EXPECT_THAT(file.why, HasSubstr("behind its filter"));
+    EXPECT_TRUE(same_bits(file.visibility, kFirst));
+    EXPECT_THAT(testing::file_error_of([] {
+                    visibility_of({{"first.Y", &kFirst}, {"raw.Y", &kSecond}});
+                }),
+                HasSubstr("more than one channel"));
+}
+
 TEST(VisibilityFile, WithoutMaskAllPixelsCountAndNoStandardErrorIsKnown) {
     const VisibilityFile file = visibility_of({{"Y", &kFirst}});
     EXPECT_EQ(std::count(file.mask.pixels.begin(), file.mask.pixels.end(), 1), 200);

@@ -28,12 +28,15 @@ class NormalReader {
         if (camera.world_normals.value_or(layout.world_normals)) rotation_ = camera.view_from_world;
         signs_ = camera.normal_signs;
         needs_rotation_ = camera.world_normals.value_or(layout.world_normals);
+        as_written_ = layout.turned && file.attributes.contains(std::string(layout.attribute)) &&
+                      !needs_rotation_ && signs_ == glm::dvec3(1);
     }
 
     struct Read {
         Image<glm::vec3> normals;
         std::string channel;
         double fitting = 0;        ///< share of surface pixels whose normals fit the depth
+        bool doubtful = false;     ///< whether too few fit, or other signs fit better
         std::size_t replaced = 0;  ///< surface pixels without a normal, which have the depth's
         std::string better;        ///< other signs by which they would fit, in words; empty without such
     };
@@ -51,13 +54,16 @@ class NormalReader {
                              R"(world_to_camera in the camera file, or "normals": "view")");
         refuse_two_components(*channels);
         Read result = with_signs(*channels, signs_);
-        if (!layout_.turned) add_better_signs(*channels, result);
+        add_better_signs(*channels, result);
+        // Own normals of hair, finer than a pixel, fit the depth in a seventh of the pixels.
+        const bool few_fit = !as_written_ && result.fitting < kLeastFit;
+        result.doubtful = few_fit || !result.better.empty();
         return result;
     }
 
   private:
     Read with_signs(const std::vector<std::size_t>& channels, const glm::dvec3& signs) const {
-        Read result{from_depth_, file_.channel_names[channels[0]], 0, 0, {}};
+        Read result{from_depth_, file_.channel_names[channels[0]], 0, false, 0, {}};
         std::size_t surfaces = 0, fitting = 0;
         for (std::size_t i = 0; i < surface_.size(); ++i) {
             if (surface_.pixels[i] == 0) continue;
@@ -119,7 +125,7 @@ class NormalReader {
         glm::vec3 n = stored_at(channels, i);
         if (glm::any(glm::isnan(n)))
             throw file_error("a surface's normal is NaN", where_ + ": " + file_.channel_names[channels[0]]);
-        if (layout_.turned) return n;
+        if (as_written_ && signs == signs_) return n;
         n *= glm::vec3(signs);
         if (rotation_) n = glm::vec3(*rotation_ * glm::dvec3(n));
         const float length = glm::length(n);
@@ -135,6 +141,7 @@ class NormalReader {
     const std::string& where_;
     std::optional<glm::dmat3> rotation_;
     bool needs_rotation_ = false;
+    bool as_written_ = false;  ///< this program wrote them, to be taken to the bit
     glm::dvec3 signs_{1, 1, 1};
 };
 
@@ -147,7 +154,7 @@ void add_normals(const ImageFile& file, const FrameLayout& layout, const FrameCa
     auto geometric = reader.read(layout.normal_geometric), smooth = reader.read(layout.normal_smooth);
     for (const auto* read : {&geometric, &smooth}) {
         if (!*read) continue;
-        if ((*read)->fitting < kLeastFit || !(*read)->better.empty())
+        if ((*read)->doubtful)
             warnings.push_back(
                 fmt::format("the normals {} fit the depth in {:.0f} % of the pixels: another space, angle of "
                             "view, or row "
@@ -164,7 +171,7 @@ void add_normals(const ImageFile& file, const FrameLayout& layout, const FrameCa
         read_as += fmt::format("; normals {}, for triangles' and interpolated ones alike", only.channel);
     } else {
         read_as += "; normals from depth, since the frame has none";
-        geometric.emplace(NormalReader::Read{from_depth, {}, 1, 0, {}});
+        geometric.emplace(NormalReader::Read{from_depth, {}, 1, false, 0, {}});
     }
     images.vectors["normal_geometric"] = geometric ? geometric->normals : smooth->normals;
     images.vectors["normal_smooth"] = smooth ? smooth->normals : geometric->normals;

@@ -43,7 +43,7 @@ std::vector<CauseShare> cause_shares(const MaskTotal& total, const std::vector<P
 }
 
 std::optional<double> half_width(const MaskTotal& total, double valid, double threshold) {
-    if (valid == 0) return std::nullopt;
+    if (valid == 0 || threshold <= 0) return std::nullopt;
     if (total.doubt <= 0) return 0.0;
     const double doubt = total.doubt / valid, noise = total.doubtful_noise / total.doubt;
     const double seeds = kVarianceOfDoubt * doubt / valid;

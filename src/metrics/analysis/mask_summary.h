@@ -29,7 +29,7 @@ struct MaskSummary {
 struct MeasuredMask {
     MaskSummary summary;
     /// The half width of an interval that holds the area against a truth without noise with 95 % confidence.
-    /// Empty where the truth's standard error is not known.
+    /// Empty where the truth's standard error is not known, and for a threshold of 0.
     ///
     /// It is 1.96 times the root of two variances. One is that over seeds, of pixels whose noise is normal
     /// and independent of one another: kVarianceOfDoubt times their doubt, over their number. The other is

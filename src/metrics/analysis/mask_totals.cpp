@@ -99,6 +99,9 @@ void append(const MaskTotal& row, MaskTotal& all) {
 
 MaskTotals mask_totals(const MetricInput& input, double threshold, const Causes& causes) {
     require_one_size(input);
+    // Noise that pushes pixels over a threshold is known by those that it keeps below: none is below 0.
+    MetricInput counted = input;
+    if (threshold <= 0) counted.standard_error = nullptr;
     const BlockGrid grid(input.valid.width, input.valid.height);
     MaskTotals empty;
     empty.missing.by_cause.resize(causes.size());
@@ -107,7 +110,7 @@ MaskTotals mask_totals(const MetricInput& input, double threshold, const Causes&
     one_row.false_occlusion.blocks = one_row.missing.blocks;
     std::vector<MaskTotals> block_rows(static_cast<std::size_t>(grid.down), one_row);
     parallel_for(block_rows.size(), [&](std::size_t block_row) {
-        Rows rows(input, threshold, causes);
+        Rows rows(counted, threshold, causes);
         const int top = static_cast<int>(block_row) * grid.side_px;
         for (int y = top; y < std::min(top + grid.side_px, input.valid.height); ++y)
             rows.add(y, grid, block_rows[block_row]);
