@@ -357,6 +357,18 @@ TEST_F(Frame, OfAnotherCodingOfNormalsOrAMirroringCameraIsRefused) {
     expect_refused("--gbuffer three.exr --camera camera.json --truth truth.exr", 4, "third row negated");
 }
 
+TEST_F(Frame, MayShowBackgroundInMostOfItsPixels) {
+    const std::string sphere = "sphere --eye 0,2,30 --target 0,8,0 --fovy 40 --size 64x48";
+    made("gbuffer " + sphere + " --out far.exr");
+    const ImageF mask = *read_image(folder / "far.exr").channel("mask.Y");
+    const auto surfaces = std::ranges::count_if(mask.pixels, [](float value) { return value > 0.5F; });
+    ASSERT_GT(surfaces, 0);
+    ASSERT_LT(2 * surfaces, static_cast<std::ptrdiff_t>(mask.size()));
+    write("plain.exr", {{"AO.R", ImageF(64, 48, 0.5F)}});
+    EXPECT_EQ(scored("--gbuffer far.exr --truth plain.exr --radius 2").views[0].valid_pixels,
+              static_cast<std::size_t>(surfaces));
+}
+
 TEST_F(Frame, WithoutNormalsGetsThemFromDepthAndSaysSo) {
     write("frame.exr", {{"Depth.Z", plane("Z")}});
     write_atomically(folder / "camera.json", camera.dump());

@@ -88,12 +88,18 @@ void choose_planes(const Image<double>& depths, Camera& camera) {
     camera.far = most > 0 ? most * 2 : 1000;
 }
 
+// Background that is stored as a depth lies on the far plane to the rounding of a float.
+constexpr double kOnFarPlane = 1e-6;
+
 void require_between_planes(const Image<double>& depths, const FrameDepth& result, const std::string& where) {
+    const double far = result.frame.camera().far;
     std::vector<double> finite;
     std::size_t within = 0;
     for (std::size_t i = 0; i < depths.size(); ++i) {
         within += result.surface.pixels[i];
-        if (std::isfinite(depths.pixels[i]) && depths.pixels[i] > 0) finite.push_back(depths.pixels[i]);
+        const double depth = depths.pixels[i];
+        const bool background = std::abs(depth - far) <= kOnFarPlane * far;
+        if (std::isfinite(depth) && depth > 0 && !background) finite.push_back(depth);
     }
     const Camera& camera = result.frame.camera();
     if (finite.empty()) throw file_error("shows no surface", where, "a depth above 0 somewhere");
