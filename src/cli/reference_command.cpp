@@ -73,9 +73,10 @@ CommandEntry add_reference_command(CLI::App& program, const GlobalOptions& globa
     add_size_option(*app, options->size);
     add_radii_option(*app, options->radii);
     add_truth_options(*app, options->effort);
-    app->add_option("--mean-error", options->effort.mean_error,
-                    "Trace with as many rays in every pixel as bring the mean standard error over the picture to "
-                    "this; says first how many that are")
+    app->add_option(
+           "--mean-error", options->effort.mean_error,
+           "Trace with as many rays in every pixel as bring the mean standard error over the picture to "
+           "this; says first how many that are")
         ->check(number_in(1e-4, 0.5))
         ->excludes("--error");
     app->add_flag(

@@ -78,7 +78,8 @@ TEST_F(SweepsAndClaims, ALineOfTheChartJoinsSettingsThatDifferByNumbersAlone) {
     for (SweepPointRecord& point : sweep.points) point.at["kernel"] = "box";
     EXPECT_TRUE(labels().contains("Alchemy AO, box"));
     EXPECT_EQ(labels().size(), methods.size());
-    for (std::size_t i = 0; i < sweep.points.size(); ++i) sweep.points[i].at["kernel"] = "word" + std::to_string(i);
+    for (std::size_t i = 0; i < sweep.points.size(); ++i)
+        sweep.points[i].at["kernel"] = "word" + std::to_string(i);
     EXPECT_GT(labels().size(), methods.size());
     const std::vector<SweepPointRecord> some = sweep.points;
     while (sweep.points.size() < 40) {

@@ -126,10 +126,8 @@ TEST(AdaptiveTracing, IsNotFooledByALuckyStart) {
 }
 
 TruthSettings to_mean_error(double mean_error, std::uint64_t seed = 1) {
-    TruthSettings settings;
-    settings.samples = 16;
+    TruthSettings settings = up_to(0, seed);
     settings.mean_error = mean_error;
-    settings.seed = seed;
     return settings;
 }
 
@@ -207,10 +205,11 @@ TEST(TracingToAMeanError, FindsTheRaysThatALawAsksFor) {
 
 TEST(TracingToAMeanError, TellsHowManyItWillBeBeforeItTracesMuch) {
     int most_rays = 0, told = 0, traced_when_told = 0;
-    const int samples = rays_for_mean_error(0.001, 5000, 16, pilot_of(0.2, most_rays), [&](const EvenRays& r) {
-                            told = r.samples;
-                            traced_when_told = most_rays;
-                        }).samples;
+    const int samples =
+        rays_for_mean_error(0.001, 5000, 16, pilot_of(0.2, most_rays), [&](const EvenRays& r) {
+            told = r.samples;
+            traced_when_told = most_rays;
+        }).samples;
     EXPECT_NEAR(samples, 40000, 1600);
     EXPECT_NEAR(told, 40000, 1600);
     EXPECT_LE(traced_when_told, 4096);

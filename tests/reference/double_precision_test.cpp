@@ -102,15 +102,23 @@ TEST(TheTruthOfAHall, IsThatOfDoublePrecisionWherePixelsLieOnEdges) {
     const TileGroups groups(kWidth, kHeight);
     Truth truth = empty_truth(frame, queries, {});
     const std::vector<std::size_t> which{0};
-    constexpr std::array<std::array<int, 2>, 12> kPixels{{{221, 12}, {107, 77}, {86, 19}, {61, 89}, {152, 105},
-                                                          {85, 47}, {81, 111}, {74, 33}, {152, 73}, {131, 84},
-                                                          {126, 68}, {198, 76}}};
+    constexpr std::array<std::array<int, 2>, 12> kPixels{{{221, 12},
+                                                          {107, 77},
+                                                          {86, 19},
+                                                          {61, 89},
+                                                          {152, 105},
+                                                          {85, 47},
+                                                          {81, 111},
+                                                          {74, 33},
+                                                          {152, 73},
+                                                          {131, 84},
+                                                          {126, 68},
+                                                          {198, 76}}};
     for (const auto& [x, y] : kPixels) {
         for (std::size_t g = 0; g < groups.count(); ++g) {
             for (const Tile& tile : groups.group(g)) {
                 if (x < tile.x0 || x >= tile.x1 || y < tile.y0 || y >= tile.y1) continue;
-                const std::vector<GroupState> states =
-                    reference.trace_groups(frame, queries, settings, {g});
+                const std::vector<GroupState> states = reference.trace_groups(frame, queries, settings, {g});
                 resolve_group(groups, g, states[0].tiles, frame, {1, which, settings}, truth);
             }
         }

@@ -30,8 +30,8 @@ struct MaskTotals {
     MaskTotal missing, false_occlusion;
 };
 
-/// Sums both masks in one pass; the causes are for missing occlusion. Beyond a threshold of 0 every difference
-/// counts, also one by the truth's noise. Throws sizes_differ.
+/// Sums both masks in one pass; the causes are for missing occlusion. Beyond a threshold of 0 every
+/// difference counts, also one by the truth's noise. Throws sizes_differ.
 MaskTotals mask_totals(const MetricInput& input, double threshold,
                        const std::vector<PixelFacts::Cause>& causes = {});
 
