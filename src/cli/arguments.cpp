@@ -51,10 +51,16 @@ std::string unknown_option(const CLI::App& program, const CLI::App* command, con
                              names);
 }
 
-/// Leaves out the first -- behind `plan`: the command that is divided begins there with or without it.
-void leave_out_mark_of_command(std::vector<std::string>& words) {
-    const auto plan = std::ranges::find(words, "plan");
-    if (const auto mark = std::find(plan, words.end(), "--"); mark != words.end()) words.erase(mark);
+/// The place of the first word from `at` on that is neither an option nor an option's value.
+std::size_t first_operand(const CLI::App& program, const CLI::App* command,
+                          const std::vector<std::string>& words, std::size_t at) {
+    for (; at < words.size() && words[at].starts_with('-') && words[at] != "--"; ++at) {
+        const std::string name = words[at].substr(0, words[at].find('='));
+        const CLI::Option* option = find_option(program, command, name);
+        const bool takes_next = option != nullptr && option->get_items_expected_max() > 0;
+        if (takes_next && name == words[at]) ++at;
+    }
+    return at;
 }
 
 }  // namespace
@@ -66,7 +72,6 @@ std::vector<std::string> arguments(int argc, char** argv) {
         if (words.size() > 1) words.resize(1);
         words.emplace_back("--help");
     }
-    leave_out_mark_of_command(words);
     std::vector<std::string> result;
     bool setting = false;
     for (const std::string& word : words) {
@@ -76,6 +81,15 @@ std::vector<std::string> arguments(int argc, char** argv) {
         result.push_back(word);
     }
     return result;
+}
+
+std::vector<std::string> without_mark_of_command(const CLI::App& program, std::vector<std::string> words) {
+    const std::size_t command = first_operand(program, nullptr, words, 0);
+    if (command >= words.size() || words[command] != "plan") return words;
+    const std::size_t mark = first_operand(program, find_command(program, "plan"), words, command + 1);
+    if (mark < words.size() && words[mark] == "--")
+        words.erase(words.begin() + static_cast<std::ptrdiff_t>(mark));
+    return words;
 }
 
 std::string unknown_word(const CLI::App& program, const std::vector<std::string>& words) {

@@ -38,7 +38,7 @@ PixelRect parse_crop(const std::string& text) {
     }
     if (numbers.size() != 4 || at != end || numbers[0] < 0 || numbers[1] < 0 || numbers[2] < 1 ||
         numbers[3] < 1)
-        throw CLI::ValidationError("--crop", "\"" + text + "\" is no rectangle such as 0,40,640,400");
+        throw CLI::ValidationError("--crop", "\"" + text + "\" is no rectangle LEFT,TOP,WIDTH,HEIGHT such as 0,40,640,400");
     return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
@@ -46,9 +46,10 @@ void print_line(const std::string& name, const std::string& value, const std::st
     print_result("{:<16} {:>12}{}{}\n", name, value, note.empty() ? "" : "  ", note);
 }
 
-/// "[low, high]", the 95 % interval; empty where there is none.
+/// "[low, high]", the 95 % interval, or that there is none; empty for a measure that never has one.
 std::string interval_text(const std::optional<ErrorAnalysis>& analysis, const std::string& id) {
-    if (!analysis || !analysis->intervals.contains(id)) return {};
+    if (!analysis || !can_be_resampled(id)) return {};
+    if (!analysis->intervals.contains(id)) return kNoInterval;
     const Interval& interval = analysis->intervals.at(id);
     return fmt::format("[{:.6f}, {:.6f}]", interval.low, interval.high);
 }
@@ -61,7 +62,7 @@ void print_table(const Comparison& comparison) {
         const std::string id(metric.id);
         const MeasuredMetric& measured = comparison.metrics.at(id);
         std::string note = measured.note;
-        if (const std::string interval = interval_text(analysis, id); !interval.empty())
+        if (const std::string interval = interval_text(analysis, id); measured.value && !interval.empty())
             note += (note.empty() ? "" : " ") + interval;
         print_line(id, measured.value ? fmt::format("{:.6f}", *measured.value) : "-", note);
     }
@@ -179,9 +180,10 @@ CommandEntry add_compare_command(CLI::App& program, const GlobalOptions& global)
     app->add_flag("--invert", request.test_reading.invert, "TEST holds occlusion, not visibility");
     app->add_option_function<std::string>(
            "--crop", [&request](const std::string& text) { request.crop = parse_crop(text); },
-           "Compare this part of the truth alone, in pixels of EXR's display window; TEST may be cropped "
-           "to it already")
-        ->type_name("X,Y,W,H");
+           "Compare this part of the truth alone: its left column and its top row, counted from 0 at the upper "
+           "left corner of the truth (of EXR's display window), then its width and height in pixels; TEST "
+           "may be cropped to it already")
+        ->type_name("LEFT,TOP,WIDTH,HEIGHT");
     app->add_option("--mask", request.mask, "An image of the truth's size: pixels above 1/2 count");
     app->add_option("--mask-channel", request.mask_channel, "Of the mask [mask.Y, or the only one]");
     app->add_option("--mask-threshold", request.mask_threshold,

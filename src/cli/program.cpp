@@ -85,7 +85,8 @@ ExitCode run_words(const std::vector<std::string>& words, const std::string& com
         return ExitCode::usage;
     }
     try {
-        std::vector<std::string> last_first(words.rbegin(), words.rend());
+        const std::vector<std::string> parsed = without_mark_of_command(program, words);
+        std::vector<std::string> last_first(parsed.rbegin(), parsed.rend());
         program.parse(last_first);
     } catch (const CLI::ParseError& e) {
         const bool wrong = e.get_exit_code() != 0;

@@ -135,6 +135,11 @@ void add_noise_in_areas(const MetricInput& input, double threshold, std::vector<
         "areas of missing and false occlusion are is not known");
 }
 
+void add_smallness(const std::optional<ErrorAnalysis>& analysis, std::vector<std::string>& warnings) {
+    if (!analysis) return;
+    if (std::string why = why_no_intervals(analysis->blocks); !why.empty()) warnings.push_back(std::move(why));
+}
+
 nlohmann::json json_of(const MeasuredMetric& metric) {
     nlohmann::json object = {{"value", metric.value ? nlohmann::json(*metric.value) : nlohmann::json()}};
     if (!metric.note.empty()) object["note"] = metric.note;
@@ -166,6 +171,7 @@ Comparison compare_images(const ComparisonRequest& request) {
     result.metrics = evaluate(input);
     if (input.standard_error != nullptr) result.noise = noise_floor(*input.standard_error, result.valid);
     result.analysis = analyse(input, {}, request.mask_threshold, request.seed);
+    add_smallness(result.analysis, result.warnings);
     add_noise_in_areas(input, request.mask_threshold, result.warnings);
     return result;
 }

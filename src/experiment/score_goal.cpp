@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/log.h"
 #include "core/rough_text.h"
+#include "metrics/intervals/mask_areas.h"
 #include "metrics/roles.h"
 #include "store/key.h"
 #include "store/truth/truth_cache.h"
@@ -80,7 +81,7 @@ double largest_excess(const Contestants& cells, const ScoreGoal& goal, bool ever
     for (const CellRecord* cell : cells) {
         if (!cell->analysis) continue;
         for (const auto& [metric, half_width] : cell->analysis->truth_noise) {
-            if (metric != kRankingMetric && !every_metric) continue;
+            if (is_mean_of_mask(metric) || (metric != kRankingMetric && !every_metric)) continue;
             excess = std::max(excess, half_width / allowed_noise(goal, metric));
         }
     }

@@ -7,6 +7,7 @@
 #include "jobs/executor.h"
 #include "jobs/own_truth.h"
 #include "jobs/view_maker.h"
+#include "metrics/intervals/bootstrap.h"
 #include "metrics/roles.h"
 #include "plan/run_modes.h"
 #include "plan/view_description.h"
@@ -96,6 +97,15 @@ void warn_of_small_radius(const View& chosen, ViewRecord& view) {
     log_warning(fmt::format("{}: {}", view.key, view.warnings.back()));
 }
 
+// Without intervals every rank is possible, and a reader must know that chance alone has left it so.
+void warn_of_few_blocks(const Score* score, ViewRecord& view) {
+    if (score == nullptr || !score->analysis) return;
+    const std::string why = why_no_intervals(score->analysis->blocks);
+    if (why.empty()) return;
+    view.warnings.push_back(why + ": every method can have every rank; a larger --size shows more");
+    log_warning(fmt::format("{}: {}", view.key, view.warnings.back()));
+}
+
 // Pixels whose truth is too uncertain are left out, and they are no sample of all: by the rest, the order of
 // methods can be another.
 void warn_of_unknown_signals(ViewRecord& view) {
@@ -175,6 +185,8 @@ class Assembly {
         }
         for (std::size_t i = 0; i < run_.jobs.cells.size(); ++i) add_own_truth(i, view.truths);
         warn_of_small_radius(run_.work.view, view);
+        if (!run_.jobs.cells.empty())
+            warn_of_few_blocks(maker_.score(run_.jobs.cells.front().score), view);
         warn_of_unknown_signals(view);
         warn_of_noisy_light(view);
         return view;

@@ -51,14 +51,27 @@ struct Curve {
     const char* name;
 };
 constexpr Curve kLinear{Coding::linear, "linear"}, kSrgb{Coding::srgb, "sRGB-coded"}, kPq{{}, "coded by PQ"},
-    kHlg{{}, "coded by HLG"}, kVideo{{}, "coded by the curve of video, BT.709"},
-    kLimited{{}, "of limited range"};
+    kHlg{{}, "coded by HLG"}, kLimited{{}, "of limited range"};
 
 /// The curves of code points of transfer characteristics (ITU-T, Recommendation H.273, table 3). Limited
 /// range, in which black and white are not the least and the greatest integer, goes before every curve.
 std::optional<Curve> curve_of_code_points(const std::string& chunk) {
-    static const std::map<int, Curve> kCurves = {
-        {1, kVideo}, {8, kLinear}, {13, kSrgb}, {16, kPq}, {18, kHlg}};
+    static const std::map<int, Curve> kCurves = {{1, {{}, "coded by the curve of video, BT.709"}},
+                                                 {4, {{}, "coded by a gamma of 2.2, BT.470 M"}},
+                                                 {5, {{}, "coded by a gamma of 2.8, BT.470 B, G"}},
+                                                 {6, {{}, "coded by the curve of video, BT.601"}},
+                                                 {7, {{}, "coded by the curve of video, SMPTE 240M"}},
+                                                 {8, kLinear},
+                                                 {9, {{}, "logarithmic"}},
+                                                 {10, {{}, "logarithmic"}},
+                                                 {11, {{}, "coded by the curve of video, IEC 61966-2-4"}},
+                                                 {12, {{}, "coded by the curve of video, BT.1361"}},
+                                                 {13, kSrgb},
+                                                 {14, {{}, "coded by the curve of video, BT.2020"}},
+                                                 {15, {{}, "coded by the curve of video, BT.2020"}},
+                                                 {16, kPq},
+                                                 {17, {{}, "coded by the curve of cinema, SMPTE ST 428-1"}},
+                                                 {18, kHlg}};
     constexpr std::size_t kTransfer = 1, kFullRange = 3;
     if (chunk[kFullRange] == 0) return kLimited;
     const auto found = kCurves.find(static_cast<unsigned char>(chunk[kTransfer]));

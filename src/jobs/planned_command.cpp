@@ -4,6 +4,7 @@
 #include "core/folders.h"
 #include "core/hash.h"
 #include "core/strict_json.h"
+#include "scene/gltf/side_files.h"
 
 #include <algorithm>
 #include <array>
@@ -47,12 +48,18 @@ std::vector<std::string> possible_paths(const std::string& word) {
     return paths;
 }
 
+/// Adds a file, and those that it names in turn.
+void add_file(const fs::path& file, std::map<std::string, std::string>& files) {
+    files[file.string()] = digest_of(file);
+    for (const fs::path& side : gltf::side_files(file)) files[side.string()] = digest_of(side);
+}
+
 void add_files(const fs::path& named, std::map<std::string, std::string>& files) {
     std::error_code ec;
-    if (fs::is_regular_file(named, ec)) files[named.string()] = digest_of(named);
+    if (fs::is_regular_file(named, ec)) add_file(named, files);
     if (!fs::is_directory(named, ec)) return;
     for (const auto& entry : fs::recursive_directory_iterator(named, ec)) {
-        if (entry.is_regular_file(ec)) files[entry.path().string()] = digest_of(entry.path());
+        if (entry.is_regular_file(ec)) add_file(entry.path(), files);
     }
 }
 

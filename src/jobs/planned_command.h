@@ -13,8 +13,9 @@ namespace aoscore {
 struct PlannedCommand {
     std::vector<std::string> arguments;  ///< as they were typed
     std::filesystem::path folder;        ///< where: relative paths among them begin there
-    std::map<std::string, std::string>
-        files;  ///< the files that they name, each with the digest of its bytes
+    /// The files that they name, and those that a glTF file among them names, each with the digest of its
+    /// bytes.
+    std::map<std::string, std::string> files;
 
     /// Of these arguments, in the working folder. Where one names a folder, all files in it count.
     static PlannedCommand of(std::vector<std::string> arguments);

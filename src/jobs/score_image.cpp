@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 #include <span>
 
@@ -64,9 +63,8 @@ MetricMap measured(const MetricInput& input, const ScoreSettings& settings,
 /// The noise as analyse() finds it, for the metrics that evaluate() has measured.
 std::map<std::string, double> noise_of(const MetricInput& input) {
     if (input.halves == nullptr) return {};
-    constexpr double kNoMask = std::numeric_limits<double>::infinity();
-    return truth_noise(block_errors(input, kNoMask), block_errors(against_half(input, 0), kNoMask),
-                       block_errors(against_half(input, 1), kNoMask), *input.halves);
+    return truth_noise(block_errors(input), block_errors(against_half(input, 0)),
+                       block_errors(against_half(input, 1)), *input.halves);
 }
 
 MetricMap raw_metrics(const Truth& truth, const Ground& ground, const TruthSide& side, const ImageF& raw,

@@ -46,7 +46,7 @@ ImageF error_of(const ComparisonPage& comparison) {
 
 json row(const std::string& id, const std::string& label, std::optional<double> value, int decimals,
          const std::string& meaning, const std::optional<ErrorAnalysis>& analysis) {
-    std::string interval;
+    std::string interval = value && can_be_resampled(id) ? kNoInterval : "";
     if (analysis && analysis->intervals.contains(id)) {
         const Interval& found = analysis->intervals.at(id);
         interval = fmt::format("{} to {}", fixed_text(found.low, decimals), fixed_text(found.high, decimals));

@@ -240,7 +240,7 @@ struct PlaceRecord {
     std::string filter;
     std::vector<std::string> cell_ids;  ///< one for each of the ranking's views
     double value = 0;                   ///< the ranking's metric over the views, by measure_over_views()
-    Interval interval;                  ///< of this value alone, 95 % confidence
+    std::optional<Interval> interval;   ///< of this value alone, 95 % confidence; empty where not known
     std::optional<RankRange> rank;      ///< all ranks hold at once; empty for a bound
     std::vector<std::size_t> ties;      ///< ranked places that do not differ significantly
     /// The interval of this value less the first ranked place's, simultaneous with all others of the ranking;

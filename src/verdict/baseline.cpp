@@ -109,7 +109,7 @@ void judge(std::vector<Compared>& comparisons) {
         change.change = intervals[i];
         if (!change.change) {
             change.verdict = "not comparable";
-            change.reason = "the difference could not be resampled";
+            change.reason = "the difference has no interval: the picture is too small, or has no such value";
         } else {
             change.verdict = change.change->holds_zero() ? "same"
                              : change.change->low > 0    ? "worse"

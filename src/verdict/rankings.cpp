@@ -65,7 +65,7 @@ PlaceRecord place_of(const Entry& entry, const Resampled& error, std::uint64_t s
     place.filter = entry.front()->filter;
     for (const CellRecord* cell : entry) place.cell_ids.push_back(cell->id);
     place.value = error.value;
-    place.interval = confidence_interval(error.draws).value_or(Interval{place.value, place.value});
+    place.interval = confidence_interval(error.draws);
     place.measures = measures_of(entry, seed);
     return place;
 }

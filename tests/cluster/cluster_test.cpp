@@ -158,6 +158,54 @@ TEST(Plan, NamesTheFileThatHasChangedSince) {
     EXPECT_THAT(work.err, ::testing::Not(HasSubstr("KEY")));
 }
 
+/// The floor and two walls of a room of 2 m as a glTF file whose buffer is a file of its own.
+void write_room(const fs::path& folder, float height) {
+    const std::vector<float> positions = {0, 0, 0, 2, 0, 0, 2, 0, 2, 0, 0, 2, 0, height, 0, 2, height, 0};
+    const std::vector<std::uint16_t> triangles = {0, 2, 1, 0, 3, 2, 0, 1, 5, 0, 5, 4};
+    std::string bytes(reinterpret_cast<const char*>(positions.data()), positions.size() * sizeof(float));
+    bytes.append(reinterpret_cast<const char*>(triangles.data()), triangles.size() * sizeof(std::uint16_t));
+    write_atomically(folder / "a room.bin", bytes);
+    write_atomically(folder / "room.gltf", R"({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "buffers": [{"uri": "a%20room.bin", "byteLength": 96}],
+        "bufferViews": [{"buffer": 0, "byteLength": 72}, {"buffer": 0, "byteOffset": 72, "byteLength": 24}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 6, "type": "VEC3",
+                       "min": [0, 0, 0], "max": [2, 2, 2]},
+                      {"bufferView": 1, "componentType": 5123, "count": 12, "type": "SCALAR"}]})");
+}
+
+TEST(Plan, NamesTheSideFileOfAGltfThatHasChangedOrGone) {
+    const fs::path folder = output_dir();
+    const std::string score =
+        "score room.gltf --eye 1,1,3 --target 1,0.3,0 --methods hbao --size 48x32 --samples 4 --radius 0.5 "
+        "--out out";
+    write_room(folder, 2);
+    ASSERT_EQ(run_aoscore("plan --parts 1 --out plan.json " + score, folder).exit_code, 0);
+    write_room(folder, 1.5F);
+    const auto changed = run_aoscore("work plan.json --part 1", folder);
+    EXPECT_EQ(changed.exit_code, 4) << changed.err;
+    EXPECT_THAT(changed.err, ::testing::AllOf(HasSubstr("a room.bin has changed since the jobs were listed"),
+                                              HasSubstr("make the plan again")));
+    fs::remove(folder / "a room.bin");
+    const auto gone = run_aoscore("work plan.json --part 1", folder);
+    EXPECT_EQ(gone.exit_code, 4) << gone.err;
+    EXPECT_THAT(gone.err, HasSubstr("a room.bin has changed since the jobs were listed"));
+    write_room(folder, 2);
+    const auto restored = run_aoscore("work plan.json --part 1", folder);
+    EXPECT_EQ(restored.exit_code, 0) << restored.err;
+}
+
+TEST(Plan, LeavesOutTheMarkOfTheCommandThatItDividesAndNoOther) {
+    const fs::path folder = output_dir();
+    const auto marked = run_aoscore("--seed 1 plan --parts 1 --out marked.json -- " + kScore, folder);
+    EXPECT_EQ(marked.exit_code, 0) << marked.err;
+    // Behind the mark a word is no option, also where the scene is a file named plan.
+    const auto scene = run_aoscore("score plan -- --methods", folder);
+    EXPECT_EQ(scene.exit_code, 64) << scene.err;
+    EXPECT_THAT(scene.err, ::testing::Not(HasSubstr("--methods requires")));
+}
+
 TEST(Plan, IsTheSameWithAMarkBeforeTheCommandAndItsHelpShowsOne) {
     const fs::path folder = output_dir();
     ASSERT_EQ(run_aoscore("plan --parts 2 --out plain.json " + kScore, folder).exit_code, 0);

@@ -86,7 +86,7 @@ TEST(StatedCoding, OfAPngThatContradictsTheOptionIsAWarningThatNamesTheOther) {
     }
 }
 
-TEST(StatedCoding, OfCodePointsIsHeldAboveAllElseAndNoOptionReadsPqAndHlg) {
+TEST(StatedCoding, OfCodePointsIsHeldAboveAllElseAndNoOptionReadsOtherCurves) {
     const struct {
         char transfer;
         const char *against_linear, *against_srgb;
@@ -94,7 +94,13 @@ TEST(StatedCoding, OfCodePointsIsHeldAboveAllElseAndNoOptionReadsPqAndHlg) {
                  {13, "chunk cICP says that its values are sRGB-coded", ""},
                  {16, "coded by PQ", "coded by PQ"},
                  {18, "coded by HLG", "coded by HLG"},
-                 {1, "the curve of video", "the curve of video"},
+                 {1, "the curve of video, BT.709", "the curve of video, BT.709"},
+                 {6, "the curve of video, BT.601", "the curve of video, BT.601"},
+                 {14, "the curve of video, BT.2020", "the curve of video, BT.2020"},
+                 {15, "the curve of video, BT.2020", "the curve of video, BT.2020"},
+                 {4, "a gamma of 2.2", "a gamma of 2.2"},
+                 {9, "logarithmic", "logarithmic"},
+                 {17, "the curve of cinema", "the curve of cinema"},
                  {2, "", ""}};
     for (const auto& [transfer, against_linear, against_srgb] : cases) {
         for (const Chunk& other : {kLinearGamma, kSrgbChunk}) {

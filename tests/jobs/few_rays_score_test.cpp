@@ -2,6 +2,7 @@
 // from 200 seeds with one of 4,096: the stated intervals hold the converged value as often as they say over
 // scenes, images and seeds. Leaves coverage.md.
 #include "metrics/analysis/mask_summary.h"
+#include "metrics/analysis/occlusion_masks.h"
 #include "reference/truth.h"
 #include "scene/scene.h"
 #include "screen/screen.h"

@@ -3,6 +3,7 @@
 #include "metrics/analysis/mask_summary.h"
 
 #include "metrics/analysis/error_distribution.h"
+#include "metrics/analysis/mask_totals.h"
 #include "metrics/analysis/occlusion_masks.h"
 #include "metrics/intervals/block_errors.h"
 #include "metrics/intervals/bootstrap.h"
@@ -122,7 +123,8 @@ TEST(MaskArea, IsNothingWhereNoTruthCouldBeSoFarAway) {
 
 TEST(MaskArea, OfBlocksIsThatOfThePicture) {
     const NoisyPicture picture(120, 0.05, exponential, 3);
-    EXPECT_NEAR(value_of_blocks(kMissingArea, block_errors(picture.input())), picture.missing().summary.area,
+    EXPECT_NEAR(value_of_blocks(kMissingArea, with_masks(block_errors(picture.input()),
+                                                        mask_totals(picture.input(), kThreshold))), picture.missing().summary.area,
                 1e-12);
 }
 
@@ -189,7 +191,8 @@ double farthest_from_areas(const MetricInput& input) {
     };
     double farthest = 0, within = 0;
     for (std::size_t i = 0; i < curve.cumulative.size(); ++i) {
-        const BlockErrors blocks = block_errors(input, static_cast<double>(i) * curve.cumulative_step);
+        const BlockErrors blocks = with_masks(
+            block_errors(input), mask_totals(input, static_cast<double>(i) * curve.cumulative_step));
         const double beyond =
             (total(blocks.missing_counts) + total(blocks.false_counts)) / total(blocks.counts);
         within = std::max(within, std::min(1 - beyond, 1.0));

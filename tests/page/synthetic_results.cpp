@@ -4,6 +4,7 @@
 #include "core/folders.h"
 #include "core/strict_json.h"
 #include "image/image_file.h"
+#include "metrics/analysis/occlusion_masks.h"
 
 #include <algorithm>
 #include <cmath>

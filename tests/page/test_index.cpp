@@ -30,8 +30,8 @@ TEST(Index, RanksWhatWasScoredOnEveryView) {
         const ScenePlace& place = ranking.places[i];
         EXPECT_EQ(place.contestant, i) << "every view has this order";
         EXPECT_EQ(place.rank, (RankRange{static_cast<int>(i) + 1, static_cast<int>(i) + 1}));
-        EXPECT_LE(place.interval.low, place.error);
-        EXPECT_GE(place.interval.high, place.error);
+        EXPECT_LE(place.interval->low, place.error);
+        EXPECT_GE(place.interval->high, place.error);
         const IndexedCell& worst = contents.cells[place.worst_cell];
         EXPECT_EQ(worst.contestant, i);
         for (const IndexedCell& cell : contents.cells) {

@@ -45,8 +45,8 @@ TEST(RankedAnew, OfLaterSchemasIsTheRankingThatTheyHold) {
             for (std::size_t k = 0; k < held.rankings[i].places.size(); ++k) {
                 const PlaceRecord &now = anew.rankings[i].places[k], &then = held.rankings[i].places[k];
                 EXPECT_EQ(rank_text(now), rank_text(then)) << "schema " << schema;
-                EXPECT_NEAR(now.interval.low, then.interval.low, 1e-9) << "schema " << schema;
-                EXPECT_NEAR(now.interval.high, then.interval.high, 1e-9) << "schema " << schema;
+                EXPECT_NEAR(now.interval->low, then.interval->low, 1e-9) << "schema " << schema;
+                EXPECT_NEAR(now.interval->high, then.interval->high, 1e-9) << "schema " << schema;
             }
         }
     }

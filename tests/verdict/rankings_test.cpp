@@ -82,8 +82,8 @@ TEST(Rankings, PutTheClosestFirstAndSayWhatCannotBeToldApart) {
     EXPECT_FALSE(places[0].behind_first);
     EXPECT_GT(places[2].behind_first->low, 0.05);
     for (const PlaceRecord& place : places) {
-        EXPECT_LE(place.interval.low, place.value);
-        EXPECT_GE(place.interval.high, place.value);
+        EXPECT_LE(place.interval->low, place.value);
+        EXPECT_GE(place.interval->high, place.value);
     }
 }
 
@@ -135,7 +135,7 @@ TEST(Rankings, OverSeveralViewsTakeTheRootMeanSquareOfMethodsThatSucceededOnAll)
     EXPECT_EQ(over_views.places[0].cell_ids, (std::vector<std::string>{"a/m/default", "b/m/default"}));
     EXPECT_NEAR(over_views.places[0].value, std::sqrt((0.1 * 0.1 + 0.3 * 0.3) / 2), 0.01);
     EXPECT_EQ(over_views.places[0].measures.at("rmse_debiased").value, over_views.places[0].value);
-    EXPECT_LT(over_views.places[0].interval.low, 0.12) << "views are resampled too";
+    EXPECT_LT(over_views.places[0].interval->low, 0.12) << "views are resampled too";
     EXPECT_EQ(rank_text(over_views.places[1]), "2") << "views draw alike for both, so their difference stays";
 }
 

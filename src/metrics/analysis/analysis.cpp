@@ -4,22 +4,29 @@
 #include "metrics/analysis/measured_masks.h"
 #include "metrics/analysis/tile_pattern.h"
 #include "metrics/intervals/extrapolation.h"
+#include "metrics/intervals/mask_areas.h"
+#include "metrics/intervals/ratio_interval.h"
 #include "metrics/intervals/truth_noise.h"
 #include "metrics/measures/mean_error.h"
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
 namespace aoscore {
 namespace {
 
-/// A threshold that nothing is beyond: the masks are summed apart, and against a half not at all.
-constexpr double kNoMask = std::numeric_limits<double>::infinity();
+/// Adds how sure the numbers of a mask are.
+void add_certainty(ErrorAnalysis& analysis, const MaskArea& area, const MeasuredMask& mask,
+                   const MaskTotal& total) {
+    const std::string id(area.id), mean_id(area.mean_id);
+    if (mask.truth_noise) analysis.truth_noise[id] = *mask.truth_noise;
+    if (mask.mean_noise) analysis.truth_noise[mean_id] = *mask.mean_noise;
+    if (const auto interval = ratio_interval(total.error_blocks, total.share_blocks))
+        analysis.intervals[mean_id] = *interval;
+}
 
 }  // namespace
-
 std::optional<ErrorAnalysis> analyse(const MetricInput& input, const PixelFacts& facts, double mask_threshold,
                                      std::uint64_t seed, const std::vector<PixelDivision>* divisions) {
     const std::optional<BestFit> fit = best_fit(input);
@@ -27,7 +34,7 @@ std::optional<ErrorAnalysis> analyse(const MetricInput& input, const PixelFacts&
     ErrorAnalysis analysis;
     analysis.fit = *fit;
     const OcclusionMasks masks = occlusion_masks(input, mask_threshold);
-    MaskTotals totals = mask_totals(input, mask_threshold, facts.causes);
+    const MaskTotals totals = mask_totals(input, mask_threshold, facts.causes);
     MeasuredMasks measured = measured_masks(input, totals, mask_threshold, facts.causes);
     analysis.missing = std::move(measured.missing.summary);
     analysis.false_occlusion = std::move(measured.false_occlusion.summary);
@@ -41,19 +48,18 @@ std::optional<ErrorAnalysis> analyse(const MetricInput& input, const PixelFacts&
     analysis.distribution = error_distribution(input);
     analysis.tile_pattern = tile_pattern(input);
     if (facts.one_layer != nullptr) analysis.found_beyond_layer = found_beyond_layer(input, *facts.one_layer);
-    analysis.blocks = block_errors(input, kNoMask);
-    analysis.blocks.missing_counts = std::move(totals.missing.blocks);
-    analysis.blocks.false_counts = std::move(totals.false_occlusion.blocks);
+    analysis.blocks = with_masks(block_errors(input), totals);
     if (input.halves != nullptr) {
-        const BlockErrors first = block_errors(against_half(input, 0), kNoMask);
-        const BlockErrors second = block_errors(against_half(input, 1), kNoMask);
+        const BlockErrors first = block_errors(against_half(input, 0));
+        const BlockErrors second = block_errors(against_half(input, 1));
         analysis.truth_noise = truth_noise(analysis.blocks, first, second, *input.halves);
         analysis.blocks = extrapolated(std::move(analysis.blocks), first, second);
     }
-    if (const auto noise = measured.missing.truth_noise) analysis.truth_noise[kMissingArea] = *noise;
-    if (const auto noise = measured.false_occlusion.truth_noise) analysis.truth_noise[kFalseArea] = *noise;
     const std::array<const BlockErrors*, 1> images{&analysis.blocks};
     analysis.intervals = confidence_intervals(images, seed);
+    const auto& [missing, false_occlusion] = mask_areas();
+    add_certainty(analysis, missing, measured.missing, totals.missing);
+    add_certainty(analysis, false_occlusion, measured.false_occlusion, totals.false_occlusion);
     return analysis;
 }
 

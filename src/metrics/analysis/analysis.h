@@ -21,7 +21,8 @@ namespace aoscore {
 
 /// The places and kinds of a test image's errors; metrics tell their size.
 struct ErrorAnalysis {
-    std::map<std::string, Interval> intervals;  ///< 95 % confidence, by id; see confidence_intervals()
+    /// 95 % confidence, by id: confidence_intervals(), and ratio_interval() of the masks' mean errors.
+    std::map<std::string, Interval> intervals;
     BestFit fit;                                ///< strength and exponent that fit it best
     MaskSummary missing;                        ///< brighter than the truth beyond the threshold
     MaskSummary false_occlusion;                ///< darker than the truth beyond it
@@ -34,8 +35,8 @@ struct ErrorAnalysis {
     /// See found_beyond_layer(); empty where the bound was not traced.
     std::optional<double> found_beyond_layer;
     /// The half width of an interval that holds a metric's value against a truth without noise with 95 %
-    /// confidence, by id (see truth_noise()); of metrics where the truth has halves, of the masks' areas
-    /// where its standard error is known (see MeasuredMask).
+    /// confidence, by id (see truth_noise()); of metrics where the truth has halves, of the masks' areas and
+    /// of the mean errors over them (MaskArea::mean_id) where its standard error is known (see MeasuredMask).
     std::map<std::string, double> truth_noise;
     BlockErrors blocks;  ///< source of the intervals; pairs with other tests of the truth
 };

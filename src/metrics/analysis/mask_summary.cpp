@@ -42,16 +42,25 @@ std::vector<CauseShare> cause_shares(const MaskTotal& total, const std::vector<P
     return shares;
 }
 
-std::optional<double> half_width(const MaskTotal& total, double valid, double threshold) {
-    if (valid == 0 || threshold <= 0) return std::nullopt;
-    if (total.doubt <= 0) return 0.0;
-    const double doubt = total.doubt / valid, noise = total.doubtful_noise / total.doubt;
-    const double seeds = kVarianceOfDoubt * doubt / valid;
-    const double part = noise / threshold;
+/// The standard deviation of a mask's pixels about those against a truth without noise.
+double deviation(const MaskTotal& total, double threshold) {
+    if (total.doubt <= 0) return 0;
+    const double noise = total.doubtful_noise / total.doubt, part = noise / threshold;
     const double grown = 1 + kLeftNearNoise * part + kLeftInNoise * part * part * part * part;
-    const double left = kLeftByRoot * doubt * std::sqrt(noise * grown);
-    const double half = kDeviations * std::hypot(std::sqrt(seeds), left);
+    const double left = kLeftByRoot * total.doubt * std::sqrt(noise * grown);
+    return std::hypot(std::sqrt(kVarianceOfDoubt * total.doubt), left);
+}
+
+std::optional<double> half_width(double deviation) {
+    const double half = kDeviations * deviation;
     return std::isfinite(half) ? std::optional(half) : std::nullopt;
+}
+
+std::optional<double> half_width_of_mean(const MaskTotal& total, double mean, double threshold) {
+    const double of_pixels = deviation(total, threshold);
+    if (total.whole.share <= kDeviations * of_pixels) return std::nullopt;
+    const double of_errors = std::sqrt(std::max(total.variance, 0.0));
+    return half_width(std::hypot((mean - threshold) * of_pixels, of_errors) / total.whole.share);
 }
 
 }  // namespace
@@ -63,7 +72,9 @@ MeasuredMasks measured_masks(const MetricInput& input, const MaskTotals& totals,
         mask.summary.area = std::max(total.whole.share, 0.0) / std::max(totals.valid, 1.0);
         mask.summary.mean = mean_of(total.whole, threshold);
         mask.summary.causes = cause_shares(total, causes, mask.summary.area, threshold);
-        if (input.standard_error != nullptr) mask.truth_noise = half_width(total, totals.valid, threshold);
+        if (input.standard_error == nullptr || totals.valid == 0 || threshold <= 0) return mask;
+        mask.truth_noise = half_width(deviation(total, threshold) / totals.valid);
+        if (mask.summary.mean) mask.mean_noise = half_width_of_mean(total, *mask.summary.mean, threshold);
         return mask;
     };
     return {measured(totals.missing), measured(totals.false_occlusion)};

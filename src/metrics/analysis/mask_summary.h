@@ -37,6 +37,11 @@ struct MeasuredMask {
     /// picture, so that it was measured, as a part of the mean doubt: it grows with the root of the noise,
     /// and more where the threshold is as small as the noise.
     std::optional<double> truth_noise;
+    /// The same of the mean. Empty also where the area is not surely more than nothing.
+    ///
+    /// What moves the area moves the mean by as much of its distance from the threshold, since the pixels
+    /// that come or go err by the threshold; those that stay have errors as noisy as they are.
+    std::optional<double> mean_noise;
 };
 
 /// The variance over seeds of a pixel's share for each unit of its doubt, where errors about the threshold

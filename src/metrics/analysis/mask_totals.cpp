@@ -41,7 +41,9 @@ void add_pixel(const BeyondThreshold& beyond, double noise, std::size_t block, M
     total.whole.add(beyond.share, beyond.error);
     total.doubt += beyond.doubt;
     total.doubtful_noise += beyond.doubt * noise;
-    total.blocks[block] += beyond.share;
+    total.variance += beyond.share * noise * noise;
+    total.share_blocks[block] += beyond.share;
+    total.error_blocks[block] += beyond.error;
 }
 
 /// One row of blocks at a time.
@@ -90,9 +92,11 @@ void append(const MaskTotal& row, MaskTotal& all) {
     all.whole.add(row.whole.share, row.whole.error);
     all.doubt += row.doubt;
     all.doubtful_noise += row.doubtful_noise;
+    all.variance += row.variance;
     for (std::size_t c = 0; c < all.by_cause.size(); ++c)
         all.by_cause[c].add(row.by_cause[c].share, row.by_cause[c].error);
-    all.blocks.insert(all.blocks.end(), row.blocks.begin(), row.blocks.end());
+    all.share_blocks.insert(all.share_blocks.end(), row.share_blocks.begin(), row.share_blocks.end());
+    all.error_blocks.insert(all.error_blocks.end(), row.error_blocks.begin(), row.error_blocks.end());
 }
 
 }  // namespace
@@ -106,8 +110,10 @@ MaskTotals mask_totals(const MetricInput& input, double threshold, const Causes&
     MaskTotals empty;
     empty.missing.by_cause.resize(causes.size());
     MaskTotals one_row = empty;
-    one_row.missing.blocks.resize(static_cast<std::size_t>(grid.across));
-    one_row.false_occlusion.blocks = one_row.missing.blocks;
+    for (MaskTotal* total : {&one_row.missing, &one_row.false_occlusion}) {
+        total->share_blocks.resize(static_cast<std::size_t>(grid.across));
+        total->error_blocks.resize(total->share_blocks.size());
+    }
     std::vector<MaskTotals> block_rows(static_cast<std::size_t>(grid.down), one_row);
     parallel_for(block_rows.size(), [&](std::size_t block_row) {
         Rows rows(counted, threshold, causes);

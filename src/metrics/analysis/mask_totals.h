@@ -21,8 +21,10 @@ struct MaskTotal {
     SharedError whole;
     std::vector<SharedError> by_cause;  ///< pixels divided as CauseShare says
     double doubt = 0;
-    double doubtful_noise = 0;   ///< of the standard errors, times the doubt
-    std::vector<double> blocks;  ///< sums of the shares over the blocks of BlockGrid
+    double doubtful_noise = 0;  ///< of the standard errors, times the doubt
+    double variance = 0;        ///< of their squares, times the share
+    /// Sums of the shares and of the errors over the blocks of BlockGrid.
+    std::vector<double> share_blocks, error_blocks;
 };
 
 struct MaskTotals {

@@ -39,7 +39,7 @@ void add_piece(const MetricInput& input, std::size_t block, std::size_t from, st
 
 }  // namespace
 
-BlockErrors block_errors(const MetricInput& input, double mask_threshold) {
+BlockErrors block_errors(const MetricInput& input) {
     require_one_size(input);
     const int width = input.truth.width, height = input.truth.height;
     const BlockGrid grid(width, height);
@@ -61,10 +61,12 @@ BlockErrors block_errors(const MetricInput& input, double mask_threshold) {
             });
         }
     });
-    if (std::isinf(mask_threshold)) return blocks;  // nothing is beyond it, and the sums are not asked for
-    const MaskTotals masks = mask_totals(input, mask_threshold);
-    blocks.missing_counts = masks.missing.blocks;
-    blocks.false_counts = masks.false_occlusion.blocks;
+    return blocks;
+}
+
+BlockErrors with_masks(BlockErrors blocks, const MaskTotals& masks) {
+    blocks.missing_counts = masks.missing.share_blocks;
+    blocks.false_counts = masks.false_occlusion.share_blocks;
     return blocks;
 }
 

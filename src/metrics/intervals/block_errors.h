@@ -1,12 +1,13 @@
 #pragma once
 
-#include "metrics/analysis/occlusion_masks.h"
 #include "metrics/metric.h"
 
 #include <optional>
 #include <vector>
 
 namespace aoscore {
+
+struct MaskTotals;
 
 /// Sums over the blocks of BlockGrid for metrics that are means of a map. A metric that was not measured has
 /// none.
@@ -32,12 +33,15 @@ struct BlockErrors {
     std::vector<double> absolute_sums;   ///< sums of |test - truth|
     std::vector<double> signed_sums;     ///< sums of test - truth
     std::vector<double> variance_sums;   ///< sums of noise_variance(); empty where unknown
-    std::vector<double> missing_counts;  ///< sums of BeyondThreshold::share of missing occlusion
+    std::vector<double> missing_counts;  ///< sums of BeyondThreshold::share of missing occlusion, see with_masks()
     std::vector<double> false_counts;    ///< the same of false occlusion
     MapSums maps;                        ///< the sums that evaluate() left in the input
 };
 
-/// Sums the errors over blocks of 1/24 of the width. `mask_threshold` is in visibility. Throws sizes_differ.
-BlockErrors block_errors(const MetricInput& input, double mask_threshold = kMaskThreshold);
+/// Sums the errors over blocks of 1/24 of the width, without those of the masks. Throws sizes_differ.
+BlockErrors block_errors(const MetricInput& input);
+
+/// The same with the masks' sums in `masks`, which are of the same input.
+BlockErrors with_masks(BlockErrors blocks, const MaskTotals& masks);
 
 }  // namespace aoscore

@@ -1,10 +1,13 @@
 #include "metrics/intervals/bootstrap.h"
 
 #include "core/error.h"
+#include "metrics/intervals/block_grid.h"
 #include "metrics/intervals/block_sums.h"
 #include "metrics/intervals/drawn_sums.h"
 #include "metrics/intervals/over_views.h"
 #include "metrics/metric.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,10 +22,25 @@ namespace {
 constexpr int kResamples = 2000;
 constexpr double kNotThere = std::numeric_limits<double>::quiet_NaN();
 
-/// An image from which blocks are drawn. Sums that it lacks are NaN.
+std::size_t blocks_with(const std::vector<DrawnSums>& blocks, double DrawnSums::*pixels) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(blocks, [&](const DrawnSums& block) { return block.*pixels > 0; }));
+}
+
+/// Whether too few blocks hold pixels of a kind to tell an interval.
+bool is_small(const std::vector<DrawnSums>& blocks, double DrawnSums::*pixels) {
+    return blocks_with(blocks, pixels) < kFewestBlocks;
+}
+
+/// An image from which blocks are drawn. Sums that it lacks are NaN; it has no blocks where they are too few.
 class Urn {
   public:
-    explicit Urn(const BlockErrors& image) : blocks_(sums_of_blocks(image)), maps_(image.maps) {}
+    explicit Urn(const BlockErrors& image) : blocks_(sums_of_blocks(image)), maps_(image.maps) {
+        if (is_small(blocks_, &DrawnSums::count)) blocks_.clear();
+        // The index counts inside the border alone.
+        if (!is_small(blocks_, &DrawnSums::ssim_weight)) return;
+        for (DrawnSums& block : blocks_) block.ssim = kNotThere;
+    }
 
     /// Squares for MS-SSIM come from a generator of their own, since they differ from the blocks.
     DrawnSums draw(std::mt19937_64& random, std::mt19937_64& random_squares) const {
@@ -102,8 +120,20 @@ const std::vector<std::string>& bootstrap_measures() {
     return ids;
 }
 
+bool can_be_resampled(const std::string& measure) {
+    return std::ranges::find(bootstrap_measures(), measure) != bootstrap_measures().end();
+}
+
 std::vector<double> resampled(const std::string& measure, BootstrapImages images, std::uint64_t seed) {
     return resampled_together({&statistic(measure), 1}, images, seed).front();
+}
+
+std::string why_no_intervals(const BlockErrors& image) {
+    const std::size_t blocks = blocks_with(sums_of_blocks(image), &DrawnSums::count);
+    if (blocks >= kFewestBlocks) return {};
+    return fmt::format("no number has an interval: the valid pixels lie in {} of the picture's blocks, and "
+                       "an interval takes at least {}",
+                       blocks, kFewestBlocks);
 }
 
 double value_of_blocks(const std::string& measure, const BlockErrors& image) {
@@ -121,7 +151,8 @@ std::optional<Interval> confidence_interval(std::vector<double> values) {
     const auto quantile = [&](double q) {
         return values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1) + 0.5)];
     };
-    return Interval{quantile(0.025), quantile(0.975)};
+    const Interval interval{quantile(0.025), quantile(0.975)};
+    return interval.low < interval.high ? std::optional(interval) : std::nullopt;
 }
 
 std::optional<Interval> confidence_interval(const std::vector<double>& a, const std::vector<double>& b) {

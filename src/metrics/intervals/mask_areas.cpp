@@ -3,6 +3,8 @@
 #include "metrics/analysis/analysis.h"
 #include "metrics/intervals/drawn_sums.h"
 
+#include <algorithm>
+
 namespace aoscore {
 namespace {
 
@@ -25,6 +27,10 @@ const std::array<MaskArea, 2>& mask_areas() {
          [](const DrawnSums& s) { return area_of(s.false_occlusion, s.count); }},
     }};
     return table;
+}
+
+bool is_mean_of_mask(std::string_view id) {
+    return std::ranges::find(mask_areas(), id, &MaskArea::mean_id) != mask_areas().end();
 }
 
 }  // namespace aoscore

@@ -28,4 +28,8 @@ struct MaskArea {
 /// The areas of missing, then of false occlusion.
 const std::array<MaskArea, 2>& mask_areas();
 
+/// Whether this is the id of the mean error within a mask. Tables of scores do not show it, and so no rays
+/// are traced for it.
+bool is_mean_of_mask(std::string_view id);
+
 }  // namespace aoscore

@@ -18,7 +18,6 @@ namespace {
 
 // The exponents of the paper's section 3.2, finest scale first.
 constexpr std::array<double, kSimilarityScales> kExponents = {0.0448, 0.2856, 0.3001, 0.2363, 0.1333};
-constexpr std::size_t kFewestSquares = 15;  ///< least number for an interval
 
 /// Adds the influence of each block on exponent * log(mean of a factor).
 void add_influences(std::vector<double>& influences, const std::vector<double>& sums,
@@ -65,7 +64,7 @@ MetricValue measure::ms_ssim(const MetricInput& input) {
             add_influences(influences, coarsest ? sums.ssim : sums.contrast_structure, sums.weights,
                            kExponents[scale]);
     }
-    if (input.maps != nullptr && product > 0 && grid.size() >= kFewestSquares) {
+    if (input.maps != nullptr && product > 0 && grid.size() >= kFewestBlocks) {
         input.maps->ms_ssim = product;
         input.maps->ms_ssim_influences = std::move(influences);
     }

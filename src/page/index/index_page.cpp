@@ -45,6 +45,7 @@ json place_model(const ScenePlace& place, const IndexContents& contents, double 
     const IndexedContestant& contestant = contents.contestants[place.contestant];
     const IndexedCell& worst = contents.cells[place.worst_cell];
     const auto at = [&](double error) { return fmt::format("{:.2f}%", 100 * error / largest); };
+    const Interval span = place.interval.value_or(Interval{place.error, place.error});
     const std::string behind = place.behind_first
                                    ? fmt::format("{} to {}", fixed_text(place.behind_first->low, 4),
                                                  fixed_text(place.behind_first->high, 4))
@@ -52,11 +53,12 @@ json place_model(const ScenePlace& place, const IndexContents& contents, double 
     return {{"rank", rank_of(place, contestant)},
             {"name", contestant.name},
             {"error", fixed_text(place.error, 4)},
-            {"interval", several_scenes ? fmt::format("{} to {}", fixed_text(place.interval.low, 4),
-                                                      fixed_text(place.interval.high, 4))
-                                        : kNoNumber},
-            {"low", at(place.interval.low)},
-            {"high", at(place.interval.high)},
+            {"interval",
+             several_scenes && place.interval
+                 ? fmt::format("{} to {}", fixed_text(span.low, 4), fixed_text(span.high, 4))
+                 : kNoNumber},
+            {"low", at(span.low)},
+            {"high", at(span.high)},
             {"at", at(place.error)},
             {"behind", behind},
             {"worst", view_name(contents.views[worst.view])},
@@ -103,7 +105,7 @@ json data_model(const IndexContents& contents, const SceneRanking& ranking) {
 json page_model(const IndexContents& contents, const SceneRanking& ranking, const std::string& command) {
     const std::size_t repeated = repeated_cameras(contents);
     double largest = 0;
-    for (const ScenePlace& place : ranking.places) largest = std::max(largest, place.interval.high);
+    for (const ScenePlace& place : ranking.places) largest = std::max(largest, place.interval ? place.interval->high : place.error);
     json places = json::array(), unreadable = json::array();
     for (const ScenePlace& place : ranking.places)
         places.push_back(place_model(place, contents, largest > 0 ? largest : 1, ranking.scenes > 1));

@@ -78,7 +78,7 @@ ScenePlace place_of(const Cells& cells, const Resampled& error, const IndexConte
     ScenePlace place;
     place.contestant = cells.front()->contestant;
     place.error = error.value;
-    place.interval = confidence_interval(error.draws).value_or(Interval{error.value, error.value});
+    place.interval = confidence_interval(error.draws);
     const auto worst =
         std::ranges::max_element(cells, {}, [](const IndexedCell* cell) { return *cell->error; });
     place.worst_cell = static_cast<std::size_t>(*worst - contents.cells.data());

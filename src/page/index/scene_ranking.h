@@ -13,7 +13,8 @@ namespace aoscore {
 struct ScenePlace {
     std::size_t contestant = 0;
     double error = 0;                      ///< error_over_scenes()
-    Interval interval;                     ///< of this error alone, 95 %, over other scenes and cameras
+    /// Of this error alone, 95 %, over other scenes and cameras; empty where there is only one of them.
+    std::optional<Interval> interval;
     std::optional<RankRange> rank;         ///< all ranks hold at once; empty for a bound
     std::optional<Interval> behind_first;  ///< of its error less the first ranked one's; empty for that one
     std::size_t worst_cell = 0;            ///< where it errs most, a place in IndexContents::cells

@@ -26,6 +26,14 @@ double area_of(const MaskSummary& mask, const std::string& cause) {
     return found == nullptr ? 0.0 : found->area;
 }
 
+/// The 95 % interval of a mask's mean error in words.
+std::string mean_interval(const ErrorAnalysis& analysis, const MaskArea& area) {
+    if (!area.mean(analysis)) return "";
+    const auto found = analysis.intervals.find(std::string(area.mean_id));
+    if (found == analysis.intervals.end()) return kNoInterval;
+    return fmt::format("{} to {}", fixed_text(found->second.low, 3), fixed_text(found->second.high, 3));
+}
+
 /// The parts of one method's bar; the whole mask where causes are not known.
 json bar_parts(const MaskSummary& mask, double widest) {
     json parts = json::array();
@@ -55,11 +63,13 @@ json row_model(const CellRecord& cell, double widest) {
             {"missing", percent_text(analysis.missing.area)},
             {"missing_sort", fmt::format("{}", analysis.missing.area)},
             {"missing_mean", fixed_text(analysis.missing.mean, 3)},
+            {"missing_mean_interval", mean_interval(analysis, mask_areas()[0])},
             {"parts", bar_parts(analysis.missing, widest)},
             {"shares", std::move(shares)},
             {"false", percent_text(analysis.false_occlusion.area)},
             {"false_sort", fmt::format("{}", analysis.false_occlusion.area)},
             {"false_mean", fixed_text(analysis.false_occlusion.mean, 3)},
+            {"false_mean_interval", mean_interval(analysis, mask_areas()[1])},
             {"false_width", css_percent(widest > 0 ? analysis.false_occlusion.area / widest : 0)}};
 }
 

@@ -39,7 +39,8 @@ json number_model(const PlaceRecord& place, const Head& head) {
             {"sort", fmt::format("{}", measure.value)},
             {"interval", measure.interval ? fmt::format("{} to {}", text(measure.interval->low),
                                                         text(measure.interval->high))
-                                          : ""}};
+                         : can_be_resampled(head.id) ? kNoInterval
+                                                     : ""}};
 }
 
 }  // namespace

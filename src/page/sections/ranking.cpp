@@ -1,5 +1,6 @@
 #include "core/error.h"
 #include "metrics/evaluate.h"
+#include "metrics/intervals/bootstrap.h"
 #include "page/document/number_text.h"
 #include "page/section.h"
 #include "page/sections/baseline_table.h"
@@ -42,16 +43,19 @@ json bar_model(const PlaceRecord& place, double largest) {
     const auto part = [&](double value) {
         return fmt::format("{:.2f}%", largest > 0 ? std::clamp(value / largest, 0.0, 1.0) * 100 : 0.0);
     };
-    return {{"low", part(place.interval.low)},
-            {"high", part(place.interval.high)},
+    const Interval span = place.interval.value_or(Interval{place.value, place.value});
+    return {{"low", part(span.low)},
+            {"high", part(span.high)},
             {"at", part(place.value)},
-            {"text", fmt::format("95 % between {} and {}", fixed_text(place.interval.low, 4),
-                                 fixed_text(place.interval.high, 4))}};
+            {"text", place.interval ? fmt::format("95 % between {} and {}", fixed_text(span.low, 4),
+                                                  fixed_text(span.high, 4))
+                                    : kNoInterval}};
 }
 
 double largest_of(const RankingRecord& ranking) {
     double largest = 0;
-    for (const PlaceRecord& place : ranking.places) largest = std::max(largest, place.interval.high);
+    for (const PlaceRecord& place : ranking.places)
+        largest = std::max(largest, place.interval ? place.interval->high : place.value);
     return largest;
 }
 

@@ -1,5 +1,6 @@
 #include "page/sections/truth_noise_text.h"
 
+#include "metrics/intervals/mask_areas.h"
 #include "metrics/roles.h"
 #include "page/document/number_text.h"
 
@@ -23,6 +24,7 @@ std::string truth_noise_text(const Results& results, const ViewRecord& view) {
     for (const CellRecord& cell : results.cells) {
         if (cell.view_key != view.key || !cell.analysis) continue;
         for (const auto& [metric, half_width] : cell.analysis->truth_noise) {
+            if (is_mean_of_mask(metric)) continue;
             double& largest = metric == kRankingMetric ? ranking : others;
             largest = std::max(largest, half_width);
         }

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <tuple>
 #include <utility>
@@ -41,9 +42,9 @@ std::vector<Part> measure_parts() {
                              return found == map.end() ? std::nullopt : found->second.value;
                          }});
     }
+    constexpr std::array ends{std::pair("_low", &Interval::low), std::pair("_high", &Interval::high)};
     for (const std::string& id : bootstrap_measures()) {
-        for (const auto& [suffix, end] :
-             {std::pair("_low", &Interval::low), std::pair("_high", &Interval::high)}) {
+        for (const auto& [suffix, end] : ends) {
             parts.push_back(
                 {{id + suffix, "", 4, false},
                  [id, end](const MetricMap&, const ErrorAnalysis* a) { return bound(a, id, end); }});
@@ -58,7 +59,11 @@ std::vector<Part> measure_parts() {
     };
     for (const MaskArea& area : mask_areas()) {
         add(area.id, area.label, true, area.value);
-        add(area.mean_id, "", false, area.mean);
+        const std::string mean_id(area.mean_id);
+        add(mean_id, "", false, area.mean);
+        for (const auto& [suffix, end] : ends)
+            add(mean_id + suffix, "", false,
+                [mean_id, end](const ErrorAnalysis& a) { return bound(&a, mean_id, end); });
     }
     add("fit_strength", "", false, [](const ErrorAnalysis& a) { return a.fit.strength; });
     add("fit_exponent", "", false, [](const ErrorAnalysis& a) { return a.fit.exponent; });
