@@ -5,9 +5,11 @@
 #include "core/threads.h"
 #include "image/image_frame.h"
 #include "metrics/evaluate.h"
+#include "metrics/measures/noise.h"
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <algorithm>
 #include <cstddef>
 #include <exception>
@@ -127,9 +129,17 @@ std::vector<std::string> warnings_of(const Pair& pair, const ComparisonRequest& 
     return warnings;
 }
 
-/// Warns of a threshold of 0, see mask_totals().
+/// Warns of a threshold of 0, see mask_totals(), and of one within the noise.
 void add_noise_in_areas(const MetricInput& input, double threshold, std::vector<std::string>& warnings) {
-    if (threshold > 0 || input.standard_error == nullptr) return;
+    if (input.standard_error == nullptr) return;
+    const double noise = std::sqrt(mean_noise_variance(input).value_or(0));
+    if (threshold > 0 && threshold < noise)
+        warnings.push_back(fmt::format(
+            "the --mask-threshold of {:.3g} is below the truth's noise, {:.3g} in the mean square: the areas of "
+            "missing and false occlusion are guesses there, and how sure they are is not known; more rays "
+            "or a larger threshold tell them",
+            threshold, noise));
+    if (threshold > 0) return;
     warnings.push_back(
         "beyond a --mask-threshold of 0 every difference counts, also one by the truth's noise: how sure the "
         "areas of missing and false occlusion are is not known");

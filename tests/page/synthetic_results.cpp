@@ -168,7 +168,7 @@ std::vector<RankingRecord> rankings_of(const std::vector<CellRecord>& cells) {
                                  cell.filter,
                                  {cell.id},
                                  value,
-                                 {value - 0.002, value + 0.002},
+                                 Interval{value - 0.002, value + 0.002},
                                  {},
                                  {},
                                  {},

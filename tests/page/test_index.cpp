@@ -73,14 +73,18 @@ TEST(Index, KeepsTheLatestOfTheSameContestantOnTheSameView) {
     const std::size_t cells = index.contents().cells.size();
     results.created_utc = "2027-01-01T00:00:00Z";
     results.cells[0].ranked["rmse_debiased"].value = 0.5;
-    index.add(results, "nowhere");
+    index.add(results, "newer");
     EXPECT_EQ(index.contents().cells.size(), cells);
-    EXPECT_EQ(index.contents().replaced, cells);
+    EXPECT_EQ(index.contents().replaced, (std::map<std::string, std::size_t>{{"../nowhere", cells}}));
     EXPECT_EQ(index.contents().cells[0].error, 0.5);
     results.created_utc = "2020-01-01T00:00:00Z";
     results.cells[0].ranked["rmse_debiased"].value = 0.7;
-    index.add(results, "nowhere");
+    index.add(results, "oldest");
     EXPECT_EQ(index.contents().cells[0].error, 0.5) << "an earlier one came last";
+    EXPECT_EQ(index.contents().replaced.at("../oldest"), cells);
+    const std::string page =
+        read_file(write_index_page(index.contents(), testing::output_dir(), "index", 1));
+    EXPECT_THAT(page, AllOf(HasSubstr("the newest counts"), HasSubstr("<code>../oldest</code>")));
     results.views[0].radius_m *= 2;
     index.add(results, "nowhere");
     EXPECT_GT(index.contents().cells.size(), cells) << "at another radius it is another view";

@@ -73,6 +73,7 @@ MeasuredMasks measured_masks(const MetricInput& input, const MaskTotals& totals,
         mask.summary.mean = mean_of(total.whole, threshold);
         mask.summary.causes = cause_shares(total, causes, mask.summary.area, threshold);
         if (input.standard_error == nullptr || totals.valid == 0 || threshold <= 0) return mask;
+        if (total.doubtful_noise > threshold * total.doubt) return mask;  // the boxes are wider than they can tell
         mask.truth_noise = half_width(deviation(total, threshold) / totals.valid);
         if (mask.summary.mean) mask.mean_noise = half_width_of_mean(total, *mask.summary.mean, threshold);
         return mask;

@@ -93,9 +93,9 @@ void IndexBuilder::add_cell(IndexedCell cell) {
         contents_.cells.push_back(std::move(cell));
         return;
     }
-    ++contents_.replaced;
     IndexedCell& earlier = contents_.cells[found->second];
     if (earlier.made < cell.made) std::swap(earlier, cell);
+    ++contents_.replaced[cell.results];
     if (!earlier.light) earlier.light = std::move(cell.light);
 }
 
@@ -106,6 +106,7 @@ void IndexBuilder::add(const Results& results, const fs::path& folder) {
     const fs::path page_file = folder / "index.html";
     const std::string page =
         fs::exists(page_file) ? percent_encoded(fs::relative(page_file, page_folder_).string()) : "";
+    const std::string folder_name = fs::relative(folder, page_folder_).string();
     for (const CellRecord& cell : results.cells) {
         const ViewRecord& view = find_view(results, cell.view_key);
         const auto picture = pictures.find(view.key);
@@ -116,6 +117,7 @@ void IndexBuilder::add(const Results& results, const fs::path& folder) {
             one.light = {least->error->value, std::string(least->mode->label), view.light->environment};
         if (const auto rank = ranks.find(cell.id); rank != ranks.end()) one.rank = rank->second;
         one.made = results.created_utc;
+        one.results = folder_name;
         add_cell(std::move(one));
     }
     ++contents_.read;

@@ -42,6 +42,7 @@ struct IndexedCell {
     std::string failure;  ///< why it failed; else empty
     std::string link;     ///< to the cell on its results' page, from the index's folder; empty without a page
     std::string made;     ///< when, UTC
+    std::string results;  ///< the folder of its results, from the index's folder
 };
 
 struct UnreadableResults {
@@ -56,7 +57,9 @@ struct IndexContents {
                                      ///< an earlier one where it was not lit
     std::vector<UnreadableResults> unreadable;
     std::size_t read = 0;      ///< results that were read
-    std::size_t replaced = 0;  ///< cells left out for later ones of the same contestant on the same view
+    /// How many cells of which results, by their folder, were left out for later ones of the same contestant
+    /// on the same view.
+    std::map<std::string, std::size_t> replaced;
 };
 
 /// Gathers results one by one; they can be let go of afterwards.

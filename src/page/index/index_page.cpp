@@ -106,7 +106,12 @@ json page_model(const IndexContents& contents, const SceneRanking& ranking, cons
     const std::size_t repeated = repeated_cameras(contents);
     double largest = 0;
     for (const ScenePlace& place : ranking.places) largest = std::max(largest, place.interval ? place.interval->high : place.error);
-    json places = json::array(), unreadable = json::array();
+    json places = json::array(), unreadable = json::array(), replaced = json::array();
+    std::size_t all_replaced = 0;
+    for (const auto& [folder, cells] : contents.replaced) {
+        replaced.push_back({{"folder", folder}, {"cells", counted(cells, "cell", "cells")}});
+        all_replaced += cells;
+    }
     for (const ScenePlace& place : ranking.places)
         places.push_back(place_model(place, contents, largest > 0 ? largest : 1, ranking.scenes > 1));
     for (const UnreadableResults& one : contents.unreadable)
@@ -128,8 +133,9 @@ json page_model(const IndexContents& contents, const SceneRanking& ranking, cons
             {"repeated", counted(repeated, "camera stands", "cameras stand")},
             {"has_left_out", ranking.left_out > 0},
             {"left_out", counted(ranking.left_out, "contestant was", "contestants were")},
-            {"has_replaced", contents.replaced > 0},
-            {"replaced", counted(contents.replaced, "cell is", "cells are")},
+            {"has_replaced", !replaced.empty()},
+            {"replaced_count", counted(all_replaced, "cell is", "cells are")},
+            {"replaced", std::move(replaced)},
             {"has_unreadable", !unreadable.empty()},
             {"unreadable_count", counted(unreadable.size(), "file could", "files could")},
             {"unreadable", std::move(unreadable)},
