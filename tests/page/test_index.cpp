@@ -15,6 +15,7 @@
 namespace aoscore {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 

@@ -440,11 +440,11 @@ TEST_F(Claims, ARegionCountsItsOwnBlocksAlone) {
     const ClaimList list = loaded(file);
     Results results = results_of(list, {{"alchemy/default", kFive}});
     BlockErrors& blocks = results.cells.at(0).analysis.emplace().blocks;
-    blocks.side_px = 16;
-    blocks.across = 4;
-    blocks.down = 3;
-    for (int i = 0; i < 12; ++i) {
-        const bool left = i % 4 < 2;
+    blocks.side_px = 8;
+    blocks.across = 8;
+    blocks.down = 6;
+    for (int i = 0; i < 48; ++i) {
+        const bool left = i % 8 < 4;
         blocks.counts.push_back(10);
         blocks.squared_sums.push_back(left ? 2.5 : 0.1);
         blocks.absolute_sums.push_back(left ? 5 : 1);

@@ -12,6 +12,8 @@ namespace aoscore {
 namespace {
 
 constexpr double kDeviations = 1.96;  // these hold 95 % of a normal distribution
+/// Noise of more than this many thresholds was not measured, and nothing is stated of it.
+constexpr double kMostNoise = 2;
 /// What the boxes leave, as a part of the mean doubt, for a noise of 1, and how much faster it grows where
 /// the noise is not small against the threshold, and where it is as large: chosen so that of six scenes, ten
 /// images and 16 to 64 rays, at thresholds of .05 to .2, as many intervals hold the value from 4,096 rays as
@@ -73,7 +75,7 @@ MeasuredMasks measured_masks(const MetricInput& input, const MaskTotals& totals,
         mask.summary.mean = mean_of(total.whole, threshold);
         mask.summary.causes = cause_shares(total, causes, mask.summary.area, threshold);
         if (input.standard_error == nullptr || totals.valid == 0 || threshold <= 0) return mask;
-        if (total.doubtful_noise > threshold * total.doubt) return mask;  // the boxes are wider than they can tell
+        if (total.doubtful_noise > kMostNoise * threshold * total.doubt) return mask;
         mask.truth_noise = half_width(deviation(total, threshold) / totals.valid);
         if (mask.summary.mean) mask.mean_noise = half_width_of_mean(total, *mask.summary.mean, threshold);
         return mask;

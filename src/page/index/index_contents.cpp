@@ -106,7 +106,7 @@ void IndexBuilder::add(const Results& results, const fs::path& folder) {
     const fs::path page_file = folder / "index.html";
     const std::string page =
         fs::exists(page_file) ? percent_encoded(fs::relative(page_file, page_folder_).string()) : "";
-    const std::string folder_name = fs::relative(folder, page_folder_).string();
+    const std::string folder_name = fs::relative(fs::absolute(folder), page_folder_).string();
     for (const CellRecord& cell : results.cells) {
         const ViewRecord& view = find_view(results, cell.view_key);
         const auto picture = pictures.find(view.key);
