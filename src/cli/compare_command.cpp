@@ -49,7 +49,7 @@ void print_line(const std::string& name, const std::string& value, const std::st
 /// "[low, high]", the 95 % interval, or that there is none; empty for a measure that never has one.
 std::string interval_text(const std::optional<ErrorAnalysis>& analysis, const std::string& id) {
     if (!analysis || !can_be_resampled(id)) return {};
-    if (!analysis->intervals.contains(id)) return kNoInterval;
+    if (!analysis->intervals.contains(id)) return fmt::format("[{}]", kNoInterval);
     const Interval& interval = analysis->intervals.at(id);
     return fmt::format("[{:.6f}, {:.6f}]", interval.low, interval.high);
 }
