@@ -38,7 +38,8 @@ PixelRect parse_crop(const std::string& text) {
     }
     if (numbers.size() != 4 || at != end || numbers[0] < 0 || numbers[1] < 0 || numbers[2] < 1 ||
         numbers[3] < 1)
-        throw CLI::ValidationError("--crop", "\"" + text + "\" is no rectangle LEFT,TOP,WIDTH,HEIGHT such as 0,40,640,400");
+        throw CLI::ValidationError(
+            "--crop", "\"" + text + "\" is no rectangle LEFT,TOP,WIDTH,HEIGHT such as 0,40,640,400");
     return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
@@ -180,7 +181,8 @@ CommandEntry add_compare_command(CLI::App& program, const GlobalOptions& global)
     app->add_flag("--invert", request.test_reading.invert, "TEST holds occlusion, not visibility");
     app->add_option_function<std::string>(
            "--crop", [&request](const std::string& text) { request.crop = parse_crop(text); },
-           "Compare this part of the truth alone: its left column and its top row, counted from 0 at the upper "
+           "Compare this part of the truth alone: its left column and its top row, counted from 0 at the "
+           "upper "
            "left corner of the truth (of EXR's display window), then its width and height in pixels; TEST "
            "may be cropped to it already")
         ->type_name("LEFT,TOP,WIDTH,HEIGHT");

@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <iterator>
@@ -135,8 +135,10 @@ void add_noise_in_areas(const MetricInput& input, double threshold, std::vector<
     const double noise = std::sqrt(mean_noise_variance(input).value_or(0));
     if (threshold > 0 && threshold < noise)
         warnings.push_back(fmt::format(
-            "the --mask-threshold of {:.3g} is below the truth's noise, {:.3g} in the mean square: the areas of "
-            "missing and false occlusion are guesses to a large part, and are not said to be sure to any width "
+            "the --mask-threshold of {:.3g} is below the truth's noise, {:.3g} in the mean square: the areas "
+            "of "
+            "missing and false occlusion are guesses to a large part, and are not said to be sure to any "
+            "width "
             "where that is less than half of the noise; more rays or a larger threshold tell them",
             threshold, noise));
     if (threshold > 0) return;
@@ -147,7 +149,8 @@ void add_noise_in_areas(const MetricInput& input, double threshold, std::vector<
 
 void add_smallness(const std::optional<ErrorAnalysis>& analysis, std::vector<std::string>& warnings) {
     if (!analysis) return;
-    if (std::string why = why_no_intervals(analysis->blocks); !why.empty()) warnings.push_back(std::move(why));
+    if (std::string why = why_no_intervals(analysis->blocks); !why.empty())
+        warnings.push_back(std::move(why));
 }
 
 nlohmann::json json_of(const MeasuredMetric& metric) {

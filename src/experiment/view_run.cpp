@@ -185,8 +185,7 @@ class Assembly {
         }
         for (std::size_t i = 0; i < run_.jobs.cells.size(); ++i) add_own_truth(i, view.truths);
         warn_of_small_radius(run_.work.view, view);
-        if (!run_.jobs.cells.empty())
-            warn_of_few_blocks(maker_.score(run_.jobs.cells.front().score), view);
+        if (!run_.jobs.cells.empty()) warn_of_few_blocks(maker_.score(run_.jobs.cells.front().score), view);
         warn_of_unknown_signals(view);
         warn_of_noisy_light(view);
         return view;

@@ -124,8 +124,8 @@ TEST(MaskArea, IsNothingWhereNoTruthCouldBeSoFarAway) {
 TEST(MaskArea, OfBlocksIsThatOfThePicture) {
     const NoisyPicture picture(120, 0.05, exponential, 3);
     EXPECT_NEAR(value_of_blocks(kMissingArea, with_masks(block_errors(picture.input()),
-                                                        mask_totals(picture.input(), kThreshold))), picture.missing().summary.area,
-                1e-12);
+                                                         mask_totals(picture.input(), kThreshold))),
+                picture.missing().summary.area, 1e-12);
 }
 
 TEST(MaskArea, CausesAddUpToItAndNoneIsNegative) {

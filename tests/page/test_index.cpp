@@ -83,8 +83,7 @@ TEST(Index, KeepsTheLatestOfTheSameContestantOnTheSameView) {
     index.add(results, "oldest");
     EXPECT_EQ(index.contents().cells[0].error, 0.5) << "an earlier one came last";
     EXPECT_EQ(index.contents().replaced.at("../oldest"), cells);
-    const std::string page =
-        read_file(write_index_page(index.contents(), testing::output_dir(), "index", 1));
+    const std::string page = read_file(write_index_page(index.contents(), testing::output_dir(), "index", 1));
     EXPECT_THAT(page, AllOf(HasSubstr("the newest counts"), HasSubstr("<code>../oldest</code>")));
     results.views[0].radius_m *= 2;
     index.add(results, "nowhere");

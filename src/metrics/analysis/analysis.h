@@ -23,11 +23,11 @@ namespace aoscore {
 struct ErrorAnalysis {
     /// 95 % confidence, by id: confidence_intervals(), and ratio_interval() of the masks' mean errors.
     std::map<std::string, Interval> intervals;
-    BestFit fit;                                ///< strength and exponent that fit it best
-    MaskSummary missing;                        ///< brighter than the truth beyond the threshold
-    MaskSummary false_occlusion;                ///< darker than the truth beyond it
-    std::vector<ErrorRegion> regions;           ///< worst connected pieces of both masks
-    std::vector<Split> splits;                  ///< error by property of the pixel
+    BestFit fit;                       ///< strength and exponent that fit it best
+    MaskSummary missing;               ///< brighter than the truth beyond the threshold
+    MaskSummary false_occlusion;       ///< darker than the truth beyond it
+    std::vector<ErrorRegion> regions;  ///< worst connected pieces of both masks
+    std::vector<Split> splits;         ///< error by property of the pixel
     /// Errors on the far side of depth edges; without blocks where depth is unknown.
     BinBlocks behind_edges;
     ErrorDistribution distribution;

@@ -30,14 +30,14 @@ struct MeasuredMask {
     MaskSummary summary;
     /// The half width of an interval that holds the area against a truth without noise with 95 % confidence.
     /// Empty where the truth's standard error is not known, for a threshold of 0, and for one that is smaller
-    /// than the noise of the pixels that may lie beyond it.
+    /// than half of the noise of the pixels that may lie beyond it.
     ///
     /// It is 1.96 times the root of two variances. One is that over seeds, of pixels whose noise is normal
     /// and independent of one another: kVarianceOfDoubt times their doubt, over their number. The other is
     /// that over scenes, of what the boxes leave. Errors crowd about a threshold in another way in every
     /// picture, so that it was measured, as a part of the mean doubt: it grows with the root of the noise,
-    /// and more where the threshold is as small as the noise. It is too small for a large surface of one error
-    /// that lies at the threshold.
+    /// and more where the threshold is as small as the noise. It is too small for a large surface of one
+    /// error that lies at the threshold.
     std::optional<double> truth_noise;
     /// The same of the mean. Empty also where the area is not surely more than nothing.
     ///

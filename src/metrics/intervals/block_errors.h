@@ -28,14 +28,15 @@ struct MapSums {
 struct BlockErrors {
     int side_px = 0;
     int across = 0, down = 0;
-    std::vector<double> counts;          ///< valid pixels
-    std::vector<double> squared_sums;    ///< sums of (test - truth)^2
-    std::vector<double> absolute_sums;   ///< sums of |test - truth|
-    std::vector<double> signed_sums;     ///< sums of test - truth
-    std::vector<double> variance_sums;   ///< sums of noise_variance(); empty where unknown
-    std::vector<double> missing_counts;  ///< sums of BeyondThreshold::share of missing occlusion, see with_masks()
-    std::vector<double> false_counts;    ///< the same of false occlusion
-    MapSums maps;                        ///< the sums that evaluate() left in the input
+    std::vector<double> counts;         ///< valid pixels
+    std::vector<double> squared_sums;   ///< sums of (test - truth)^2
+    std::vector<double> absolute_sums;  ///< sums of |test - truth|
+    std::vector<double> signed_sums;    ///< sums of test - truth
+    std::vector<double> variance_sums;  ///< sums of noise_variance(); empty where unknown
+    std::vector<double>
+        missing_counts;  ///< sums of BeyondThreshold::share of missing occlusion, see with_masks()
+    std::vector<double> false_counts;  ///< the same of false occlusion
+    MapSums maps;                      ///< the sums that evaluate() left in the input
 };
 
 /// Sums the errors over blocks of 1/24 of the width, without those of the masks. Throws sizes_differ.

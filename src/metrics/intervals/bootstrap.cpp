@@ -131,9 +131,10 @@ std::vector<double> resampled(const std::string& measure, BootstrapImages images
 std::string why_no_intervals(const BlockErrors& image) {
     const std::size_t blocks = blocks_with(sums_of_blocks(image), &DrawnSums::count);
     if (blocks >= kFewestBlocks) return {};
-    return fmt::format("no number has an interval: the valid pixels lie in {} of the picture's blocks, and "
-                       "an interval takes at least {}",
-                       blocks, kFewestBlocks);
+    return fmt::format(
+        "no number has an interval: the valid pixels lie in {} of the picture's blocks, and "
+        "an interval takes at least {}",
+        blocks, kFewestBlocks);
 }
 
 double value_of_blocks(const std::string& measure, const BlockErrors& image) {

@@ -33,8 +33,9 @@ inline constexpr char kNoInterval[] = "no interval";
 /// measure_over_views(), and images are drawn first, then blocks of each. Draws depend on the seed and on the
 /// number of blocks, so that two tests of the same truths are resampled alike and their differences, value by
 /// value, are paired. MS-SSIM, a product over scales, is resampled to first order and from larger squares,
-/// where there are at least fifteen; see MapSums. NaN where no valid pixel was drawn, where the images lack the
-/// measure's sums, and where one of them has too few blocks, see why_no_intervals(). Throws internal_error for a measure that is not among bootstrap_measures().
+/// where there are at least fifteen; see MapSums. NaN where no valid pixel was drawn, where the images lack
+/// the measure's sums, and where one of them has too few blocks, see why_no_intervals(). Throws
+/// internal_error for a measure that is not among bootstrap_measures().
 std::vector<double> resampled(const std::string& measure, BootstrapImages images, std::uint64_t seed);
 
 /// Says in words why an image is too small for any interval: its valid pixels lie in fewer than kFewestBlocks
@@ -45,8 +46,9 @@ std::string why_no_intervals(const BlockErrors& image);
 /// lacks the measure's sums. Throws internal_error for a measure that is not among bootstrap_measures().
 double value_of_blocks(const std::string& measure, const BlockErrors& image);
 
-/// The middle 95 % of resampled values, or of their differences a - b. Empty where one is infinite, where none
-/// is a number, and where all of the middle are the same: that tells nothing of how far the value may move.
+/// The middle 95 % of resampled values, or of their differences a - b. Empty where one is infinite, where
+/// none is a number, and where all of the middle are the same: that tells nothing of how far the value may
+/// move.
 std::optional<Interval> confidence_interval(std::vector<double> values);
 std::optional<Interval> confidence_interval(const std::vector<double>& a, const std::vector<double>& b);
 

@@ -56,7 +56,7 @@ struct IndexContents {
     std::vector<IndexedCell> cells;  ///< one of each contestant on each view: the latest, with the light of
                                      ///< an earlier one where it was not lit
     std::vector<UnreadableResults> unreadable;
-    std::size_t read = 0;      ///< results that were read
+    std::size_t read = 0;  ///< results that were read
     /// How many cells of which results, by their folder, were left out for later ones of the same contestant
     /// on the same view.
     std::map<std::string, std::size_t> replaced;

@@ -53,10 +53,9 @@ json place_model(const ScenePlace& place, const IndexContents& contents, double 
     return {{"rank", rank_of(place, contestant)},
             {"name", contestant.name},
             {"error", fixed_text(place.error, 4)},
-            {"interval",
-             several_scenes && place.interval
-                 ? fmt::format("{} to {}", fixed_text(span.low, 4), fixed_text(span.high, 4))
-                 : kNoNumber},
+            {"interval", several_scenes && place.interval
+                             ? fmt::format("{} to {}", fixed_text(span.low, 4), fixed_text(span.high, 4))
+                             : kNoNumber},
             {"low", at(span.low)},
             {"high", at(span.high)},
             {"at", at(place.error)},
@@ -105,7 +104,8 @@ json data_model(const IndexContents& contents, const SceneRanking& ranking) {
 json page_model(const IndexContents& contents, const SceneRanking& ranking, const std::string& command) {
     const std::size_t repeated = repeated_cameras(contents);
     double largest = 0;
-    for (const ScenePlace& place : ranking.places) largest = std::max(largest, place.interval ? place.interval->high : place.error);
+    for (const ScenePlace& place : ranking.places)
+        largest = std::max(largest, place.interval ? place.interval->high : place.error);
     json places = json::array(), unreadable = json::array(), replaced = json::array();
     std::size_t all_replaced = 0;
     for (const auto& [folder, cells] : contents.replaced) {

@@ -12,7 +12,7 @@ namespace aoscore {
 /// A contestant over all scenes of an index.
 struct ScenePlace {
     std::size_t contestant = 0;
-    double error = 0;                      ///< error_over_scenes()
+    double error = 0;  ///< error_over_scenes()
     /// Of this error alone, 95 %, over other scenes and cameras; empty where there is only one of them.
     std::optional<Interval> interval;
     std::optional<RankRange> rank;         ///< all ranks hold at once; empty for a bound

@@ -37,8 +37,8 @@ json number_model(const PlaceRecord& place, const Head& head) {
     const auto text = [&](double value) { return fixed_text(value * head.scale, head.decimals); };
     return {{"text", text(measure.value)},
             {"sort", fmt::format("{}", measure.value)},
-            {"interval", measure.interval ? fmt::format("{} to {}", text(measure.interval->low),
-                                                        text(measure.interval->high))
+            {"interval", measure.interval            ? fmt::format("{} to {}", text(measure.interval->low),
+                                                                   text(measure.interval->high))
                          : can_be_resampled(head.id) ? kNoInterval
                                                      : ""}};
 }
