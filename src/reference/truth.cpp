@@ -14,6 +14,7 @@
 #include "reference/integrator/tile_state.h"
 #include "reference/integrator/tile_store.h"
 #include "reference/integrator/truth_resolve.h"
+#include "reference/sampling/sample_plan.h"
 #include "reference/tracer/scene_builds.h"
 #include "reference/truth_impl.h"
 
@@ -141,7 +142,8 @@ struct TraceWork {
             }
             const TileState* there = tried.state;
             if (there == nullptr && !begun.tiles.empty()) there = &begun.tiles[i];
-            state.tiles.push_back(integrator.trace(tiles[i], there));
+            state.tiles.push_back(integrator.trace(tiles[i], there, tried.seen));
+            if (tried.seen != nullptr) *tried.seen = {};  // this was the last visit
         }
         state.seconds = begun.seconds + seconds_since(start);
         rays += integrator.rays();
@@ -153,7 +155,7 @@ struct TraceWork {
     const std::vector<TruthQuery>& queries;
     const PrimaryHits hits;  // what is hidden shows only once the whole picture is there
     const CauseJudge judge;
-    const std::unique_ptr<const MeanErrorPilot> pilot;  // where a mean error is asked for
+    const std::unique_ptr<MeanErrorPilot> pilot;  // where a mean error is asked for
     const TruthSettings settings;
     const PointSets points;
 };
@@ -171,6 +173,11 @@ void check_truth_request(const std::vector<TruthQuery>& queries, const TruthSett
     if (!(settings.mean_error >= 0 && settings.mean_error < 1)) {
         throw usage_error(fmt::format("mean error of {}", settings.mean_error), "mean error",
                           "0 (off) or less than 1");
+    }
+    for (const double error : {settings.max_error, settings.mean_error}) {
+        if (error > 0 && error < kLeastError)
+            throw usage_error(fmt::format("error of {:g}, below the rounding of float32 numbers", error), "error",
+                              fmt::format("{:g} or more", kLeastError));
     }
     if (settings.max_error > 0 && settings.mean_error > 0) {
         throw usage_error("an error for every pixel and one for the mean", "error", "one of them");

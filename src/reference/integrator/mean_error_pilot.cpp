@@ -4,7 +4,6 @@
 #include "core/progress.h"
 #include "core/threads.h"
 #include "reference/integrator/flush_denormals.h"
-#include "reference/integrator/tile_integrator.h"
 #include "reference/sampling/point_sets.h"
 
 #include <fmt/format.h>
@@ -53,11 +52,12 @@ MeanErrorPilot::MeanErrorPilot(const ReachableScene& scene, const CameraFrame& f
         numbers_.emplace(std::pair(tiles_[i].tile.y0, tiles_[i].tile.x0), i);
 }
 
-MeanErrorPilot::Begun MeanErrorPilot::begun(const Tile& tile) const {
+MeanErrorPilot::Begun MeanErrorPilot::begun(const Tile& tile) {
     const auto found = numbers_.find({tile.y0, tile.x0});
     if (found == numbers_.end()) return {};
     const TileState& state = states_[found->second];
-    return {&state, state.surfaces() == 0 || samples_[found->second] == rays_.samples};
+    return {&state, &seen_[found->second],
+            state.surfaces() == 0 || samples_[found->second] == rays_.samples};
 }
 
 PilotMeasure MeanErrorPilot::trace_first(std::size_t tiles, int samples) {
@@ -65,6 +65,7 @@ PilotMeasure MeanErrorPilot::trace_first(std::size_t tiles, int samples) {
     const PointSets points(settings_.points, samples);
     states_.resize(std::max(states_.size(), tiles));
     samples_.resize(states_.size());
+    seen_.resize(states_.size());
     std::fill_n(samples_.begin(), tiles, samples);
     PilotMeasure measured{.tiles = std::vector<TileErrors>(tiles)};
     const std::size_t at_a_time = tiles_at_a_time(tiles);
@@ -89,7 +90,7 @@ PilotMeasure MeanErrorPilot::trace_first(std::size_t tiles, int samples) {
             TileIntegrator integrator(scene_, frame_, queries_, settings_, points, judge_);
             for (std::size_t i = begin; i < end; ++i) {
                 throw_if_interrupted();
-                group.tiles.push_back(integrator.trace(tiles_[i].tile, &states_[i]));
+                group.tiles.push_back(integrator.trace(tiles_[i].tile, &states_[i], &seen_[i]));
             }
             traced_rays_ += integrator.rays();
             group.seconds = seconds_since(start);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "reference/integrator/tile.h"
+#include "reference/integrator/tile_integrator.h"
 #include "reference/integrator/tile_state.h"
 #include "reference/integrator/tile_store.h"
 #include "reference/sampling/pilot.h"
@@ -34,9 +35,10 @@ class MeanErrorPilot {
     /// What is there of a tile.
     struct Begun {
         const TileState* state = nullptr;  ///< null: nothing
+        SeenTile* seen = nullptr;          ///< for the visit of the picture; null: not kept
         bool done = false;                 ///< that is all that the picture has there
     };
-    Begun begun(const Tile& tile) const;
+    Begun begun(const Tile& tile);
     /// That it traced; none of what was there.
     std::uint64_t traced_rays() const { return traced_rays_; }
 
@@ -57,6 +59,7 @@ class MeanErrorPilot {
     std::vector<SpreadTile> tiles_;
     std::vector<TileState> states_;  // of the first of these tiles
     std::vector<int> samples_;       // that they were traced with
+    std::vector<SeenTile> seen_;     // through them
     EvenRays rays_;
     std::map<std::pair<int, int>, std::size_t> numbers_;  // of those with a state, by first row and column
 };

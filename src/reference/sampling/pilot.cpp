@@ -2,6 +2,8 @@
 
 #include "core/error.h"
 #include "core/rough_text.h"
+#include "reference/estimate/pixel_spread.h"
+#include "reference/estimate/variance_fall.h"
 #include "reference/truth.h"
 
 #include <fmt/format.h>
@@ -18,10 +20,15 @@ namespace {
 constexpr std::size_t kFewTiles = 64;
 /// How well the mean of all tiles is to be known by many of them, as a part of it, and how many are traced
 /// for that at most: as many, and where these are more, one in so many.
-constexpr double kWantedPart = 0.01;
+constexpr double kWantedPart = 0.012;
 constexpr std::size_t kMostTiles = 2048, kMostOfPicture = 4;
-/// Stated errors fall by so much as rays are doubled, see TileLaw, where it has not been measured.
-const double kUsualPower = -std::log2(std::sqrt(0.373));
+/// With more tiles, what tells a tile from the next one falls by this power of their number: 64 to 1,800
+/// tiles of six scenes at 640x360.
+constexpr double kAlike = 0.35;
+/// Variances fall by so much as rays are doubled, see TileLaw, and errors by this power of the rays, where it
+/// has not been measured.
+constexpr double kUsualRatio = 0.373;
+const double kUsualPower = -std::log2(std::sqrt(kUsualRatio));
 /// As they fall at worst and at best: what lies outside is chance.
 constexpr double kFlattest = 0.4, kSteepest = 1;
 /// From so many rays on pixels are proven open first, and what errors there are is less by a leap.
@@ -33,9 +40,13 @@ constexpr int kSamplesToTell = 1024;
 constexpr double kFirstTry = 0.75, kMostToTry = 0.9;
 /// How far below what was asked for many tiles may be, and how far above it, to be done at once.
 constexpr double kBelow = 0.025, kAbove = 0.01;
-/// How near to it the count must be that the few confirm, and how many they try.
-constexpr double kNear = 0.01;
+/// How near to it few tiles must come to tell the rest without being tried again. They try this part of what
+/// seems right, where that is so many times what was tried before: they, too, go on from fewer rays alone.
+constexpr double kNear = 0.03, kJustBelow = 0.95, kFar = 1.12;
 constexpr int kTries = 5;
+/// How far counts are looked at about the one that a power tells, and in how many steps of it.
+constexpr double kStepOut = 1.3;
+constexpr int kSteps = 256;
 /// Standard deviations by which the few must be below to speak for all.
 constexpr double kSurely = 4;
 /// What is called in reach by a few tiles is so by all.
@@ -80,6 +91,13 @@ MeanError largest_mean_of(std::span<const TileErrors> tiles) {
         if (mean.value > largest.value) largest = mean;
     }
     return largest;
+}
+
+/// What a pixel of so many rays errs by, up to a factor: a part of a block beyond the last whole one helps
+/// little, so that this falls in steps.
+double usual_error(int samples) {
+    return std::sqrt(variance_after_falls(kUsualRatio, block_size(samples)) *
+                     pooled_variance(samples, kUsualRatio));
 }
 
 /// Looks for the rays of one picture.
@@ -135,16 +153,18 @@ class Search {
 
     void learn_power(double samples, double error, double more, double less_error) {
         if (error <= 0 || less_error <= 0) return;
-        power_ = std::clamp(std::log(error / less_error) / std::log(more / samples), kFlattest, kSteepest);
+        const double usual = usual_error(static_cast<int>(samples)) / usual_error(static_cast<int>(more));
+        power_ = std::clamp(kUsualPower * std::log(error / less_error) / std::log(usual), kFlattest, kSteepest);
     }
 
     /// Whether the rays that every pixel has at least are more than enough.
     bool surely_enough() const {
-        const double doubt = std::sqrt(error_.variance_of_tile / static_cast<double>(few_));
+        const double doubt = doubt_of(few_);
         return samples_ == first_ && ratio() * (1 + kSurely * doubt) < 1;
     }
 
-    /// As many tiles as it takes, with a little less than what seems right; then the few, until it is.
+    /// As many tiles as it takes, with a little less than what seems right; then the few, until they are near
+    /// enough to tell the rest.
     int find_closely() {
         measure(tiles_for_precision(), samples_to_begin());
         require_in_reach();
@@ -153,14 +173,15 @@ class Search {
         if (many_ratio < 1 && samples_ == first_) return samples_;
         std::map<int, double> ratios{{samples_, many_ratio}};
         for (int i = 0; i < kTries; ++i) {
-            const int next = next_after(ratios);
-            if (ratios.contains(next)) break;
+            const int from = nearest(ratios), best = best_after(from, ratios.at(from));
+            if (std::abs(ratios.at(from) - 1) < kNear) return std::abs(ratios.at(from) - 1) < kAbove ? from : best;
+            if (ratios.contains(best)) break;
+            const int next = best < kFar * from ? best : static_cast<int>(kJustBelow * best);
             const double before = samples_, error = few_error_;
             measure(few_, next);
             require_in_reach();
-            learn_power(before, error, samples_, few_error_);
+            if (before >= kProofsFrom || next < kProofsFrom) learn_power(before, error, next, few_error_);
             ratios[next] = few_begun > 0 ? many_ratio * few_error_ / few_begun : many_ratio;
-            if (std::abs(ratios[next] - 1) < kNear) return next;
         }
         return nearest(ratios);
     }
@@ -168,19 +189,20 @@ class Search {
     int samples_to_begin() const {
         const double rays = wanted();
         if (samples_ >= kFirstTry * rays && samples_ <= kMostToTry * rays) return samples_;
-        const double begin = kFirstTry * rays;
         const bool proven = rays >= kProofsFrom;
-        return std::max({first_, static_cast<int>(begin), proven ? kProofsFrom : 1});
+        return std::max({first_, static_cast<int>(kFirstTry * rays), proven ? kProofsFrom : 1});
     }
 
-    /// From the count whose outcome is the nearest.
-    int next_after(const std::map<int, double>& ratios) const {
-        const int from = nearest(ratios);
-        const double rays = from * std::pow(std::max(ratios.at(from), 1e-9), 1 / power_);
-        int next = std::max(first_, static_cast<int>(std::round(std::min<double>(rays, kMostSamples))));
-        if (next == from && ratios.at(from) > 1 + kNear) ++next;
-        if (from < kProofsFrom && next > kProofsFrom) next = kProofsFrom;
-        return next;
+    /// The least count that is enough, as far as the outcome of `from` rays tells.
+    int best_after(int from, double ratio_there) const {
+        const double rays = from * std::pow(std::max(ratio_there, 1e-9), 1 / power_);
+        const double most = std::min<double>(kStepOut * rays, kMostSamples);
+        const double step = std::max(1.0, std::floor(rays / kSteps));
+        double best = std::max<double>(first_, std::round(rays / kStepOut));
+        while (best + step <= most &&
+               ratio_there * std::pow(usual_error(static_cast<int>(best)) / usual_error(from), power_ / kUsualPower) > 1)
+            best += step;
+        return static_cast<int>(from < kProofsFrom ? std::min<double>(best, std::max(kProofsFrom, from)) : best);
     }
 
     static int nearest(const std::map<int, double>& ratios) {
@@ -189,12 +211,20 @@ class Search {
                })->first;
     }
 
-    /// Of a finite number, the fewer are left the less they are in doubt.
     std::size_t tiles_for_precision() const {
-        const double of_many = error_.variance_of_tile / (kWantedPart * kWantedPart);
-        const double count = of_many / (1 + of_many / static_cast<double>(all_));
         const std::size_t most = std::min(all_, std::max(kMostTiles, all_ / kMostOfPicture));
-        return std::clamp(static_cast<std::size_t>(std::ceil(count)), few_, most);
+        std::size_t tiles = few_;
+        while (tiles < most && doubt_of(tiles) > kWantedPart) tiles = std::min(most, tiles + tiles / 8 + 1);
+        return tiles;
+    }
+
+    /// The standard deviation of the mean of so many tiles, as a part of it, by what the few tell.
+    double doubt_of(std::size_t tiles) const {
+        const auto count = static_cast<double>(tiles), few = static_cast<double>(few_);
+        // The closer they lie, the less they tell apart; and the fewer are left, the less there is in doubt.
+        const double alike = std::pow(few / count, kAlike);
+        const double left = 1 - count / static_cast<double>(all_);
+        return std::sqrt(error_.variance_of_tile * alike * left / count);
     }
 
     double seconds_of(double samples) const { return seconds_per_ray_ * samples * static_cast<double>(all_); }
