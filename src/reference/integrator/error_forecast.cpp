@@ -142,7 +142,7 @@ void require_in_reach(const ErrorForecast& forecast, double max_error) {
         fmt::format("an error of {:g} in every pixel takes about {} rays a pixel, {} in some, and {}",
                     max_error, rough_number(forecast.rays_a_pixel), rough_number(forecast.most_rays),
                     rough_duration(forecast.seconds)),
-        "error",
+        "--error",
         fmt::format("{:.2g} or more on this view", kRoughly * max_error * std::pow(excess, forecast.power)));
 }
 

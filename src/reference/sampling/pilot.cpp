@@ -39,7 +39,7 @@ constexpr int kSamplesToTell = 1024;
 /// as many as the few have where these are between this part and that.
 constexpr double kFirstTry = 0.75, kMostToTry = 0.9;
 /// How far below what was asked for many tiles may be, and how far above it, to be done at once.
-constexpr double kBelow = 0.025, kAbove = 0.01;
+constexpr double kBelow = 0.025, kAbove = 0.015;
 /// How near to it few tiles must come to tell the rest without being tried again. They try this part of what
 /// seems right, where that is so many times what was tried before: they, too, go on from fewer rays alone.
 constexpr double kNear = 0.03, kJustBelow = 0.95, kFar = 1.12;
@@ -153,8 +153,10 @@ class Search {
 
     void learn_power(double samples, double error, double more, double less_error) {
         if (error <= 0 || less_error <= 0) return;
+        // Less than an octave is seen through its steps.
         const double usual = usual_error(static_cast<int>(samples)) / usual_error(static_cast<int>(more));
-        power_ = std::clamp(kUsualPower * std::log(error / less_error) / std::log(usual), kFlattest, kSteepest);
+        const double octaves = more < 2 * samples ? std::log(usual) / kUsualPower : std::log(more / samples);
+        power_ = std::clamp(std::log(error / less_error) / octaves, kFlattest, kSteepest);
     }
 
     /// Whether the rays that every pixel has at least are more than enough.
@@ -163,19 +165,27 @@ class Search {
         return samples_ == first_ && ratio() * (1 + kSurely * doubt) < 1;
     }
 
-    /// As many tiles as it takes, with a little less than what seems right; then the few, until they are near
-    /// enough to tell the rest.
+    /// As many tiles as it takes, with a little less than what seems right; the few, until they are near enough
+    /// to tell the rest; and the many again.
     int find_closely() {
-        measure(tiles_for_precision(), samples_to_begin());
+        const std::size_t many = tiles_for_precision();
+        measure(many, samples_to_begin());
         require_in_reach();
+        if (is_enough(ratio()) || (ratio() < 1 && samples_ == first_)) return samples_;
+        const int begun = samples_, best = find_with_few();
+        if (best <= begun) return best;
+        measure(many, best);
+        return is_enough(ratio()) ? best : best_after(best, ratio());
+    }
+
+    static bool is_enough(double ratio) { return ratio > 1 - kBelow && ratio < 1 + kAbove; }
+
+    int find_with_few() {
         const double many_ratio = ratio(), few_begun = few_error_;
-        if (many_ratio > 1 - kBelow && many_ratio < 1 + kAbove) return samples_;
-        if (many_ratio < 1 && samples_ == first_) return samples_;
         std::map<int, double> ratios{{samples_, many_ratio}};
         for (int i = 0; i < kTries; ++i) {
             const int from = nearest(ratios), best = best_after(from, ratios.at(from));
-            if (std::abs(ratios.at(from) - 1) < kNear) return std::abs(ratios.at(from) - 1) < kAbove ? from : best;
-            if (ratios.contains(best)) break;
+            if (std::abs(ratios.at(from) - 1) < kNear || ratios.contains(best)) return best;
             const int next = best < kFar * from ? best : static_cast<int>(kJustBelow * best);
             const double before = samples_, error = few_error_;
             measure(few_, next);
@@ -235,7 +245,7 @@ class Search {
         const double most = std::min<double>(kMostSamples, rays * kDay_s / seconds);
         throw usage_error(fmt::format("a mean error of {:g} takes about {} rays a pixel and {}", mean_error_,
                                       rough_number(rays), rough_duration(seconds)),
-                          "mean error",
+                          "--mean-error",
                           fmt::format("{:.2g} or more on this view",
                                       kRoughly * mean_error_ * std::pow(rays / most, power_)));
     }

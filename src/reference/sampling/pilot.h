@@ -39,8 +39,8 @@ using TellRays = std::function<void(const EvenRays&)>;
 ///
 /// A few tiles find roughly how many rays it will be. Then many get most of these, for the mean of a picture
 /// that is told by few is as uncertain as its tiles differ. How the error falls from there on hardly differs
-/// between tiles, so that the few tell it. So the many are visited twice, by the search and by the picture,
-/// all others once, and no ray is traced in vain unless the few were far off.
+/// between tiles, so that the few tell it, and the many confirm it. So the many are visited twice, all others
+/// once, by the picture, and no ray is traced in vain unless the few were far off.
 ///
 /// All pixels get the same. To give each tile what it needs would spare 3 to 5 % of the rays on halls, courts
 /// and railings and 1 % on hair, even if its error were known beforehand, since the errors of tiles differ
