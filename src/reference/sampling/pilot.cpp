@@ -38,8 +38,9 @@ constexpr int kSamplesToTell = 1024;
 /// The many get this part of what the few ask for, since tiles go on from fewer rays, but not from more; or
 /// as many as the few have where these are between this part and that.
 constexpr double kFirstTry = 0.75, kMostToTry = 0.9;
-/// How far below what was asked for many tiles may be, and how far above it, to be done at once.
-constexpr double kBelow = 0.025, kAbove = 0.015;
+/// How far below what was asked for many tiles may be, and how far above it, to be done; and what is aimed at,
+/// since rays that are missing cost less than those that were too many.
+constexpr double kBelow = 0.03, kAbove = 0.02, kAim = 1.007;
 /// How near to it few tiles must come to tell the rest without being tried again. They try this part of what
 /// seems right, where that is so many times what was tried before: they, too, go on from fewer rays alone.
 constexpr double kNear = 0.03, kJustBelow = 0.95, kFar = 1.12;
@@ -210,7 +211,7 @@ class Search {
         const double step = std::max(1.0, std::floor(rays / kSteps));
         double best = std::max<double>(first_, std::round(rays / kStepOut));
         while (best + step <= most &&
-               ratio_there * std::pow(usual_error(static_cast<int>(best)) / usual_error(from), power_ / kUsualPower) > 1)
+               ratio_there * std::pow(usual_error(static_cast<int>(best)) / usual_error(from), power_ / kUsualPower) > kAim)
             best += step;
         return static_cast<int>(from < kProofsFrom ? std::min<double>(best, std::max(kProofsFrom, from)) : best);
     }
