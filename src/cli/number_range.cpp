@@ -31,9 +31,8 @@ CLI::Validator number_in(double low, double high, const std::string& why_low) {
 }
 
 CLI::Validator number_above_zero() {
-    return number_where(
-        [](double value) { return value > 0 && value <= std::numeric_limits<double>::max(); },
-        "finite number above 0", "POSITIVE");
+    return number_where([](double value) { return value > 0 && value <= std::numeric_limits<double>::max(); },
+                        "finite number above 0", "POSITIVE");
 }
 
 }  // namespace aoscore

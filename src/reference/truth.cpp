@@ -76,12 +76,12 @@ void say_what_stopped_short(const Truth& truth, const TruthSettings& settings, c
     std::size_t short_of_it = 0;
     for (std::size_t i = 0; i < truth.sample_counts.size(); ++i) {
         const auto errs = [&](const ImageF& error) { return error.pixels[i] > settings.max_error; };
-        short_of_it += truth.sample_counts.pixels[i] >= kMostSamples &&
-                       std::ranges::any_of(truth.standard_error, errs);
+        short_of_it +=
+            truth.sample_counts.pixels[i] >= kMostSamples && std::ranges::any_of(truth.standard_error, errs);
     }
     if (short_of_it == 0) return;
-    log_warning(fmt::format("{}: {} pixels err by more than {:g} with {} rays, the most that a pixel gets", what,
-                            short_of_it, settings.max_error, kMostSamples));
+    log_warning(fmt::format("{}: {} pixels err by more than {:g} with {} rays, the most that a pixel gets",
+                            what, short_of_it, settings.max_error, kMostSamples));
 }
 
 /// The settings with the rays that a pilot found, where there is one.
@@ -117,9 +117,8 @@ struct TraceWork {
                 "takes exactly is found first",
                 what, asked.mean_error, rough_number(rays.samples), rough_duration(rays.seconds)));
         };
-        auto found =
-            std::make_unique<MeanErrorPilot>(scene, frame, queries, asked, judge,
-                                             store != nullptr ? store->of_search() : nullptr, what, tell);
+        auto found = std::make_unique<MeanErrorPilot>(
+            scene, frame, queries, asked, judge, store != nullptr ? store->of_search() : nullptr, what, tell);
         if (!what.empty()) {
             log_info(fmt::format("{}: a mean error of {:g} takes {} rays a pixel", what, asked.mean_error,
                                  found->rays().samples));
@@ -176,8 +175,8 @@ void check_truth_request(const std::vector<TruthQuery>& queries, const TruthSett
     }
     for (const double error : {settings.max_error, settings.mean_error}) {
         if (error > 0 && error < kLeastError)
-            throw usage_error(fmt::format("error of {:g}, below the rounding of float32 numbers", error), "error",
-                              fmt::format("{:g} or more", kLeastError));
+            throw usage_error(fmt::format("error of {:g}, below the rounding of float32 numbers", error),
+                              "error", fmt::format("{:g} or more", kLeastError));
     }
     if (settings.max_error > 0 && settings.mean_error > 0) {
         throw usage_error("an error for every pixel and one for the mean", "error", "one of them");

@@ -247,7 +247,8 @@ TEST(TracingToAnError, GoesOnWhereItWasInterruptedAndTracesNothingTwice) {
             EXPECT_THROW(reference.trace(frame, kOneMetre, settings, "interrupted", &store), Error);
             left = std::numeric_limits<int>::max();
             const Truth resumed = reference.trace(frame, kOneMetre, settings, "resumed", &store);
-            EXPECT_EQ(std::numeric_limits<int>::max() - left, keeps - after) << "what was kept is not kept again";
+            EXPECT_EQ(std::numeric_limits<int>::max() - left, keeps - after)
+                << "what was kept is not kept again";
             EXPECT_LE(resumed.rays_now, last) << "interrupted after " << after;
             EXPECT_EQ(resumed.visibility[0].pixels, undisturbed.visibility[0].pixels);
             EXPECT_EQ(resumed.standard_error[0].pixels, undisturbed.standard_error[0].pixels);
@@ -282,8 +283,8 @@ class Started final : public TileStore {
     void keep(std::size_t, const GroupState&) override { throw interrupted_error(); }
 };
 
-ExitCode exit_code_at(const ReferenceScene& reference, const CameraFrame& frame, const TruthSettings& settings,
-                      std::string& said) {
+ExitCode exit_code_at(const ReferenceScene& reference, const CameraFrame& frame,
+                      const TruthSettings& settings, std::string& said) {
     Started store;
     try {
         reference.trace(frame, kOneMetre, settings, "", &store);
@@ -316,7 +317,8 @@ TEST(TracingToAnError, ThatNobodyCanReachIsSaidBeforeItStarts) {
 }
 
 TEST(SpreadTiles, AreAllTilesOnceAndItsFirstOnesLieEvenly) {
-    for (const auto& [width, height] : {std::pair(640, 360), std::pair(100, 900), std::pair(64, 64), std::pair(5, 3)}) {
+    for (const auto& [width, height] :
+         {std::pair(640, 360), std::pair(100, 900), std::pair(64, 64), std::pair(5, 3)}) {
         const std::vector<SpreadTile> tiles = spread_tiles(width, height);
         std::set<std::pair<int, int>> corners;
         std::set<std::size_t> places;
@@ -330,7 +332,8 @@ TEST(SpreadTiles, AreAllTilesOnceAndItsFirstOnesLieEvenly) {
         for (const SpreadTile& t : tiles) along[t.place] = t.tile;
         double farthest = 0;
         for (std::size_t i = 1; i < along.size(); ++i)
-            farthest = std::max<double>(farthest, std::hypot(along[i].x0 - along[i - 1].x0, along[i].y0 - along[i - 1].y0));
+            farthest = std::max<double>(
+                farthest, std::hypot(along[i].x0 - along[i - 1].x0, along[i].y0 - along[i - 1].y0));
         if (width == height) {
             EXPECT_EQ(farthest, kTileSide) << "neighbours on the curve are neighbours";
         }

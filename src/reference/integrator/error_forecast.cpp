@@ -73,7 +73,8 @@ class FewTiles {
             const auto by_query = stated_errors(tiles_[i].tile, states_[i], queries_, settings_);
             std::vector<double> largest = by_query.front();
             for (const std::vector<double>& errors : by_query)
-                std::ranges::transform(largest, errors, largest.begin(), [](double a, double b) { return std::max(a, b); });
+                std::ranges::transform(largest, errors, largest.begin(),
+                                       [](double a, double b) { return std::max(a, b); });
             all.insert(all.end(), largest.begin(), largest.end());
         }
         return all;

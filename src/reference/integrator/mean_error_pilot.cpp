@@ -56,8 +56,7 @@ MeanErrorPilot::Begun MeanErrorPilot::begun(const Tile& tile) {
     const auto found = numbers_.find({tile.y0, tile.x0});
     if (found == numbers_.end()) return {};
     const TileState& state = states_[found->second];
-    return {&state, &seen_[found->second],
-            state.surfaces() == 0 || samples_[found->second] == rays_.samples};
+    return {&state, &seen_[found->second], state.surfaces() == 0 || samples_[found->second] == rays_.samples};
 }
 
 PilotMeasure MeanErrorPilot::trace_first(std::size_t tiles, int samples) {

@@ -40,7 +40,8 @@ std::vector<Tile> random_tiles(int width, int height, std::size_t count) {
 
 std::vector<SpreadTile> spread_tiles(int width, int height) {
     constexpr std::uint32_t kScramble = 0x73707265;
-    const std::uint32_t side = std::bit_ceil(static_cast<std::uint32_t>(std::max(width, height)) / kTileSide + 1);
+    const std::uint32_t side =
+        std::bit_ceil(static_cast<std::uint32_t>(std::max(width, height)) / kTileSide + 1);
     std::vector<std::pair<std::uint64_t, Tile>> along;
     for (const Tile& tile : tiles_of(width, height)) {
         const auto x = static_cast<std::uint32_t>(tile.x0 / kTileSide);

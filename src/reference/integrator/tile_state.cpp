@@ -87,9 +87,9 @@ std::vector<std::vector<double>> stated_errors(const Tile& tile, const TileState
     }
     std::vector<std::vector<double>> errors(queries.size());
     for (std::size_t q = 0; q < queries.size() && !traced.empty(); ++q) {
-        for (const Estimate& e :
-             stated_estimates(places, samples, queries[q], settings,
-                              [&](std::size_t i) { return state.sums_of(q, queries.size(), traced[i]); }))
+        for (const Estimate& e : stated_estimates(places, samples, queries[q], settings, [&](std::size_t i) {
+                 return state.sums_of(q, queries.size(), traced[i]);
+             }))
             errors[q].push_back(e.standard_error);
     }
     return errors;

@@ -38,9 +38,11 @@ constexpr int kSamplesToTell = 1024;
 /// The many get this part of what the few ask for, since tiles go on from fewer rays, but not from more; or
 /// as many as the few have where these are between this part and that.
 constexpr double kFirstTry = 0.75, kMostToTry = 0.9;
-/// How far below what was asked for many tiles may be, and how far above it, to be done; and what is aimed at,
-/// since rays that are missing cost less than those that were too many.
+/// How far below what was asked for many tiles may be, and how far above it, to be done; and what is aimed
+/// at, since rays that are missing cost less than those that were too many.
 constexpr double kBelow = 0.03, kAbove = 0.02, kAim = 1.007;
+/// Rays that are there are not given up for fewer unless the error is so far below what was asked for.
+constexpr double kFarBelow = 0.04;
 /// How near to it few tiles must come to tell the rest without being tried again. They try this part of what
 /// seems right, where that is so many times what was tried before: they, too, go on from fewer rays alone.
 constexpr double kNear = 0.03, kJustBelow = 0.95, kFar = 1.12;
@@ -147,7 +149,8 @@ class Search {
             const int leap = before < kProofsFrom ? std::max<int>(2 * samples_, kProofsFrom) : 4 * samples_;
             const int octave = 1 << static_cast<int>(std::log2(std::min<double>(wanted(), kMostSamples)));
             measure(few_, std::min(octave, leap));
-            if (before >= kProofsFrom || samples_ < kProofsFrom) learn_power(before, error, samples_, error_.value);
+            if (before >= kProofsFrom || samples_ < kProofsFrom)
+                learn_power(before, error, samples_, error_.value);
         }
         require_in_reach();
     }
@@ -166,17 +169,25 @@ class Search {
         return samples_ == first_ && ratio() * (1 + kSurely * doubt) < 1;
     }
 
-    /// As many tiles as it takes, with a little less than what seems right; the few, until they are near enough
-    /// to tell the rest; and the many again.
+    /// As many tiles as it takes, with a little less than what seems right; the few, until they are near
+    /// enough to tell the rest; and the many again.
     int find_closely() {
         const std::size_t many = tiles_for_precision();
         measure(many, samples_to_begin());
         require_in_reach();
         if (is_enough(ratio()) || (ratio() < 1 && samples_ == first_)) return samples_;
-        const int begun = samples_, best = find_with_few();
+        const int begun = samples_;
+        const double begun_ratio = ratio();
+        const int best = find_with_few();
         if (best <= begun) return best;
         measure(many, best);
-        return is_enough(ratio()) ? best : best_after(best, ratio());
+        if (is_enough(ratio())) return best;
+        if (ratio() > 1) return best_after(best, ratio());
+        const bool leaps = begun < kProofsFrom && best >= kProofsFrom;
+        if (leaps || ratio() > 1 - kFarBelow) return best;
+        const double part = std::log(begun_ratio) / std::log(begun_ratio / ratio());
+        return std::clamp(static_cast<int>(std::ceil(begun * std::pow(double(best) / begun, part))), begun,
+                          best);
     }
 
     static bool is_enough(double ratio) { return ratio > 1 - kBelow && ratio < 1 + kAbove; }
@@ -211,15 +222,19 @@ class Search {
         const double step = std::max(1.0, std::floor(rays / kSteps));
         double best = std::max<double>(first_, std::round(rays / kStepOut));
         while (best + step <= most &&
-               ratio_there * std::pow(usual_error(static_cast<int>(best)) / usual_error(from), power_ / kUsualPower) > kAim)
+               ratio_there * std::pow(usual_error(static_cast<int>(best)) / usual_error(from),
+                                      power_ / kUsualPower) >
+                   kAim)
             best += step;
-        return static_cast<int>(from < kProofsFrom ? std::min<double>(best, std::max(kProofsFrom, from)) : best);
+        return static_cast<int>(from < kProofsFrom ? std::min<double>(best, std::max(kProofsFrom, from))
+                                                   : best);
     }
 
     static int nearest(const std::map<int, double>& ratios) {
-        return std::ranges::min_element(ratios, {}, [](const auto& tried) {
-                   return std::abs(std::log(std::max(tried.second, 1e-9)));
-               })->first;
+        return std::ranges::min_element(
+                   ratios, {},
+                   [](const auto& tried) { return std::abs(std::log(std::max(tried.second, 1e-9))); })
+            ->first;
     }
 
     std::size_t tiles_for_precision() const {
