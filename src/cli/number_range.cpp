@@ -23,16 +23,16 @@ CLI::Validator number_where(const std::function<bool(double)>& is_valid, const s
 
 }  // namespace
 
-CLI::Validator number_in(double low, double high) {
+CLI::Validator number_in(double low, double high, const std::string& why_low) {
+    const std::string why = why_low.empty() ? "" : fmt::format(" ({})", why_low);
     return number_where([=](double value) { return value >= low && value <= high; },
-                        fmt::format("number from {:g} to {:g}", low, high),
+                        fmt::format("number from {:g}{} to {:g}", low, why, high),
                         fmt::format("FLOAT in [{:g} - {:g}]", low, high));
 }
 
 CLI::Validator number_above_zero() {
-    return number_where(
-        [](double value) { return value > 0 && value <= std::numeric_limits<double>::max(); },
-        "finite number above 0", "POSITIVE");
+    return number_where([](double value) { return value > 0 && value <= std::numeric_limits<double>::max(); },
+                        "finite number above 0", "POSITIVE");
 }
 
 }  // namespace aoscore

@@ -1,5 +1,4 @@
 #include "cli/command.h"
-#include "cli/number_range.h"
 #include "cli/shared_options.h"
 #include "core/log.h"
 #include "core/output.h"
@@ -77,7 +76,7 @@ CommandEntry add_reference_command(CLI::App& program, const GlobalOptions& globa
            "--mean-error", options->effort.mean_error,
            "Trace with as many rays in every pixel as bring the mean standard error over the picture to "
            "this; says first how many that are")
-        ->check(number_in(1e-4, 0.5))
+        ->check(error_of_truth())
         ->excludes("--error");
     app->add_flag(
            "--halves", options->halves,

@@ -101,6 +101,10 @@ int TruthEffort::least_samples() const {
     return samples.value_or(max_error > 0 || mean_error > 0 ? kFewestToTellError : kUsual);
 }
 
+CLI::Validator error_of_truth() {
+    return number_in(kLeastError, 0.5, "float32 numbers, which truths are, round by as much");
+}
+
 void add_truth_options(CLI::App& app, TruthEffort& effort) {
     app.add_option("--samples", effort.samples,
                    fmt::format("Truth rays a pixel, 64 unless an error is asked for; with one the fewest, {} "
@@ -109,7 +113,7 @@ void add_truth_options(CLI::App& app, TruthEffort& effort) {
         ->check(CLI::Range(1, kMostSamples));
     app.add_option("--error", effort.max_error,
                    "Trace until every pixel's standard error is at most this, such as 0.01")
-        ->check(number_in(1e-4, 0.5));
+        ->check(error_of_truth());
 }
 
 CLI::Option* add_score_error_option(CLI::App& app, std::optional<double>& error) {
@@ -121,7 +125,7 @@ CLI::Option* add_score_error_option(CLI::App& app, std::optional<double>& error)
                         "{:g} times this; the page is written as soon as "
                         "noise cannot change the ranking, and again at the end [{:g}]",
                         ScoreGoal::kOtherMetrics, ScoreGoal().error))
-        ->check(number_in(1e-6, 0.5));
+        ->check(error_of_truth());
 }
 
 void add_score_truth_options(CLI::App& app, TruthEffort& effort) {

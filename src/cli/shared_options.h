@@ -44,6 +44,8 @@ struct TruthEffort {
     /// an error to be estimated where one is asked for, else 64.
     int least_samples() const;
 };
+/// Accepts a standard error that a truth can have.
+CLI::Validator error_of_truth();
 /// Adds --samples N and --error E.
 void add_truth_options(CLI::App& app, TruthEffort& effort);
 

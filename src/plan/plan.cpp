@@ -14,6 +14,7 @@
 #include "plan/run_modes.h"
 #include "plan/sweep.h"
 #include "plan/tuned_rows.h"
+#include "reference/sampling/sample_plan.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -190,7 +191,7 @@ void add_table(ExperimentPlan& plan, const ExperimentDefinition& experiment, dou
     const std::vector<std::string> claims = object.texts_or_empty("claims");
     plan.claim_ids.insert(plan.claim_ids.end(), claims.begin(), claims.end());
     view.samples = object.integer("samples", 1, 1 << 20);
-    view.max_error = object.number_or("error", 0, 1e-4, 0.5);
+    view.max_error = object.number_or("error", 0, kLeastError, 0.5);
     view.radius_m = object.number("radius_m", kSmallestRadius_m, kLargestRadius_m);
     std::vector<StrictObject> rows = object.objects("rows");
     object.finish();

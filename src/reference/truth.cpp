@@ -6,6 +6,7 @@
 #include "core/progress.h"
 #include "core/rough_text.h"
 #include "core/threads.h"
+#include "reference/integrator/error_forecast.h"
 #include "reference/integrator/flush_denormals.h"
 #include "reference/integrator/mean_error_pilot.h"
 #include "reference/integrator/tile.h"
@@ -13,6 +14,7 @@
 #include "reference/integrator/tile_state.h"
 #include "reference/integrator/tile_store.h"
 #include "reference/integrator/truth_resolve.h"
+#include "reference/sampling/sample_plan.h"
 #include "reference/tracer/scene_builds.h"
 #include "reference/truth_impl.h"
 
@@ -62,9 +64,29 @@ double expected_rays(const CameraFrame& frame, const TruthSettings& settings) {
     return static_cast<double>(frame.width()) * frame.height() * SamplePlan(settings).first();
 }
 
+/// Whether an error for every pixel takes so long, at its least, that to say how long first costs little.
+bool may_take_long(const CameraFrame& frame, const TruthSettings& settings) {
+    constexpr double kManyRays = 1e8;
+    return settings.max_error > 0 && expected_rays(frame, settings) > kManyRays;
+}
+
+/// Says where pixels got all the rays that a pixel can have and yet err more than was asked for.
+void say_what_stopped_short(const Truth& truth, const TruthSettings& settings, const std::string& what) {
+    if (settings.max_error <= 0) return;
+    std::size_t short_of_it = 0;
+    for (std::size_t i = 0; i < truth.sample_counts.size(); ++i) {
+        const auto errs = [&](const ImageF& error) { return error.pixels[i] > settings.max_error; };
+        short_of_it +=
+            truth.sample_counts.pixels[i] >= kMostSamples && std::ranges::any_of(truth.standard_error, errs);
+    }
+    if (short_of_it == 0) return;
+    log_warning(fmt::format("{}: {} pixels err by more than {:g} with {} rays, the most that a pixel gets",
+                            what, short_of_it, settings.max_error, kMostSamples));
+}
+
 /// The settings with the rays that a pilot found, where there is one.
-TruthSettings settled(TruthSettings settings, const std::optional<MeanErrorPilot>& pilot) {
-    if (!pilot) return settings;
+TruthSettings settled(TruthSettings settings, const MeanErrorPilot* pilot) {
+    if (pilot == nullptr) return settings;
     settings.mean_error = 0;
     settings.samples = pilot->rays().samples;
     return settings;
@@ -72,20 +94,22 @@ TruthSettings settled(TruthSettings settings, const std::optional<MeanErrorPilot
 
 /// The state that all threads share while they trace one truth.
 struct TraceWork {
-    /// `what` names the work where a pilot says how much there is of it; empty: it says nothing.
+    /// `what` names the work where a pilot says how much there is of it; empty: it says nothing. `store` may
+    /// be null.
     TraceWork(const ReachableScene& within_reach, const CameraFrame& f, const std::vector<TruthQuery>& q,
-              const TruthSettings& s, const std::string& what = {})
+              const TruthSettings& s, TileStore* store = nullptr, const std::string& what = {})
         : scene(within_reach),
           frame(f),
           queries(q),
           hits(s.extras.of_hits() ? hits_in(scene.tracer, frame) : PrimaryHits{}),
           judge(scene.tracer, frame, hits),
-          pilot(pilot_for(s, what)),
-          settings(settled(s, pilot)),
+          pilot(pilot_for(s, store, what)),
+          settings(settled(s, pilot.get())),
           points(s.points, SamplePlan(settings).most()) {}
 
-    std::optional<MeanErrorPilot> pilot_for(const TruthSettings& asked, const std::string& what) const {
-        if (asked.mean_error <= 0) return std::nullopt;
+    std::unique_ptr<MeanErrorPilot> pilot_for(const TruthSettings& asked, TileStore* store,
+                                              const std::string& what) const {
+        if (asked.mean_error <= 0) return nullptr;
         const auto tell = [&](const EvenRays& rays) {
             if (what.empty()) return;
             log_info(fmt::format(
@@ -93,7 +117,8 @@ struct TraceWork {
                 "takes exactly is found first",
                 what, asked.mean_error, rough_number(rays.samples), rough_duration(rays.seconds)));
         };
-        std::optional<MeanErrorPilot> found(std::in_place, scene, frame, queries, asked, judge, tell);
+        auto found = std::make_unique<MeanErrorPilot>(
+            scene, frame, queries, asked, judge, store != nullptr ? store->of_search() : nullptr, what, tell);
         if (!what.empty()) {
             log_info(fmt::format("{}: a mean error of {:g} takes {} rays a pixel", what, asked.mean_error,
                                  found->rays().samples));
@@ -109,13 +134,15 @@ struct TraceWork {
         GroupState state;
         for (std::size_t i = 0; i < tiles.size(); ++i) {
             throw_if_interrupted();
-            const TileState* there = pilot ? pilot->state_of(tiles[i]) : nullptr;
-            if (there != nullptr && pilot->is_done(*there)) {
-                state.tiles.push_back(*there);
+            const MeanErrorPilot::Begun tried = pilot ? pilot->begun(tiles[i]) : MeanErrorPilot::Begun{};
+            if (tried.done) {
+                state.tiles.push_back(*tried.state);
                 continue;
             }
+            const TileState* there = tried.state;
             if (there == nullptr && !begun.tiles.empty()) there = &begun.tiles[i];
-            state.tiles.push_back(integrator.trace(tiles[i], there));
+            state.tiles.push_back(integrator.trace(tiles[i], there, tried.seen));
+            if (tried.seen != nullptr) *tried.seen = {};  // this was the last visit
         }
         state.seconds = begun.seconds + seconds_since(start);
         rays += integrator.rays();
@@ -127,7 +154,7 @@ struct TraceWork {
     const std::vector<TruthQuery>& queries;
     const PrimaryHits hits;  // what is hidden shows only once the whole picture is there
     const CauseJudge judge;
-    const std::optional<MeanErrorPilot> pilot;  // where a mean error is asked for
+    const std::unique_ptr<MeanErrorPilot> pilot;  // where a mean error is asked for
     const TruthSettings settings;
     const PointSets points;
 };
@@ -145,6 +172,11 @@ void check_truth_request(const std::vector<TruthQuery>& queries, const TruthSett
     if (!(settings.mean_error >= 0 && settings.mean_error < 1)) {
         throw usage_error(fmt::format("mean error of {}", settings.mean_error), "mean error",
                           "0 (off) or less than 1");
+    }
+    for (const double error : {settings.max_error, settings.mean_error}) {
+        if (error > 0 && error < kLeastError)
+            throw usage_error(fmt::format("error of {:g}, below the rounding of float32 numbers", error),
+                              "error", fmt::format("{:g} or more", kLeastError));
     }
     if (settings.max_error > 0 && settings.mean_error > 0) {
         throw usage_error("an error for every pixel and one for the mean", "error", "one of them");
@@ -210,9 +242,14 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
     const ReachableScene scene =
         impl_->builds.reachable(frame, longest_radius(queries), expected_rays(frame, settings));
     truth.left_out_triangles = scene.left_out_triangles;
-    const TraceWork work(scene, frame, queries, settings, what);
+    const TraceWork work(scene, frame, queries, settings, store, what);
+    if (kept.empty() && may_take_long(frame, settings)) {
+        const ErrorForecast forecast = forecast_error(scene, frame, queries, settings, work.judge);
+        require_in_reach(forecast, settings.max_error);
+        log_info(fmt::format("{}: {}", what, forecast_text(forecast, settings.max_error)));
+    }
     Progress progress(what, wanted.size());
-    std::atomic<std::uint64_t> rays{0};
+    std::atomic<std::uint64_t> rays{work.pilot ? work.pilot->traced_rays() : 0};
     const auto start = std::chrono::steady_clock::now();
     const auto bring = [&](std::size_t g) {
         if (store != nullptr && store->has(g)) {
@@ -238,6 +275,7 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
     truth.seconds += seconds_since(start);
     truth.rays_now = rays;
     count_samples(settings, truth);
+    say_what_stopped_short(truth, settings, what);
     return truth;
 }
 

@@ -161,7 +161,7 @@ struct Truth {
     int samples = 0;                     ///< rays a pixel with a surface (the mean, rounded, if they differ)
     std::uint64_t rays = 0;  ///< that all pixels got together; those for bent normals are as many again
     std::uint64_t rays_now =
-        0;  ///< of these, traced in this very call for it (a pilot's for a mean error left out)
+        0;  ///< traced in this very call, by a search for a mean error too; those for bent normals left out
     std::uint64_t open_pixels = 0;  ///< proven open without a ray
     /// Over instances: out of reach of all that the camera sees, so that they were not built for tracing; 0
     /// where nothing was built for it.

@@ -1,5 +1,8 @@
 #include "core/error.h"
+#include "core/threads.h"
 #include "reference/benchmark/random_tiles.h"
+#include "reference/integrator/tile.h"
+#include "reference/integrator/tile_store.h"
 #include "reference/sampling/pilot.h"
 #include "reference/sampling/sample_plan.h"
 #include "reference/test_scenes.h"
@@ -10,7 +13,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
 #include <string>
+#include <utility>
 
 namespace aoscore {
 namespace {
@@ -132,7 +141,7 @@ TruthSettings to_mean_error(double mean_error, std::uint64_t seed = 1) {
 }
 
 TEST(TracingToAMeanError, ReachesItWhateverTheSceneAndTheSeed) {
-    // Half of what is allowed is the pilot's: it knows its mean to 1 %, and counts come in steps.
+    // So small pictures have few tiles, and counts are whole numbers.
     constexpr double kAllowed = 0.045;
     for (const char* id : {"atrium", "cathedral", "pillar", "railing", "vault", "yard"}) {
         const Scene scene = load_scene(id);
@@ -192,8 +201,157 @@ TEST(TracingToAMeanError, HoldsForTheRadiusThatErrsMost) {
 TracePilot pilot_of(double error_of_one_ray, int& most_rays) {
     return [=, &most_rays](std::size_t tiles, int samples) {
         most_rays = std::max(most_rays, samples);
-        return std::vector<TileErrors>(tiles, {{error_of_one_ray / std::sqrt(samples)}, 1});
+        const TileErrors each{.error_sums = {error_of_one_ray / std::sqrt(samples)}, .surfaces = 1};
+        return PilotMeasure{.tiles = std::vector<TileErrors>(tiles, each)};
     };
+}
+
+/// Keeps groups in memory, and the search's likewise; after so many of both it is interrupted.
+class Memory final : public TileStore {
+  public:
+    explicit Memory(int& keeps_left) : keeps_left_(keeps_left) {}
+    bool has(std::size_t group) const override { return groups_.contains(group); }
+    GroupState load(std::size_t group) const override { return groups_.at(group); }
+    GroupState begun(std::size_t) const override { return {}; }
+    void keep(std::size_t group, const GroupState& state) override {
+        const std::scoped_lock lock(mutex_);
+        groups_[group] = state;
+        if (--keeps_left_ <= 0) throw interrupted_error();
+    }
+    TileStore* of_search() override {
+        if (search_ == nullptr) search_ = std::make_unique<Memory>(keeps_left_);
+        return search_.get();
+    }
+
+  private:
+    int& keeps_left_;
+    std::mutex mutex_;
+    std::map<std::size_t, GroupState> groups_;
+    std::unique_ptr<Memory> search_;
+};
+
+TEST(TracingToAnError, GoesOnWhereItWasInterruptedAndTracesNothingTwice) {
+    const ReferenceScene reference(testing::thicket());
+    const CameraFrame frame(testing::looking({2, 2, 3}, {0, 0.5, 0}), 128, 96);
+    set_thread_count(1);
+    for (const TruthSettings& settings : {up_to(0.02), to_mean_error(0.01)}) {
+        int plenty = std::numeric_limits<int>::max();
+        Memory whole(plenty);
+        const Truth undisturbed = reference.trace(frame, kOneMetre, settings, "undisturbed", &whole);
+        const int keeps = std::numeric_limits<int>::max() - plenty;
+        ASSERT_GT(keeps, 20);
+        std::uint64_t last = undisturbed.rays_now;
+        for (const int after : {1, keeps / 3, 2 * keeps / 3, keeps}) {
+            int left = after;
+            Memory store(left);
+            EXPECT_THROW(reference.trace(frame, kOneMetre, settings, "interrupted", &store), Error);
+            left = std::numeric_limits<int>::max();
+            const Truth resumed = reference.trace(frame, kOneMetre, settings, "resumed", &store);
+            EXPECT_EQ(std::numeric_limits<int>::max() - left, keeps - after)
+                << "what was kept is not kept again";
+            EXPECT_LE(resumed.rays_now, last) << "interrupted after " << after;
+            EXPECT_EQ(resumed.visibility[0].pixels, undisturbed.visibility[0].pixels);
+            EXPECT_EQ(resumed.standard_error[0].pixels, undisturbed.standard_error[0].pixels);
+            last = resumed.rays_now;
+        }
+        EXPECT_EQ(last, 0u);
+    }
+    set_thread_count(0);
+}
+
+TEST(TracingToAMeanError, TracesHardlyMoreThanThePictureHas) {
+    for (const char* id : {"atrium", "cathedral", "pillar", "railing"}) {
+        const Scene scene = load_scene(id);
+        const View& view = scene.views.front();
+        const ReferenceScene reference(scene);
+        const CameraFrame frame(view.camera, 320, 180);
+        const std::vector<TruthQuery> query = {{Falloff::binary, view.radius_m.value_or(1), 0}};
+        for (const double mean_error : {0.02, 0.01}) {
+            const Truth truth = reference.trace(frame, query, to_mean_error(mean_error), "mean");
+            // The few tiles of 920 that are tried with too many are traced again.
+            EXPECT_LT(static_cast<double>(truth.rays_now), 1.16 * static_cast<double>(truth.rays)) << id;
+        }
+    }
+}
+
+/// A store that has nothing and is interrupted as soon as something is there to be kept.
+class Started final : public TileStore {
+  public:
+    bool has(std::size_t) const override { return false; }
+    GroupState load(std::size_t) const override { return {}; }
+    GroupState begun(std::size_t) const override { return {}; }
+    void keep(std::size_t, const GroupState&) override { throw interrupted_error(); }
+};
+
+ExitCode exit_code_at(const ReferenceScene& reference, const CameraFrame& frame,
+                      const TruthSettings& settings, std::string& said) {
+    Started store;
+    try {
+        reference.trace(frame, kOneMetre, settings, "", &store);
+    } catch (const Error& e) {
+        said = e.what();
+        return e.exit_code();
+    }
+    return ExitCode::ok;
+}
+
+TEST(TracingToAnError, ThatNobodyCanReachIsSaidBeforeItStarts) {
+    const ReferenceScene reference(testing::thicket());
+    const Camera camera = testing::looking({2, 2, 3}, {0, 0.5, 0});
+    for (const auto& [width, height] : {std::pair(640, 360), std::pair(3840, 2160)}) {
+        const CameraFrame frame(camera, width, height);
+        std::string said;
+        for (const double error : {1e-6, 1e-7}) {
+            for (const TruthSettings& settings : {up_to(error), to_mean_error(error)}) {
+                EXPECT_EQ(exit_code_at(reference, frame, settings, said), ExitCode::usage) << said;
+                EXPECT_NE(said.find("rays a pixel"), std::string::npos) << said;
+                EXPECT_NE(said.find(" d (valid: "), std::string::npos) << said;
+                EXPECT_NE(said.find("or more on this view"), std::string::npos) << said;
+            }
+        }
+        EXPECT_EQ(exit_code_at(reference, frame, up_to(1e-9), said), ExitCode::usage);
+        EXPECT_NE(said.find("below the rounding of float32"), std::string::npos) << said;
+        EXPECT_EQ(exit_code_at(reference, frame, up_to(0.004), said), ExitCode::interrupted)
+            << "what is in reach starts";
+    }
+}
+
+TEST(SpreadTiles, AreAllTilesOnceAndItsFirstOnesLieEvenly) {
+    for (const auto& [width, height] :
+         {std::pair(640, 360), std::pair(100, 900), std::pair(64, 64), std::pair(5, 3)}) {
+        const std::vector<SpreadTile> tiles = spread_tiles(width, height);
+        std::set<std::pair<int, int>> corners;
+        std::set<std::size_t> places;
+        for (const SpreadTile& t : tiles) {
+            corners.emplace(t.tile.x0, t.tile.y0);
+            places.insert(t.place);
+        }
+        EXPECT_EQ(corners.size(), tiles_of(width, height).size());
+        EXPECT_EQ(places.size(), tiles.size());
+        std::vector<Tile> along(tiles.size());
+        for (const SpreadTile& t : tiles) along[t.place] = t.tile;
+        double farthest = 0;
+        for (std::size_t i = 1; i < along.size(); ++i)
+            farthest = std::max<double>(
+                farthest, std::hypot(along[i].x0 - along[i - 1].x0, along[i].y0 - along[i - 1].y0));
+        if (width == height) {
+            EXPECT_EQ(farthest, kTileSide) << "neighbours on the curve are neighbours";
+        }
+        // Random ones would lie off by .29 over the root of their number.
+        const auto middle = [&](std::size_t few) {
+            double x = 0, y = 0;
+            for (std::size_t i = 0; i < few; ++i) {
+                x += static_cast<double>(tiles[i].tile.x0) / width / static_cast<double>(few);
+                y += static_cast<double>(tiles[i].tile.y0) / height / static_cast<double>(few);
+            }
+            return std::pair(x, y);
+        };
+        const auto [x, y] = middle(tiles.size());
+        for (std::size_t few = 64; few < tiles.size(); few *= 3) {
+            EXPECT_NEAR(middle(few).first, x, 0.29 / std::sqrt(few)) << width << " " << few;
+            EXPECT_NEAR(middle(few).second, y, 0.15 / std::sqrt(few)) << width << " " << few;
+        }
+    }
 }
 
 TEST(TracingToAMeanError, FindsTheRaysThatALawAsksFor) {

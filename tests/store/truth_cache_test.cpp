@@ -236,7 +236,7 @@ TEST(Cache, RefiningToAMeanErrorGivesTheBitsOfTracingAllAtOnce) {
     EXPECT_EQ(got.origin, TruthOrigin::refined);
     const Truth anew = room.anew(request);
     expect_same_bits(got.truth, anew);
-    EXPECT_LT(got.truth.rays_now, anew.rays);
+    EXPECT_LT(got.truth.rays_now, anew.rays_now);
     EXPECT_EQ(room.get(request).origin, TruthOrigin::cached);
 }
 

@@ -1,17 +1,27 @@
 #include "reference/integrator/mean_error_pilot.h"
 
 #include "core/interrupt.h"
+#include "core/progress.h"
 #include "core/threads.h"
 #include "reference/integrator/flush_denormals.h"
-#include "reference/integrator/tile_integrator.h"
 #include "reference/sampling/point_sets.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdint>
-#include <limits>
+#include <chrono>
+#include <numeric>
+#include <optional>
 
 namespace aoscore {
 namespace {
+
+/// No measurement has more chunks of tiles: a store numbers them in turn.
+constexpr std::size_t kMostChunks = 1 << 24;
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
 TruthSettings even_rays_alone(const TruthSettings& settings) {
     TruthSettings alone = settings;
@@ -24,69 +34,82 @@ TruthSettings even_rays_alone(const TruthSettings& settings) {
 
 MeanErrorPilot::MeanErrorPilot(const ReachableScene& scene, const CameraFrame& frame,
                                const std::vector<TruthQuery>& queries, const TruthSettings& settings,
-                               const CauseJudge& judge, const TellRays& tell)
+                               const CauseJudge& judge, TileStore* store, const std::string& what,
+                               const TellRays& tell)
     : scene_(scene),
       frame_(frame),
       queries_(queries),
       judge_(judge),
       settings_(even_rays_alone(settings)),
       usable_(!settings.extras.any()),
-      tiles_(random_tiles(frame.width(), frame.height(), std::numeric_limits<std::size_t>::max())) {
+      store_(store),
+      what_(what),
+      tiles_(spread_tiles(frame.width(), frame.height())) {
     rays_ = rays_for_mean_error(
         settings.mean_error, tiles_.size(), settings.samples,
         [this](std::size_t tiles, int samples) { return trace_first(tiles, samples); }, tell);
     for (std::size_t i = 0; usable_ && i < states_.size(); ++i)
-        numbers_.emplace(std::pair(tiles_[i].y0, tiles_[i].x0), i);
+        numbers_.emplace(std::pair(tiles_[i].tile.y0, tiles_[i].tile.x0), i);
 }
 
-const TileState* MeanErrorPilot::state_of(const Tile& tile) const {
+MeanErrorPilot::Begun MeanErrorPilot::begun(const Tile& tile) {
     const auto found = numbers_.find({tile.y0, tile.x0});
-    return found == numbers_.end() ? nullptr : &states_[found->second];
+    if (found == numbers_.end()) return {};
+    const TileState& state = states_[found->second];
+    return {&state, &seen_[found->second], state.surfaces() == 0 || samples_[found->second] == rays_.samples};
 }
 
-bool MeanErrorPilot::is_done(const TileState& state) const {
-    const auto samples = static_cast<std::uint32_t>(rays_.samples);
-    return std::ranges::any_of(state.samples, [&](std::uint32_t n) { return n == samples; });
-}
-
-std::vector<TileErrors> MeanErrorPilot::trace_first(std::size_t tiles, int samples) {
+PilotMeasure MeanErrorPilot::trace_first(std::size_t tiles, int samples) {
     settings_.samples = samples;
     const PointSets points(settings_.points, samples);
     states_.resize(std::max(states_.size(), tiles));
-    std::vector<TileErrors> errors(tiles);
+    samples_.resize(states_.size());
+    seen_.resize(states_.size());
+    std::fill_n(samples_.begin(), tiles, samples);
+    PilotMeasure measured{.tiles = std::vector<TileErrors>(tiles)};
     const std::size_t at_a_time = tiles_at_a_time(tiles);
-    parallel_for((tiles + at_a_time - 1) / at_a_time, [&](std::size_t chunk) {
+    const std::size_t chunks = (tiles + at_a_time - 1) / at_a_time;
+    const std::size_t measure = measures_++;
+    std::atomic<double> seconds{0};
+    std::optional<Progress> progress;
+    if (!what_.empty()) {
+        progress.emplace(fmt::format("{}: how many rays, {} of {} tiles with {} a pixel", what_, tiles,
+                                     tiles_.size(), samples),
+                         chunks);
+    }
+    parallel_for(chunks, [&](std::size_t chunk) {
         const FlushDenormals flush;
-        TileIntegrator integrator(scene_, frame_, queries_, settings_, points, judge_);
-        const std::size_t end = std::min(tiles, (chunk + 1) * at_a_time);
-        for (std::size_t i = chunk * at_a_time; i < end; ++i) {
-            throw_if_interrupted();
-            states_[i] = integrator.trace(tiles_[i], &states_[i]);
-            errors[i] = errors_of(tiles_[i], states_[i]);
+        const auto start = std::chrono::steady_clock::now();
+        const std::size_t begin = chunk * at_a_time, end = std::min(tiles, begin + at_a_time);
+        const std::size_t number = measure * kMostChunks + chunk;
+        GroupState group;
+        if (store_ != nullptr && store_->has(number)) {
+            group = store_->load(number);
+        } else {
+            TileIntegrator integrator(scene_, frame_, queries_, settings_, points, judge_);
+            for (std::size_t i = begin; i < end; ++i) {
+                throw_if_interrupted();
+                group.tiles.push_back(integrator.trace(tiles_[i].tile, &states_[i], &seen_[i]));
+            }
+            traced_rays_ += integrator.rays();
+            group.seconds = seconds_since(start);
+            if (store_ != nullptr) store_->keep(number, group);
         }
+        seconds += group.seconds;
+        for (std::size_t i = begin; i < end; ++i) {
+            states_[i] = std::move(group.tiles[i - begin]);
+            measured.tiles[i] = errors_of(tiles_[i], states_[i]);
+        }
+        if (progress) progress->step();
     });
-    return errors;
+    measured.seconds = seconds / thread_count();
+    return measured;
 }
 
-TileErrors MeanErrorPilot::errors_of(const Tile& tile, const TileState& state) const {
-    TileErrors errors{.error_sums = {}, .surfaces = state.surfaces()};
-    std::vector<std::size_t> traced;
-    std::vector<PlaceInTile> places;
-    std::vector<int> samples;
-    for (std::size_t s = 0; s < state.surfaces(); ++s) {
-        if (state.samples[s] == 0) continue;
-        traced.push_back(s);
-        places.push_back(place_in(tile, state.places[s]));
-        samples.push_back(static_cast<int>(state.samples[s]));
-    }
-    for (std::size_t q = 0; q < queries_.size() && !traced.empty(); ++q) {
-        double sum = 0;
-        for (const Estimate& e :
-             stated_estimates(places, samples, queries_[q], settings_,
-                              [&](std::size_t i) { return state.sums_of(q, queries_.size(), traced[i]); }))
-            sum += e.standard_error;
-        errors.error_sums.push_back(sum);
-    }
+TileErrors MeanErrorPilot::errors_of(const SpreadTile& tile, const TileState& state) const {
+    TileErrors errors{.error_sums = {}, .surfaces = state.surfaces(), .place = tile.place};
+    for (const std::vector<double>& of_query : stated_errors(tile.tile, state, queries_, settings_))
+        errors.error_sums.push_back(std::accumulate(of_query.begin(), of_query.end(), 0.0));
     return errors;
 }
 

@@ -59,10 +59,16 @@ TileIntegrator::TileIntegrator(const ReachableScene& scene, const CameraFrame& f
     for (const TruthQuery& query : queries) reach_m_ = std::max(reach_m_, query.radius_m);
 }
 
-TileState TileIntegrator::trace(const Tile& tile, const TileState* begun) {
+TileState TileIntegrator::trace(const Tile& tile, const TileState* begun, SeenTile* seen) {
+    if (seen == nullptr) {
+        own_seen_.looked = false;
+        seen = &own_seen_;
+    }
+    if (!seen->looked) look(tile, *seen);
+    seen_ = seen;
     TileState state;
-    find_surfaces(tile, state);
-    list_traced();
+    take_surfaces(tile, state);
+    list_traced(*seen);
     state.samples.assign(state.surfaces(), 0);
     if (settings_.extras.of_hits()) state.extras.assign(state.surfaces(), {});
     if (settings_.extras.bent_normals) state.open_sums.assign(state.surfaces(), {});
@@ -70,7 +76,7 @@ TileState TileIntegrator::trace(const Tile& tile, const TileState* begun) {
         std::vector<RaySource> sources;
         sources.reserve(traced_.size());
         for (const std::size_t s : traced_) {
-            sources.push_back(ray_source(surfaces_[s], settings_, pixels_[s]));
+            sources.push_back(ray_source(seen_->surfaces[s], settings_, pixels_[s]));
         }
         tracer_.start(std::move(sources));
         samples_.assign(traced_.size(), 0);
@@ -82,51 +88,59 @@ TileState TileIntegrator::trace(const Tile& tile, const TileState* begun) {
     return state;
 }
 
-void TileIntegrator::find_surfaces(const Tile& tile, TileState& state) {
-    surfaces_.clear();
-    pixels_.clear();
-    places_.clear();
+void TileIntegrator::look(const Tile& tile, SeenTile& seen) const {
+    seen.looked = true;
+    seen.surfaces.clear();
+    seen.places.clear();
+    seen.open.reset();
     SurfaceHit hit;
     for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1; ++x) {
             if (!see(scene_, frame_, x, y, hit)) continue;
-            surfaces_.push_back(hit);
-            pixels_.push_back(static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width()) +
-                              static_cast<std::size_t>(x));
-            places_.push_back({x - tile.x0, y - tile.y0});
-            state.places.push_back(
-                static_cast<std::uint16_t>((y - tile.y0) * (tile.x1 - tile.x0) + x - tile.x0));
-            state.depths_m.push_back(static_cast<float>(hit.depth));
-            state.normals.push_back(view_normal(frame_, hit));
+            seen.surfaces.push_back(hit);
+            seen.places.push_back({x - tile.x0, y - tile.y0});
         }
     }
 }
 
-void TileIntegrator::list_traced() {
+void TileIntegrator::take_surfaces(const Tile& tile, TileState& state) {
+    pixels_.clear();
+    for (std::size_t s = 0; s < seen_->surfaces.size(); ++s) {
+        const SurfaceHit& hit = seen_->surfaces[s];
+        const PlaceInTile& place = seen_->places[s];
+        pixels_.push_back(static_cast<std::size_t>(tile.y0 + place.row) *
+                              static_cast<std::size_t>(frame_.width()) +
+                          static_cast<std::size_t>(tile.x0 + place.column));
+        state.places.push_back(static_cast<std::uint16_t>(place.row * (tile.x1 - tile.x0) + place.column));
+        state.depths_m.push_back(static_cast<float>(hit.depth));
+        state.normals.push_back(view_normal(frame_, hit));
+    }
+}
+
+void TileIntegrator::list_traced(SeenTile& seen) {
     // About a smooth normal, rays may also go below the tangent plane.
     const bool skips =
         settings_.skip_open && !settings_.shading_normals && plan_.first() >= kLeastSamplesToSkip;
-    std::vector<char> open(surfaces_.size(), 0);
-    if (skips) {
+    if (skips && !seen.open) {
         std::vector<UpwardPoint> points;
-        points.reserve(surfaces_.size());
-        for (const SurfaceHit& hit : surfaces_)
+        points.reserve(seen.surfaces.size());
+        for (const SurfaceHit& hit : seen.surfaces)
             points.push_back({ray_origin(hit), hit.normal, hit.offset_m / 2});
-        open = open_space_.prove(points, reach_m_);
+        seen.open = open_space_.prove(points, reach_m_);
     }
     traced_.clear();
     traced_places_.clear();
-    for (std::size_t s = 0; s < surfaces_.size(); ++s) {
-        if (open[s] != 0) continue;
+    for (std::size_t s = 0; s < seen.surfaces.size(); ++s) {
+        if (skips && (*seen.open)[s] != 0) continue;
         traced_.push_back(s);
-        traced_places_.push_back(places_[s]);
+        traced_places_.push_back(seen.places[s]);
     }
 }
 
 void TileIntegrator::restore(const TileState& begun) {
     // Where a pixel already has more rays than a trace from nothing would begin with, that trace might have
     // stopped earlier.
-    const bool usable = begun.surfaces() == surfaces_.size() && !begun.sums.empty() &&
+    const bool usable = begun.surfaces() == seen_->surfaces.size() && !begun.sums.empty() &&
                         std::ranges::all_of(traced_, [&](std::size_t s) {
                             return begun.samples[s] <= static_cast<std::uint32_t>(plan_.first());
                         });
@@ -170,7 +184,7 @@ void TileIntegrator::trace_open_directions() {
     std::vector<RaySource> sources;
     std::vector<SampleRange> ranges;
     for (std::size_t i = 0; i < traced_.size(); ++i) {
-        sources.push_back(ray_source(surfaces_[traced_[i]], settings_, pixels_[traced_[i]]));
+        sources.push_back(ray_source(seen_->surfaces[traced_[i]], settings_, pixels_[traced_[i]]));
         sources.back().seed = mix_bits(sources.back().seed ^ kOtherPoints);
         ranges.push_back({0, samples_[i]});
     }

@@ -11,6 +11,7 @@
 #include "reference/tracer/scene_builds.h"
 #include "reference/truth.h"
 
+#include <optional>
 #include <vector>
 
 namespace aoscore {
@@ -25,6 +26,14 @@ bool find_surface(const RayTracer& scene, const CameraFrame& frame, int x, int y
 /// The rays of pixel number `pixel` of the image, which sees `hit`.
 RaySource ray_source(const SurfaceHit& hit, const TruthSettings& settings, std::size_t pixel);
 
+/// What is seen through the pixels of a tile: kept, another visit need not look again.
+struct SeenTile {
+    bool looked = false;
+    std::vector<SurfaceHit> surfaces;
+    std::vector<PlaceInTile> places;        ///< of these surfaces
+    std::optional<std::vector<char>> open;  ///< one flag a surface, see OpenSpace; empty: nothing was proven
+};
+
 /// Traces one tile after another. Tiles depend on nothing but their place, so that any thread may do any of
 /// them.
 class TileIntegrator {
@@ -34,16 +43,19 @@ class TileIntegrator {
                    const PointSets& points, const CauseJudge& judge);
 
     /// All that the settings ask for, going on from `begun`, what is there of this very tile, queries and
-    /// extras, where that gives the same state as tracing all of it; null: nothing is there.
-    TileState trace(const Tile& tile, const TileState* begun = nullptr);
+    /// extras, where that gives the same state as tracing all of it; null: nothing is there. What an earlier
+    /// visit has seen is in `seen`, or is put there; null: nobody keeps it.
+    TileState trace(const Tile& tile, const TileState* begun = nullptr, SeenTile* seen = nullptr);
     /// Of all tiles so far, those for bent normals left out.
     std::uint64_t rays() const { return tracer_.rays(); }
 
   private:
-    /// Where the tile's surfaces lie.
-    void find_surfaces(const Tile& tile, TileState& state);
+    /// Looks through the tile's pixels.
+    void look(const Tile& tile, SeenTile& seen) const;
+    /// What a state has whatever is traced; lists the pixels.
+    void take_surfaces(const Tile& tile, TileState& state);
     /// Lists the surfaces that are not proven open.
-    void list_traced();
+    void list_traced(SeenTile& seen);
     /// Takes over what was traced earlier.
     void restore(const TileState& begun);
     /// Traces what the plan asks for, until it asks for no more.
@@ -65,9 +77,9 @@ class TileIntegrator {
     TileTracer open_tracer_;
     OpenSpace open_space_;
     double reach_m_ = 0;
-    std::vector<SurfaceHit> surfaces_;
-    std::vector<std::size_t> pixels_;  // of surfaces, into images
-    std::vector<PlaceInTile> places_;  // of surfaces
+    SeenTile own_seen_;                // where nobody keeps it
+    const SeenTile* seen_ = nullptr;   // of the tile that is traced
+    std::vector<std::size_t> pixels_;  // of its surfaces, into images
     std::vector<std::size_t> traced_;  // surfaces that get rays
     std::vector<PlaceInTile> traced_places_;
     std::vector<int> samples_;  // of those, traced so far

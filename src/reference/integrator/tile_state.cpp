@@ -73,6 +73,28 @@ std::vector<Estimate> stated_estimates(std::span<const PlaceInTile> places, std:
     return all;
 }
 
+std::vector<std::vector<double>> stated_errors(const Tile& tile, const TileState& state,
+                                               const std::vector<TruthQuery>& queries,
+                                               const TruthSettings& settings) {
+    std::vector<std::size_t> traced;
+    std::vector<PlaceInTile> places;
+    std::vector<int> samples;
+    for (std::size_t s = 0; s < state.surfaces(); ++s) {
+        if (state.samples[s] == 0) continue;
+        traced.push_back(s);
+        places.push_back(place_in(tile, state.places[s]));
+        samples.push_back(static_cast<int>(state.samples[s]));
+    }
+    std::vector<std::vector<double>> errors(queries.size());
+    for (std::size_t q = 0; q < queries.size() && !traced.empty(); ++q) {
+        for (const Estimate& e : stated_estimates(places, samples, queries[q], settings, [&](std::size_t i) {
+                 return state.sums_of(q, queries.size(), traced[i]);
+             }))
+            errors[q].push_back(e.standard_error);
+    }
+    return errors;
+}
+
 void resolve_tile(const Tile& tile, const TileState& state, const CameraFrame& frame,
                   const ResolveRequest& request, Truth& truth) {
     std::vector<std::size_t> traced, pixels;

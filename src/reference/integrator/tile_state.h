@@ -43,6 +43,12 @@ std::vector<Estimate> stated_estimates(std::span<const PlaceInTile> places, std:
                                        const TruthQuery& query, const TruthSettings& settings,
                                        const std::function<std::span<const double>(std::size_t)>& sums);
 
+/// Standard errors by query, then pixel of those pixels of the tile that got rays; it was traced for these
+/// queries.
+std::vector<std::vector<double>> stated_errors(const Tile& tile, const TileState& state,
+                                               const std::vector<TruthQuery>& queries,
+                                               const TruthSettings& settings);
+
 /// The queries that a tile was traced for, and which of its queries are wanted: truth.queries[i] is number
 /// which[i].
 struct ResolveRequest {

@@ -31,6 +31,9 @@ class TileStore {
     virtual GroupState begun(std::size_t group) const = 0;
     /// Keeps a group that is done.
     virtual void keep(std::size_t group, const GroupState& state) = 0;
+    /// Where the search for the rays of TruthSettings::mean_error keeps what it traces, by numbers of its
+    /// own; null where nowhere.
+    virtual TileStore* of_search() { return nullptr; }
 };
 
 }  // namespace aoscore

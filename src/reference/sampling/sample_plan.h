@@ -8,6 +8,9 @@ namespace aoscore {
 /// error is asked for and nobody names another count.
 inline constexpr int kFewestToTellError = 16;
 
+/// No standard error can be less, as float32 numbers, which truths are, round by as much.
+inline constexpr double kLeastError = 6e-8;
+
 /// How many rays pixels get, round by round.
 class SamplePlan {
   public:

@@ -84,6 +84,13 @@ std::size_t CacheFile::groups() const {
     return groups_.size();
 }
 
+std::vector<std::size_t> CacheFile::numbers() const {
+    const std::scoped_lock lock(mutex_);
+    std::vector<std::size_t> list;
+    for (const auto& [number, place] : groups_) list.push_back(number);
+    return list;
+}
+
 std::string CacheFile::read(std::size_t group) const {
     Place place{};
     {

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace aoscore {
 
@@ -30,6 +31,8 @@ class CacheFile {
     /// Reads the bytes of a group that is there. Any thread may call it.
     std::string read(std::size_t group) const;
     std::size_t groups() const;
+    /// The numbers of the groups that are there.
+    std::vector<std::size_t> numbers() const;
     /// Whether the block that ends a complete file is there.
     bool finished() const { return finished_; }
     /// Bytes that could not be understood when the file was opened.

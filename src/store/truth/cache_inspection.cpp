@@ -154,7 +154,8 @@ ClearedCache TruthCache::clear() const {
         const std::uint64_t bytes = bytes_of(path);
         fs::remove_all(path, ec);
         if (ec) throw file_error("cannot be removed: " + ec.message(), path.string());
-        fs::remove(fs::path(path).replace_extension(".salvage"), ec);
+        for (const char* beside : {".salvage", ".search"})
+            fs::remove(fs::path(path).replace_extension(beside), ec);
         ++cleared.files;
         cleared.bytes += bytes;
     }

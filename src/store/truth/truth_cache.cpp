@@ -30,6 +30,7 @@ using nlohmann::json;
 
 constexpr const char* kComplete = ".truth";
 constexpr const char* kPartial = ".partial";
+constexpr const char* kSearch = ".search";
 constexpr const char* kLock = ".lock";
 constexpr const char* kSalvage = ".salvage";
 
@@ -72,8 +73,12 @@ class FileStore : public TileStore {
 /// A store that takes over what processes that wait for the truth have traced of it.
 class HelpedStore final : public FileStore {
   public:
-    HelpedStore(CacheFile& file, const CacheFile* base, const std::string& where, const TracingHelp& help)
-        : FileStore(file, base, where), help_(help), begun_(help.chunks()) {}
+    /// `search` is where the search for a mean error keeps what it traces; null where there is none.
+    HelpedStore(CacheFile& file, const CacheFile* base, const std::string& where, const TracingHelp& help,
+                CacheFile* search)
+        : FileStore(file, base, where), help_(help), begun_(help.chunks()) {
+        if (search != nullptr) search_.emplace(*search, nullptr, where);
+    }
 
     bool has(std::size_t group) const override { return FileStore::has(group) || take_over(group); }
     bool begun_elsewhere(std::size_t group) override {
@@ -82,6 +87,7 @@ class HelpedStore final : public FileStore {
         if (!elsewhere) elsewhere = !help_.claim(help_.chunk_of(group));
         return *elsewhere && !FileStore::has(group);
     }
+    TileStore* of_search() override { return search_ ? &*search_ : nullptr; }
 
   private:
     bool take_over(std::size_t group) const {
@@ -98,6 +104,7 @@ class HelpedStore final : public FileStore {
     }
 
     const TracingHelp& help_;
+    std::optional<FileStore> search_;
     mutable std::mutex mutex_;
     std::vector<std::optional<bool>> begun_;  ///< by chunk: whether elsewhere; empty where nobody asked
 };
@@ -193,10 +200,7 @@ const OpenTruth* base_of(const std::vector<OpenTruth>& truths, const TruthReques
 std::unique_ptr<CacheFile> salvaged(const CacheFile& damaged, const fs::path& path) {
     const fs::path temporary = fs::path(path).replace_extension(kSalvage);
     auto file = std::make_unique<CacheFile>(temporary, damaged.header());
-    const auto groups = damaged.header().at("groups").get<std::size_t>();
-    for (std::size_t g = 0; g < groups; ++g) {
-        if (damaged.has(g)) file->append(g, damaged.read(g));
-    }
+    for (const std::size_t g : damaged.numbers()) file->append(g, damaged.read(g));
     fs::rename(temporary, path);
     return file;
 }
@@ -295,7 +299,9 @@ class CachedTracing {
             return there;
         }
         const std::size_t groups = TileGroups(request_.width, request_.height).count();
-        file_ = open_partial(with(stem_, kPartial), header_of(request_, label_, groups));
+        const json header = header_of(request_, label_, groups);
+        file_ = open_partial(with(stem_, kPartial), header);
+        if (request_.settings.mean_error > 0) search_ = open_partial(with(stem_, kSearch), header);
         begin_chunks();
         return std::nullopt;
     }
@@ -344,11 +350,12 @@ class CachedTracing {
             result.origin = TruthOrigin::refined;
             log_info(what_ + ": refining a truth of fewer rays");
         }
-        if (file_->groups() > 0) {
+        if (file_->groups() > 0 || (search_ && search_->groups() > 0)) {
             result.origin = TruthOrigin::resumed;
             log_info(what_ + ": going on from where an earlier run ended");
         }
-        HelpedStore store(*file_, base != nullptr ? base->file.get() : nullptr, stem_.string(), help_);
+        HelpedStore store(*file_, base != nullptr ? base->file.get() : nullptr, stem_.string(), help_,
+                          search_.get());
         try {
             result.truth = reference_.trace(frame_, request_.queries, request_.settings, what_, &store);
         } catch (const Error& e) {
@@ -364,6 +371,7 @@ class CachedTracing {
     void keep(const FileStore& store) {
         std::error_code ec;
         help_.remove();
+        fs::remove(with(stem_, kSearch), ec);
         if (store.failed()) {
             fs::remove(with(stem_, kPartial), ec);
             return;
@@ -388,7 +396,7 @@ class CachedTracing {
     const fs::path folder_, stem_;
     const TracingHelp help_;
     std::optional<EntryLock> lock_;
-    std::unique_ptr<CacheFile> file_;
+    std::unique_ptr<CacheFile> file_, search_;
     std::vector<OpenTruth> truths_;
 };
 
