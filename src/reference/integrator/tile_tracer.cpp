@@ -128,7 +128,7 @@ void TileTracer::trace(std::span<const SampleRange> ranges) {
     }
     std::vector<SampleRange> left(ranges.begin(), ranges.end());
     const std::size_t together = pixels_sorted_together(reach_m_, scene_.diagonal_m(), longest);
-    trace_by_cells(left, together);
+    trace_by_cells(left);
     for (std::size_t begin = 0, end = 0; end < left.size(); begin = end) {
         std::size_t active = 0;
         for (; end < left.size() && active < together; ++end)
@@ -137,7 +137,7 @@ void TileTracer::trace(std::span<const SampleRange> ranges) {
     }
 }
 
-void TileTracer::trace_by_cells(std::span<SampleRange> ranges, std::size_t together) {
+void TileTracer::trace_by_cells(std::span<SampleRange> ranges) {
     if (points_.kind() != PointKind::scrambled_sobol) return;
     std::vector<std::size_t> active;
     for (std::size_t s = 0; s < ranges.size(); ++s) {
@@ -145,7 +145,7 @@ void TileTracer::trace_by_cells(std::span<SampleRange> ranges, std::size_t toget
     }
     const SampleRange range = ranges[active.front()];
     std::erase_if(active, [&](std::size_t s) { return ranges[s] != range; });
-    const std::vector<std::vector<std::size_t>> groups = groups_alike(std::move(active), together);
+    const std::vector<std::vector<std::size_t>> groups = groups_alike(std::move(active));
     for (int first = range.first; !groups.empty() && first < range.last;) {
         const int size = std::min(net_after(first, range.last), kMostCells);
         if (size < kFewestCells) break;
@@ -166,8 +166,7 @@ void TileTracer::trace_by_cells(std::span<SampleRange> ranges, std::size_t toget
     }
 }
 
-std::vector<std::vector<std::size_t>> TileTracer::groups_alike(std::vector<std::size_t> waiting,
-                                                               std::size_t together) const {
+std::vector<std::vector<std::size_t>> TileTracer::groups_alike(std::vector<std::size_t> waiting) const {
     std::vector<std::vector<std::size_t>> groups;
     while (waiting.size() >= CellPackets::kLeast) {
         const std::size_t leader = waiting.front();
@@ -176,7 +175,7 @@ std::vector<std::vector<std::size_t>> TileTracer::groups_alike(std::vector<std::
         const std::vector<std::size_t> alike(waiting.begin(), unlike.begin());
         waiting.erase(waiting.begin(), unlike.begin());
         if (alike.size() < CellPackets::kLeast) continue;
-        const std::size_t parts = std::max<std::size_t>(1, alike.size() / together);
+        const std::size_t parts = alike.size() / CellPackets::kLeast;
         for (std::size_t part = 0; part < parts; ++part) {
             const auto at = [&](std::size_t i) {
                 return alike.begin() + static_cast<std::ptrdiff_t>(i * alike.size() / parts);

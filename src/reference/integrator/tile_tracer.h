@@ -65,10 +65,10 @@ class TileTracer {
                        std::size_t active);
     RayOrigins origins() const;
     /// Traces as much as can be of what there is to trace, by CellPackets, and takes it off the ranges.
-    void trace_by_cells(std::span<SampleRange> ranges, std::size_t together);
-    /// Sources whose hemispheres lie alike in groups of about so many; without those that are too few.
-    std::vector<std::vector<std::size_t>> groups_alike(std::vector<std::size_t> waiting,
-                                                       std::size_t together) const;
+    void trace_by_cells(std::span<SampleRange> ranges);
+    /// Sources whose hemispheres lie alike in groups of at least
+    /// CellPackets::kLeast, and hardly more; without those that are too few.
+    std::vector<std::vector<std::size_t>> groups_alike(std::vector<std::size_t> waiting) const;
     /// Counts rays that are about to be traced.
     void expect(std::size_t source, const SampleRange& range, int block);
     template <class Rays>

@@ -25,16 +25,12 @@ PointCells::PointCells(const PointSets& points, int first, int size)
       u_bits_((static_cast<unsigned>(std::countr_zero(static_cast<unsigned>(size))) + 1) / 2),
       v_bits_(static_cast<unsigned>(std::countr_zero(static_cast<unsigned>(size))) - u_bits_) {
     const auto count = static_cast<std::size_t>(size);
-    u_.resize(PointSets::kSets * count);
-    v_.resize(PointSets::kSets * count);
-    number_.resize(PointSets::kSets * count);
+    points_.resize(PointSets::kSets * count);
     for (std::size_t set = 0; set < PointSets::kSets; ++set) {
         const PointSets::Coordinates from = points.set(set);
         for (int i = first; i < first + size; ++i) {
             const std::size_t place = set * count + cell(from.u[i], from.v[i]);
-            u_[place] = from.u[i];
-            v_[place] = from.v[i];
-            number_[place] = static_cast<std::uint32_t>(i);
+            points_[place] = point_word(from.u[i], from.v[i], static_cast<std::uint32_t>(i - first));
         }
     }
 }

@@ -32,9 +32,10 @@ void CellPackets::add(const RaySource& source, std::uint32_t owner) {
         origin_[axis][i] = source.origin[axis];
         for (int column = 0; column < 3; ++column) frame_[column][axis][i] = source.frame[column][axis];
     }
-    shift_u_[i] = static_cast<std::uint32_t>(shifts);
-    shift_v_[i] = static_cast<std::uint32_t>(shifts >> 32);
-    shift_cell_[i] = cells_->cell(shift_u_[i], shift_v_[i]);
+    const auto shift_u = static_cast<std::uint32_t>(shifts),
+               shift_v = static_cast<std::uint32_t>(shifts >> 32);
+    shift_[i] = point_word(shift_u, shift_v, 0);
+    shift_cell_[i] = cells_->cell(shift_u, shift_v);
     set_begin_[i] = static_cast<std::uint32_t>(PointSets::number(mix_bits(shifts)) *
                                                static_cast<std::size_t>(cells_->size()));
     owner_[i] = owner;
@@ -48,7 +49,8 @@ void CellPackets::close() {
         repeat(origin_[axis]);
         for (int column = 0; column < 3; ++column) repeat(frame_[column][axis]);
     }
-    for (auto* lanes : {&shift_u_, &shift_v_, &shift_cell_, &set_begin_, &owner_}) repeat(*lanes);
+    repeat(shift_);
+    for (auto* lanes : {&shift_cell_, &set_begin_, &owner_}) repeat(*lanes);
 }
 
 namespace {
@@ -57,7 +59,8 @@ namespace {
 struct LaneValues {
     const float* origin[3];
     const float* frame[3][3];
-    const std::uint32_t *shift_u, *shift_v, *shift_cell, *set_begin, *owner;
+    const std::uint64_t* shift;
+    const std::uint32_t *shift_cell, *set_begin, *owner;
 };
 
 struct CellRange {
@@ -69,11 +72,8 @@ struct CellRange {
 template <auto direction_of>
 [[gnu::always_inline]] inline void fill_by(RayPacket& __restrict packet, const PointCells& cells,
                                            const LaneValues& of, const CellRange& range) {
-    const std::uint32_t* __restrict u = cells.u();
-    const std::uint32_t* __restrict v = cells.v();
-    const std::uint32_t* __restrict number = cells.number();
-    const std::uint32_t* __restrict shift_u = of.shift_u;
-    const std::uint32_t* __restrict shift_v = of.shift_v;
+    const std::uint64_t* __restrict points = cells.points();
+    const std::uint64_t* __restrict shift = of.shift;
     const std::uint32_t* __restrict shift_cell = of.shift_cell;
     const std::uint32_t* __restrict set_begin = of.set_begin;
     const std::uint32_t* __restrict owner = of.owner;
@@ -81,20 +81,21 @@ template <auto direction_of>
     const float* __restrict tx = of.frame[1][0], * __restrict ty = of.frame[1][1], * __restrict tz = of.frame[1][2];
     const float* __restrict nx = of.frame[2][0], * __restrict ny = of.frame[2][1], * __restrict nz = of.frame[2][2];
     const std::uint32_t first = range.cell, last = range.last, lanes = range.lanes;
+    const auto number = static_cast<std::uint32_t>(cells.first());
     const unsigned block_bits = range.block_bits;
-    alignas(64) std::uint32_t a[kPacket], b[kPacket], owners[kPacket];
+    alignas(64) std::uint64_t words[kPacket];
     for (std::size_t lane = 0; lane < kPacket; ++lane) {
         const std::uint32_t next = first + (lane >= lanes ? 1u : 0u);
         const std::uint32_t cell = next < last ? next : last;
         const std::uint32_t point = set_begin[lane] + (cell ^ shift_cell[lane]);
-        a[lane] = u[point] ^ shift_u[lane];
-        b[lane] = v[point] ^ shift_v[lane];
-        owners[lane] = owner[lane] + (number[point] >> block_bits);
+        words[lane] = points[point] ^ shift[lane];
     }
-    std::copy_n(owners, kPacket, packet.id);
+    for (std::size_t lane = 0; lane < kPacket; ++lane)
+        packet.id[lane] = owner[lane] + ((number + word_number(words[lane])) >> block_bits);
     float* __restrict x = packet.direction_x, * __restrict y = packet.direction_y, * __restrict z = packet.direction_z;
     for (std::size_t lane = 0; lane < kPacket; ++lane) {
-        const glm::vec3 d = direction_of(unit_interval(a[lane]), unit_interval(b[lane]));
+        const glm::vec3 d =
+            direction_of(unit_interval(word_u(words[lane])), unit_interval(word_v(words[lane])));
         x[lane] = sx[lane] * d.x + tx[lane] * d.y + nx[lane] * d.z;
         y[lane] = sy[lane] * d.x + ty[lane] * d.y + ny[lane] * d.z;
         z[lane] = sz[lane] * d.x + tz[lane] * d.y + nz[lane] * d.z;
@@ -117,19 +118,20 @@ void fill_uniform(RayPacket& packet, const PointCells& cells, const LaneValues& 
 }  // namespace
 
 void CellPackets::fill(RayPacket& packet, std::size_t first) const {
-    const std::size_t cell = first / pixels_, begin = first % pixels_;
+    // Of 32 bits, since wider quotients take several times as long.
+    const auto place = static_cast<std::uint32_t>(first), pixels = static_cast<std::uint32_t>(pixels_);
+    const std::uint32_t cell = place / pixels, begin = place % pixels;
     LaneValues of{};
     for (int axis = 0; axis < 3; ++axis) {
         of.origin[axis] = &origin_[axis][begin];
         for (int column = 0; column < 3; ++column) of.frame[column][axis] = &frame_[column][axis][begin];
     }
-    of.shift_u = &shift_u_[begin];
-    of.shift_v = &shift_v_[begin];
+    of.shift = &shift_[begin];
     of.shift_cell = &shift_cell_[begin];
     of.set_begin = &set_begin_[begin];
     of.owner = &owner_[begin];
-    const CellRange range{static_cast<std::uint32_t>(cell), static_cast<std::uint32_t>(cells_->size() - 1),
-                          static_cast<std::uint32_t>(std::min(pixels_ - begin, kPacket)), block_bits_};
+    const CellRange range{cell, static_cast<std::uint32_t>(cells_->size() - 1),
+                          std::min(pixels - begin, std::uint32_t{kPacket}), block_bits_};
     (density_ == RayDensity::cosine ? fill_cosine : fill_uniform)(packet, *cells_, of, range);
 }
 

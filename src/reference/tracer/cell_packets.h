@@ -20,7 +20,7 @@ bool lie_alike(const glm::mat3& a, const glm::mat3& b);
 class CellPackets {
   public:
     /// So many pixels at most, and at least.
-    static constexpr std::size_t kMost = 64, kLeast = kPacket;
+    static constexpr std::size_t kLeast = kPacket, kMost = 2 * kPacket;
 
     /// Begins with no pixel. `cells` must outlive this. Blocks have `block` samples, a power of two.
     void start(const PointCells& cells, RayDensity density, int block);
@@ -46,7 +46,8 @@ class CellPackets {
     unsigned block_bits_ = 0;
     std::size_t pixels_ = 0;
     Lanes<float> origin_[3], frame_[3][3];
-    Lanes<std::uint32_t> shift_u_, shift_v_, shift_cell_, set_begin_, owner_;
+    Lanes<std::uint64_t> shift_;
+    Lanes<std::uint32_t> shift_cell_, set_begin_, owner_;
 };
 
 }  // namespace aoscore
