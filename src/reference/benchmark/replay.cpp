@@ -7,6 +7,7 @@
 #include "reference/integrator/tile_integrator.h"
 
 #include <algorithm>
+#include <cstring>
 #include <functional>
 #include <span>
 
@@ -19,7 +20,7 @@ constexpr int kBlockSide = 4;
 struct RecordedTile {
     std::vector<RaySource> sources;
     std::vector<RTCRay> singles;
-    std::vector<RTCRay16> by_pixel, by_block, sorted;
+    std::vector<RTCRay16> by_pixel, by_block, traced;
 };
 
 RTCRay single_ray(const glm::vec3& origin, const glm::vec3& direction, float tfar) {
@@ -53,9 +54,54 @@ class PacketWriter {
     std::size_t lane_ = 0;
 };
 
+/// Answers as a scene does, and keeps the packets that it is asked about.
+class PacketRecorder final : public RayTracer {
+  public:
+    PacketRecorder(const RayTracer& scene, std::vector<RTCRay16>& packets)
+        : scene_(scene), packets_(packets) {}
+
+    void mark_blocked(RayPacket& packet, std::size_t lanes) const override {
+        keep(packet);
+        scene_.mark_blocked(packet, lanes);
+    }
+    std::uint32_t nearest(const RayPacket& packet, std::size_t lanes, HitPacket& hits) const override {
+        keep(packet);
+        return scene_.nearest(packet, lanes, hits);
+    }
+
+    const glm::dvec3& centre() const override { return scene_.centre(); }
+    double diagonal_m() const override { return scene_.diagonal_m(); }
+    std::size_t triangle_count() const override { return scene_.triangle_count(); }
+    std::size_t peak_bytes() const override { return scene_.peak_bytes(); }
+    bool first_hit(const CameraFrame::Ray& ray, double near, double far, SurfaceHit& hit) const override {
+        return scene_.first_hit(ray, near, far, hit);
+    }
+    bool occluded(const TraceRay& ray) const override { return scene_.occluded(ray); }
+    bool nearest(const TraceRay& ray, TraceHit& hit) const override { return scene_.nearest(ray, hit); }
+    glm::dvec3 normal(const HitPacket& hits, std::size_t lane) const override {
+        return scene_.normal(hits, lane);
+    }
+    const Occluders* large_triangles() const override { return nullptr; }
+    bool triangles_near(const glm::dvec3& centre, double radius_m, std::size_t limit,
+                        const std::vector<char>& counted,
+                        std::vector<TraceTriangle>& triangles) const override {
+        return scene_.triangles_near(centre, radius_m, limit, counted, triangles);
+    }
+
+  private:
+    void keep(const RayPacket& packet) const {
+        static_assert(sizeof(RayPacket) == sizeof(RTCRay16));
+        std::memcpy(&packets_.emplace_back(), &packet, sizeof packet);
+    }
+
+    const RayTracer& scene_;
+    std::vector<RTCRay16>& packets_;
+};
+
 /// A tile all of whose pixels see a surface, its rays in all orders; empty for any other tile.
 RecordedTile record(const EmbreeScene& scene, const CameraFrame& frame, const Tile& tile,
-                    const PointSets& points, int samples, float tfar) {
+                    const PointSets& points, const std::vector<TruthQuery>& queries, int samples,
+                    float tfar) {
     RecordedTile recorded;
     PrimaryHits hits{Mask(frame.width(), frame.height()), ImageF(frame.width(), frame.height()),
                      Image<glm::vec3>(frame.width(), frame.height())};
@@ -79,16 +125,12 @@ RecordedTile record(const EmbreeScene& scene, const CameraFrame& frame, const Ti
         return with_origin(all.rays()[source * rays_of_pixel + k], source);
     };
 
-    PacketWriter sorted(recorded.sorted), by_pixel(recorded.by_pixel), by_block(recorded.by_block);
-    const std::size_t together = pixels_sorted_together(tfar, scene.diagonal_m(), samples);
-    for (std::size_t begin = 0; begin < recorded.sources.size(); begin += together) {
-        RayBatch some(points);
-        const std::size_t end = std::min(begin + together, recorded.sources.size());
-        for (std::size_t s = begin; s < end; ++s) some.add(recorded.sources[s], s, 0, samples, block);
-        some.sort();
-        for (std::size_t place = 0; place < some.size(); ++place)
-            sorted.add(with_origin(some.sorted()[place], some.sorted()[place].owner / kBlocks));
-    }
+    PacketRecorder recorder(scene, recorded.traced);
+    TileTracer tracer(recorder, queries, points, false);
+    tracer.start(recorded.sources);
+    tracer.trace(std::vector<SampleRange>(recorded.sources.size(), {0, samples}));
+
+    PacketWriter by_pixel(recorded.by_pixel), by_block(recorded.by_block);
     for (std::size_t s = 0; s < recorded.sources.size(); ++s) {
         RayBatch one(points);
         one.add(recorded.sources[s], 0, 0, samples, block);
@@ -157,16 +199,16 @@ double ReplayRates::best_plain() const {
 ReplayRates replay_rates(const EmbreeScene& scene, const CameraFrame& frame, double radius_m,
                          RayQuestion question, int samples, int tiles) {
     const PointSets points(PointKind::scrambled_sobol, samples);
+    const std::vector<TruthQuery> queries = queries_for(question, radius_m);
     const std::vector<Tile> all =
         random_tiles(frame.width(), frame.height(), static_cast<std::size_t>(tiles));
     std::vector<RecordedTile> recorded(all.size());
     parallel_for(all.size(), [&](std::size_t i) {
-        recorded[i] = record(scene, frame, all[i], points, samples, static_cast<float>(radius_m));
+        recorded[i] = record(scene, frame, all[i], points, queries, samples, static_cast<float>(radius_m));
     });
     ReplayRates rates;
     for (const RecordedTile& tile : recorded) rates.rays += tile.singles.size();
 
-    const std::vector<TruthQuery> queries = queries_for(question, radius_m);
     const std::size_t group = tiles_at_a_time(recorded.size());
     const auto time = [&](double& best, const std::function<void(std::span<const RecordedTile>)>& work) {
         const double seconds = seconds_of([&] {
@@ -191,7 +233,7 @@ ReplayRates replay_rates(const EmbreeScene& scene, const CameraFrame& frame, dou
                 for (const RecordedTile& tile : part) replay(scene, tile.*rays, question);
             };
         };
-        time(rates.sorted, replayed(&RecordedTile::sorted));
+        time(rates.sorted, replayed(&RecordedTile::traced));
         time(rates.pixel, replayed(&RecordedTile::by_pixel));
         time(rates.block, replayed(&RecordedTile::by_block));
         time(rates.single, replayed(&RecordedTile::singles));

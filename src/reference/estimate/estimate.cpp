@@ -1,5 +1,7 @@
 #include "reference/estimate/estimate.h"
 
+#include "reference/estimate/squared.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,10 +23,6 @@ constexpr double kPriorAgreeing = 0.5, kPriorAlike = 2;
 constexpr double kMissedThin = 1.9;
 /// Where not all rays agree, no less is stated than this over N.
 constexpr double kLeastVariance = 0.3 * 0.3;
-
-double squared(double x) {
-    return x * x;
-}
 
 /// The pixels of one tile that are mostly open, or those that are mostly blocked.
 struct Side {

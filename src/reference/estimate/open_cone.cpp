@@ -2,6 +2,7 @@
 
 #include "core/sampling.h"
 #include "reference/estimate/pixel_spread.h"
+#include "reference/estimate/squared.h"
 #include "reference/estimate/tile_law.h"
 
 #include <algorithm>
@@ -12,15 +13,11 @@ namespace aoscore {
 namespace {
 
 /// The weight of the tile's scale against a pixel's own spread, in degrees of freedom.
-constexpr double kPriorFreedom = 16;
+constexpr double kConePriorFreedom = 16;
 /// One ray may always lie on the wrong side of an edge: no component errs less than this over the open rays.
 constexpr double kLeastError = 0.3;
 
 constexpr double kUnknown_rad = std::numbers::pi / 2;
-
-double squared(double x) {
-    return x * x;
-}
 
 /// The means of one pixel's residuals, the third along its bent normal.
 struct Residuals {
@@ -80,8 +77,8 @@ double variance(const Residuals& pixel, std::size_t axis, const TileScale& tile)
     const PixelSpread& spread = pixel.spreads[axis];
     const int samples = pixel.occlusion.samples, freedom = spread.freedom();
     const double block =
-        (kPriorFreedom * tile.scale * pixel.shape() + freedom * block_variance(spread, tile.ratio)) /
-        (kPriorFreedom + freedom);
+        (kConePriorFreedom * tile.scale * pixel.shape() + freedom * block_variance(spread, tile.ratio)) /
+        (kConePriorFreedom + freedom);
     const double of_mean = block * pooled_variance(samples, tile.ratio);
     return std::max(of_mean * squared(samples / pixel.open), squared(kLeastError / pixel.open));
 }

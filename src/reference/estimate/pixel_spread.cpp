@@ -1,5 +1,6 @@
 #include "reference/estimate/pixel_spread.h"
 
+#include "reference/estimate/squared.h"
 #include "reference/estimate/variance_fall.h"
 #include "reference/truth.h"
 
@@ -13,10 +14,6 @@ static_assert(1 << kLevels == kBlocks);
 
 /// Each level counts so many times what the one below counts for its freedom: less is extrapolated from it.
 constexpr double kLevelWeight = 3;
-
-double squared(double x) {
-    return x * x;
-}
 
 }  // namespace
 

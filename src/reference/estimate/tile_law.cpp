@@ -1,5 +1,6 @@
 #include "reference/estimate/tile_law.h"
 
+#include "reference/estimate/squared.h"
 #include "reference/estimate/variance_fall.h"
 #include "reference/truth.h"
 
@@ -42,10 +43,6 @@ constexpr double kSmoothSpread = 0.03, kRoughSpread = 0.1;
 
 /// Keeps the shape above 0 where all rays agree, in units of one ray.
 constexpr double kShapeAtEnds = 0.8;
-
-double squared(double x) {
-    return x * x;
-}
 
 double smooth_step(double from, double to, double x) {
     const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "reference/integrator/early_out_predictor.h"
+#include "reference/sampling/point_cells.h"
+#include "reference/tracer/cell_packets.h"
 #include "reference/tracer/ray_batch.h"
 #include "reference/tracer/ray_observer.h"
 #include "reference/tracer/ray_tracer.h"
@@ -8,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,12 +19,20 @@ namespace aoscore {
 /// Samples [first, last) of a pixel.
 struct SampleRange {
     int first, last;
+    bool operator==(const SampleRange&) const = default;
 };
 
 /// How many neighbouring pixels of a tile, `samples` rays each, have their rays sorted together: the more,
 /// the closer lie the directions in a packet, and the farther apart its starts. Rays that reach less far, of
 /// the scene's diagonal, part sooner from those that start elsewhere.
 std::size_t pixels_sorted_together(double reach_m, double diagonal_m, int samples);
+
+/// Where rays start, by owner.
+struct RayOrigins {
+    const float* x;
+    const float* y;
+    const float* z;
+};
 
 /// Sums of occlusion over the rays of the pixels of one tile.
 class TileTracer {
@@ -52,15 +63,26 @@ class TileTracer {
     /// Traces the samples of sources [begin, end), of which `active` have any.
     void trace_sources(std::span<const SampleRange> ranges, std::size_t begin, std::size_t end,
                        std::size_t active);
-    void trace_occlusion();
-    void trace_after_large_triangles();
+    RayOrigins origins() const;
+    /// Traces as much as can be of what there is to trace, by CellPackets, and takes it off the ranges.
+    void trace_by_cells(std::span<SampleRange> ranges);
+    /// Sources whose hemispheres lie alike in groups of at least
+    /// CellPackets::kLeast, and hardly more; without those that are too few.
+    std::vector<std::vector<std::size_t>> groups_alike(std::vector<std::size_t> waiting) const;
+    /// Counts rays that are about to be traced.
+    void expect(std::size_t source, const SampleRange& range, int block);
+    template <class Rays>
+    void trace_rays(const Rays& rays);
+    template <class Rays>
+    void trace_occlusion(const Rays& rays);
+    template <class Rays>
+    void trace_after_large_triangles(const Rays& rays);
     enum class Lanes { open, blocked };
-    /// Traces packets of `count` rays, kPacket more of which may be read, and reports those that are open, or
-    /// those that are blocked, in their order.
-    template <class Report>
-    void ask(const Occluders& occluders, const DirectedRay* rays, std::size_t count, Lanes reported,
-             const Report& report) const;
-    void trace_distance();
+    /// Traces rays in packets and reports those that are open, or those that are blocked, in their order.
+    template <class Rays, class Report>
+    void ask(const Occluders& occluders, const Rays& rays, Lanes reported, const Report& report) const;
+    template <class Rays>
+    void trace_distance(const Rays& rays);
     void tell_observer(const RayPacket& packet, const HitPacket& hits, std::size_t lane, bool hit,
                        std::size_t owner);
 
@@ -71,7 +93,12 @@ class TileTracer {
     float reach_m_;  // no query looks farther
     std::vector<RaySource> sources_;
     std::vector<float> origin_x_, origin_y_, origin_z_;  // by owner, as packets name them
+    const PointSets& points_;
+    RayDensity density_;
     RayBatch batch_;
+    std::optional<PointCells> cells_;  // the last ones
+    CellPackets cell_packets_;
+    std::vector<std::uint32_t> expected_;         // by owner, rays of what is being traced
     std::vector<std::uint32_t> blocked_;          // by owner
     const Occluders* large_triangles_ = nullptr;  // asked first, where it may pay
     EarlyOutPredictor predictor_;

@@ -5,7 +5,7 @@
 namespace aoscore {
 
 PointSets::PointSets(PointKind kind, int points)
-    : points_(static_cast<std::size_t>(points)), u_(kSets * points_), v_(kSets * points_) {
+    : kind_(kind), points_(static_cast<std::size_t>(points)), u_(kSets * points_), v_(kSets * points_) {
     for (std::size_t set = 0; set < kSets; ++set) {
         const std::uint64_t seeds = mix_bits(set);
         for (std::size_t i = 0; i < points_; ++i) {

@@ -22,12 +22,17 @@ class PointSets {
         const std::uint32_t* v;
     };
     Coordinates set(std::uint64_t bits) const {
-        const std::size_t begin = (bits % kSets) * points_;
+        const std::size_t begin = number(bits) * points_;
         return {&u_[begin], &v_[begin]};
     }
 
-  private:
     static constexpr std::size_t kSets = 16;
+    /// Which of them set(bits) is.
+    static std::size_t number(std::uint64_t bits) { return bits % kSets; }
+    PointKind kind() const { return kind_; }
+
+  private:
+    PointKind kind_;
     std::size_t points_;
     std::vector<std::uint32_t> u_, v_;
 };

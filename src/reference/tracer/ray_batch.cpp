@@ -2,6 +2,7 @@
 
 #include "core/sampling.h"
 #include "reference/integrator/vectorise.h"
+#include "reference/sampling/z_order.h"
 #include "reference/tracer/transpose.h"
 #include "reference/truth.h"
 
@@ -19,13 +20,6 @@ constexpr unsigned kCellBits = 5;
 constexpr int kCellsPerSide = 1 << kCellBits;
 constexpr std::size_t kCells = std::size_t{kCellsPerSide} * kCellsPerSide;
 
-/// Moves bit i to bit 2 i.
-inline std::uint32_t spread_bits(std::uint32_t x) {
-    x = (x | (x << 4)) & 0x0f0fu;
-    x = (x | (x << 2)) & 0x3333u;
-    return (x | (x << 1)) & 0x5555u;
-}
-
 /// The cell of a direction on the octahedral map (Cigolle et al., A Survey of Efficient Representations for
 /// Independent Unit Vectors, 2014). Only an order: it need not be exact, and both halves may share a fold.
 inline std::uint16_t direction_cell(float x, float y, float z) {
@@ -36,8 +30,7 @@ inline std::uint16_t direction_cell(float x, float y, float z) {
     constexpr float kHalf = kCellsPerSide / 2;
     const int i = std::min(static_cast<int>((z < 0 ? folded_a : a) * kHalf + kHalf), kCellsPerSide - 1);
     const int j = std::min(static_cast<int>((z < 0 ? folded_b : b) * kHalf + kHalf), kCellsPerSide - 1);
-    return static_cast<std::uint16_t>(spread_bits(static_cast<std::uint32_t>(i)) |
-                                      (spread_bits(static_cast<std::uint32_t>(j)) << 1));
+    return static_cast<std::uint16_t>(z_order(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)));
 }
 
 /// Consecutive points of a set, those of one pixel.
@@ -134,12 +127,6 @@ void RayBatch::add(const RaySource& source, std::size_t number, int first, int l
     const auto make = density_ == RayDensity::cosine ? make_cosine_directions : make_uniform_directions;
     make(points, source.frame, &rays_[size_], &cell_[size_]);
     size_ += points.count;
-    if (rays_of_.size() < owner + kBlocks) rays_of_.resize(owner + kBlocks);
-    for (int from = first; from < last;) {
-        const int to = std::min(last, (from / block + 1) * block);
-        rays_of_[owner + static_cast<std::size_t>(from / block)] += static_cast<std::uint32_t>(to - from);
-        from = to;
-    }
 }
 
 void RayBatch::sort() {

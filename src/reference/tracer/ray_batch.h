@@ -34,17 +34,12 @@ class RayBatch {
     explicit RayBatch(const PointSets& points, RayDensity density = RayDensity::cosine)
         : points_(points), density_(density) {}
 
-    void clear() {
-        size_ = 0;
-        rays_of_.clear();
-    }
+    void clear() { size_ = 0; }
     /// Samples [first, last) of source number `number`, in blocks of `block` samples, a power of two.
     void add(const RaySource& source, std::size_t number, int first, int last, int block);
     void sort();
 
     std::size_t size() const { return size_; }
-    /// How many count for the sum of that number, see DirectedRay.
-    std::uint32_t rays_of(std::size_t owner) const { return owner < rays_of_.size() ? rays_of_[owner] : 0; }
     /// In the order of add(), and sorted: there kPacket copies of the last one follow.
     const std::vector<DirectedRay>& rays() const { return rays_; }
     const DirectedRay* sorted() const { return sorted_.data(); }
@@ -57,7 +52,6 @@ class RayBatch {
     std::size_t size_ = 0;
     std::vector<DirectedRay> rays_, sorted_;
     std::vector<std::uint16_t> cell_;
-    std::vector<std::uint32_t> rays_of_;  // by owner
 };
 
 }  // namespace aoscore

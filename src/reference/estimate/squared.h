@@ -1,0 +1,9 @@
+#pragma once
+
+namespace aoscore {
+
+inline double squared(double x) {
+    return x * x;
+}
+
+}  // namespace aoscore
