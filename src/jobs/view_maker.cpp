@@ -256,7 +256,7 @@ CachedTruth ViewMaker::trace(TruthRequest request, const std::string& what) {
     request.build = reference.build();
     const TruthLabel label{scene_name(work_.scene), work_.view.id, work_.command};
     CachedTruth traced = trace_truth(work_.truth_cache, reference, request, label, what);
-    if (traced.origin != TruthOrigin::cached) rays_ += traced.truth.rays;
+    if (traced.origin != TruthOrigin::cached) rays_ += traced.truth.rays_now;
     return traced;
 }
 

@@ -66,7 +66,7 @@ struct ScoreGoal {
     bool every_metric = true;
 
     static constexpr double kOtherMetrics = 5;
-    /// The first number of rays a pixel, which is doubled until the goal is reached.
+    /// The first number of rays a pixel, then more until the goal is reached.
     static constexpr int kFirstSamples = 16;
 };
 

@@ -4,6 +4,8 @@
 #include "core/sampling.h"
 #include "results/ranked_value.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -12,6 +14,14 @@ namespace aoscore {
 namespace {
 
 /// Says why two views show different pictures; empty where they show the same.
+/// Rays a pixel from which on a truth that is not in halves leaves debiased errors as one in halves does: on
+/// cathedral/nave GTAO's debiased RMSE is .1338 .1407 .1434 .1442 .1443 .1444 at 4, 8, 16, 32, 64, 256 rays.
+constexpr int kFewRays = 64;
+
+bool debias_alike(const ViewRecord& view) {
+    return view.halves || view.samples >= kFewRays;
+}
+
 std::string difference(const ViewRecord& a, const ViewRecord& b) {
     if (a.scene_digest != b.scene_digest) return "the scene has changed";
     if (a.width != b.width || a.height != b.height) return "the images differ in size";
@@ -20,6 +30,13 @@ std::string difference(const ViewRecord& a, const ViewRecord& b) {
         return "the camera has changed";
     }
     if (a.radius_m != b.radius_m) return "the radius has changed";
+    if (a.samples != b.samples && !(debias_alike(a) && debias_alike(b))) {
+        return fmt::format(
+            "the truth had {} rays a pixel and has {} now, and errors of fewer than {} that are not in "
+            "halves "
+            "are debiased less well",
+            b.samples, a.samples, kFewRays);
+    }
     return {};
 }
 

@@ -242,6 +242,24 @@ TEST(Baseline, SaysThatAnotherRayTracerMadeItsTruths) {
     EXPECT_NE(other_truths(now, before), "");
 }
 
+TEST(Baseline, DoesNotCompareFewRaysThatAreNotInHalvesWithOtherNumbersOfRays) {
+    Results before = results_of({cell("v", "m", 0.2, 0.3)});
+    Results now = before;
+    before.views[0].samples = 16;
+    now.views[0].samples = 48;
+    now.views[0].halves = true;
+    EXPECT_EQ(against_baseline(now, before).changes[0].verdict, "not comparable");
+    EXPECT_EQ(against_baseline(before, now).changes[0].verdict, "not comparable");
+    before.views[0].halves = true;
+    EXPECT_EQ(against_baseline(now, before).changes[0].verdict, "same");
+    now.views[0].halves = before.views[0].halves = false;
+    now.views[0].samples = 256;
+    before.views[0].samples = 64;
+    EXPECT_EQ(against_baseline(now, before).changes[0].verdict, "same");
+    now.views[0].samples = before.views[0].samples = 16;
+    EXPECT_EQ(against_baseline(now, before).changes[0].verdict, "same");
+}
+
 TEST(Baseline, DoesNotCompareWhatShowsSomethingElse) {
     const Results before = results_of({cell("v", "m", 0.2, 0.3)});
     Results now = before;

@@ -31,15 +31,15 @@ std::string truth_noise_text(const Results& results, const ViewRecord& view) {
     }
     return fmt::format(
         "The truth of {} has {} rays a pixel in two independent halves: with 95 % confidence its noise moves "
-        "no debiased RMSE by more than {} and no MAE, bias, SSIM, MS-SSIM, FLIP or area of missing or false "
-        "occlusion by more than {}.",
+        "no debiased RMSE by more than {} and no other metric, nor area of missing or false occlusion, whose "
+        "noise is known by more than {}.",
         view.key, view.samples, bound_text(ranking), bound_text(others));
 }
 
 std::string first_answer_text(const Results& results) {
     if (std::ranges::all_of(results.views, &ViewRecord::final_answer)) return "";
     return "This page is the first answer of a run that goes on. The debiased RMSE and the order of the "
-           "ranking are final within their intervals. All other numbers become more exact with more rays. "
+           "ranking are known within their intervals. All other numbers become more exact with more rays. "
            "Those that few rays do not tell, such as SSIM, methods' errors against their own truths, and "
            "costs are not measured yet; the run then writes this page again.";
 }

@@ -139,6 +139,8 @@ void TileTracer::trace(std::span<const SampleRange> ranges) {
 
 void TileTracer::trace_by_cells(std::span<SampleRange> ranges) {
     if (points_.kind() != PointKind::scrambled_sobol) return;
+    // Distances of far rays take so long that packets which look a little apart cost more than sorting.
+    if (!only_occlusion_ && reach_m_ >= kShortReach * scene_.diagonal_m()) return;
     std::vector<std::size_t> active;
     for (std::size_t s = 0; s < ranges.size(); ++s) {
         if (ranges[s].last > ranges[s].first) active.push_back(s);
