@@ -94,10 +94,11 @@ std::string truth_settings_text(const ViewRecord& view, std::uint64_t seed) {
         view.max_error ? fmt::format("at least {} samples a pixel, then more until the standard error is {}",
                                      view.least_samples, short_text(*view.max_error))
         : view.score_error
-            ? fmt::format("{} samples a pixel, then more until the truth's noise leaves every RMSE within {}{}",
-                          view.least_samples, short_text(*view.score_error),
-                          view.final_answer ? " and every other metric within five times that"
-                                            : ", or the order of the ranking sure")
+            ? fmt::format(
+                  "{} samples a pixel, then more until the truth's noise leaves every RMSE within {}{}",
+                  view.least_samples, short_text(*view.score_error),
+                  view.final_answer ? " and every other metric within five times that"
+                                    : ", or the order of the ranking sure")
             : fmt::format("{} samples a pixel, without a bound on the error", view.least_samples);
     return fmt::format("seed {}, {}; integrator {}", seed, effort, view.integrator);
 }
