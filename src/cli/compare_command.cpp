@@ -182,9 +182,8 @@ CommandEntry add_compare_command(CLI::App& program, const GlobalOptions& global)
     app->add_option_function<std::string>(
            "--crop", [&request](const std::string& text) { request.crop = parse_crop(text); },
            "Compare this part of the truth alone: its left column and its top row, counted from 0 at the "
-           "upper "
-           "left corner of the truth (of EXR's display window), then its width and height in pixels; TEST "
-           "may be cropped to it already")
+           "upper left corner of the truth (of EXR's display window), then its width and height in pixels; "
+           "TEST may be cropped to it already")
         ->type_name("LEFT,TOP,WIDTH,HEIGHT");
     app->add_option("--mask", request.mask, "An image of the truth's size: pixels above 1/2 count");
     app->add_option("--mask-channel", request.mask_channel, "Of the mask [mask.Y, or the only one]");

@@ -137,9 +137,8 @@ void add_noise_in_areas(const MetricInput& input, double threshold, std::vector<
         warnings.push_back(fmt::format(
             "the --mask-threshold of {:.3g} is below the truth's noise, {:.3g} in the mean square: the areas "
             "of "
-            "missing and false occlusion are guesses to a large part, and are not said to be sure to any "
-            "width "
-            "where that is less than half of the noise; more rays or a larger threshold tell them",
+            "missing and false occlusion are uncertain, and below half of the noise nothing is stated of how "
+            "much; more rays or a larger threshold tell them",
             threshold, noise));
     if (threshold > 0) return;
     warnings.push_back(

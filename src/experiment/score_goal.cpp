@@ -5,6 +5,7 @@
 #include "core/rough_text.h"
 #include "metrics/intervals/mask_areas.h"
 #include "metrics/roles.h"
+#include "reference/sampling/sample_plan.h"
 #include "store/key.h"
 #include "store/truth/truth_cache.h"
 
@@ -23,7 +24,6 @@ namespace {
 /// The error that noise leaves falls with the rays N to about this power at best, as errors of scrambled
 /// points do: a goal that is out of reach at this rate is out of reach, and no other is refused.
 constexpr double kSlope = -0.75;
-constexpr double kDay_s = 86400;
 /// Beyond this a doubling was never seen to be enough, and its scores are spared.
 constexpr double kFar = 8;
 /// Up to this, a step of less than a doubling was seen to be enough.
@@ -122,8 +122,8 @@ ViewRun probe_of(const ViewRun& run) {
 void require_in_reach(const ScoreGoal& goal, double excess, int samples, double seconds,
                       const std::string& view) {
     const double times = std::pow(excess, 1 / -kSlope);
-    if (samples * times <= kMostSamples && seconds * times <= kDay_s) return;
-    const double most = std::min(double{kMostSamples} / samples, kDay_s / std::max(seconds, 1e-3));
+    if (samples * times <= kMostSamples && seconds * times <= kLongestTrace_s) return;
+    const double most = std::min(double{kMostSamples} / samples, kLongestTrace_s / std::max(seconds, 1e-3));
     throw usage_error(
         fmt::format("{}: a score error of {:g} takes {} rays a pixel and {} at least", view, goal.error,
                     rough_number(samples * times), rough_duration(seconds * times)),

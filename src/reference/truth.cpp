@@ -5,6 +5,7 @@
 #include "core/log.h"
 #include "core/progress.h"
 #include "core/rough_text.h"
+#include "core/stopwatch.h"
 #include "core/threads.h"
 #include "reference/integrator/error_forecast.h"
 #include "reference/integrator/flush_denormals.h"
@@ -22,7 +23,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -31,10 +31,6 @@
 
 namespace aoscore {
 namespace {
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 PrimaryHits hits_in(const RayTracer& scene, const CameraFrame& frame) {
     PrimaryHits found = empty_hits(frame.width(), frame.height());
@@ -129,7 +125,7 @@ struct TraceWork {
     /// A group of tiles, from what is there of them; adds the rays that it traced to `rays`.
     GroupState trace(std::span<const Tile> tiles, const GroupState& begun, std::uint64_t& rays) const {
         const FlushDenormals flush;
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         TileIntegrator integrator(scene, frame, queries, settings, points, judge);
         GroupState state;
         for (std::size_t i = 0; i < tiles.size(); ++i) {
@@ -144,7 +140,7 @@ struct TraceWork {
             state.tiles.push_back(integrator.trace(tiles[i], there, tried.seen));
             if (tried.seen != nullptr) *tried.seen = {};  // this was the last visit
         }
-        state.seconds = begun.seconds + seconds_since(start);
+        state.seconds = begun.seconds + watch.seconds();
         rays += integrator.rays();
         return state;
     }
@@ -250,7 +246,7 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
     }
     Progress progress(what, wanted.size());
     std::atomic<std::uint64_t> rays{work.pilot ? work.pilot->traced_rays() : 0};
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const auto bring = [&](std::size_t g) {
         if (store != nullptr && store->has(g)) {
             resolve_group(groups, g, store->load(g).tiles, frame, request, truth);
@@ -272,7 +268,7 @@ Truth ReferenceScene::trace(const CameraFrame& frame, const std::vector<TruthQue
     parallel_for(wanted.size(), [&](std::size_t i) {
         if (later[i] != 0) bring(wanted[i]);
     });
-    truth.seconds += seconds_since(start);
+    truth.seconds += watch.seconds();
     truth.rays_now = rays;
     count_samples(settings, truth);
     say_what_stopped_short(truth, settings, what);

@@ -346,7 +346,8 @@ struct ClaimRecord {
 
 /// The work of a run, and the work that it found done.
 struct WorkRecord {
-    std::uint64_t rays = 0;          ///< rays traced for truths
+    /// Rays traced for truths while these results were made, without those of a first answer before them.
+    std::uint64_t rays = 0;
     std::uint64_t gbuffers = 0;      ///< G-buffers drawn
     std::uint64_t passes = 0;        ///< passes of methods, filters and lighting drawn
     std::uint64_t compilations = 0;  ///< shader programs compiled

@@ -13,7 +13,6 @@
 namespace aoscore {
 namespace {
 
-/// Says why two views show different pictures; empty where they show the same.
 /// Rays a pixel from which on a truth that is not in halves leaves debiased errors as one in halves does: on
 /// cathedral/nave GTAO's debiased RMSE is .1338 .1407 .1434 .1442 .1443 .1444 at 4, 8, 16, 32, 64, 256 rays.
 constexpr int kFewRays = 64;
@@ -22,20 +21,22 @@ bool debias_alike(const ViewRecord& view) {
     return view.halves || view.samples >= kFewRays;
 }
 
-std::string difference(const ViewRecord& a, const ViewRecord& b) {
-    if (a.scene_digest != b.scene_digest) return "the scene has changed";
-    if (a.width != b.width || a.height != b.height) return "the images differ in size";
-    if (a.position_m != b.position_m || a.target_m != b.target_m || a.up != b.up ||
-        a.projection != b.projection || a.fovy_deg != b.fovy_deg || a.half_height_m != b.half_height_m) {
+/// Says why scores of two views cannot be compared; empty where they can.
+std::string difference(const ViewRecord& now, const ViewRecord& before) {
+    if (now.scene_digest != before.scene_digest) return "the scene has changed";
+    if (now.width != before.width || now.height != before.height) return "the images differ in size";
+    if (now.position_m != before.position_m || now.target_m != before.target_m || now.up != before.up ||
+        now.projection != before.projection || now.fovy_deg != before.fovy_deg ||
+        now.half_height_m != before.half_height_m) {
         return "the camera has changed";
     }
-    if (a.radius_m != b.radius_m) return "the radius has changed";
-    if (a.samples != b.samples && !(debias_alike(a) && debias_alike(b))) {
+    if (now.radius_m != before.radius_m) return "the radius has changed";
+    if (now.samples != before.samples && !(debias_alike(now) && debias_alike(before))) {
         return fmt::format(
-            "the truth had {} rays a pixel and has {} now, and errors of fewer than {} that are not in "
-            "halves "
-            "are debiased less well",
-            b.samples, a.samples, kFewRays);
+            "the truth had {} rays a pixel and now has {}; a truth that is not in halves debiases errors "
+            "alike "
+            "from {} on",
+            before.samples, now.samples, kFewRays);
     }
     return {};
 }

@@ -3,6 +3,7 @@
 #include "core/sampling.h"
 #include "reference/integrator/tile_tracer.h"
 #include "reference/test_scenes.h"
+#include "reference/tile_points.h"
 #include "reference/tracer/ray_tracer.h"
 
 #include <gtest/gtest.h>
@@ -15,17 +16,11 @@
 namespace aoscore {
 namespace {
 
-/// Two walls and a floor: hemispheres of three kinds in one tile, the fewest of them too few for packets.
+/// A floor and two walls: hemispheres of three kinds in one tile, the fewest of them too few for packets.
 std::vector<RaySource> points_of_a_corner(const RayTracer& scene) {
-    std::vector<RaySource> sources;
-    for (std::uint64_t i = 0; i < 64; ++i) {
-        const glm::dvec3 place(0.02 * static_cast<double>(i % 8), 1e-3, 0.02 * static_cast<double>(i / 8));
-        const glm::dvec3 normal = i < 27   ? glm::dvec3(0, 1, 0)
-                                  : i < 56 ? glm::dvec3(1, 0, 0)
-                                           : glm::dvec3(0, 0, 1);
-        sources.push_back({glm::vec3(place - scene.centre()), glm::mat3(frame_about(normal)), mix_bits(i)});
-    }
-    return sources;
+    return testing::tile_points(scene, [](std::uint64_t i) {
+        return i < 27 ? glm::dvec3(0, 1, 0) : i < 56 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
+    });
 }
 
 TEST(PointCells, HoldOnePointEachHoweverTheyAreShifted) {

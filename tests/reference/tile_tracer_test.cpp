@@ -1,7 +1,7 @@
 #include "reference/integrator/tile_tracer.h"
 
-#include "core/sampling.h"
 #include "reference/test_scenes.h"
+#include "reference/tile_points.h"
 #include "reference/tracer/ray_tracer.h"
 #include "reference/truth.h"
 
@@ -14,17 +14,6 @@
 namespace aoscore {
 namespace {
 
-/// Eight by eight points a little above the floor of testing::thicket(), in trace space.
-std::vector<RaySource> points_above_a_floor(const RayTracer& scene) {
-    std::vector<RaySource> sources;
-    for (std::uint64_t i = 0; i < 64; ++i) {
-        const glm::dvec3 place(0.02 * static_cast<double>(i % 8), 1e-3, 0.02 * static_cast<double>(i / 8));
-        sources.push_back(
-            {glm::vec3(place - scene.centre()), glm::mat3(frame_about({0, 1, 0})), mix_bits(i)});
-    }
-    return sources;
-}
-
 TEST(TileTracer, SumsOfAPixelDoNotDependOnThoseThatAreTracedWithIt) {
     const auto scene = new_ray_tracer(testing::thicket(), {});
     for (const double radius_m : {0.1 * scene->diagonal_m() / 2, double{INFINITY}}) {
@@ -33,7 +22,8 @@ TEST(TileTracer, SumsOfAPixelDoNotDependOnThoseThatAreTracedWithIt) {
             const std::vector<TruthQuery> queries = {{falloff, radius_m, 0}};
             const PointSets points(PointKind::scrambled_sobol, 2048);
             TileTracer together(*scene, queries, points, true), alone(*scene, queries, points, true);
-            const std::vector<RaySource> sources = points_above_a_floor(*scene);
+            const std::vector<RaySource> sources =
+                testing::tile_points(*scene, [](std::uint64_t) { return glm::dvec3(0, 1, 0); });
             together.start(sources);
             std::vector<SampleRange> ranges(sources.size(), {0, 64});
             together.trace(ranges);

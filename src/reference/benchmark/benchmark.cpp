@@ -185,7 +185,7 @@ void print_slopes(const ReferenceScene& reference, const Camera& camera, double 
 
 void add_rates(const ReplayRates& rates, const std::string& what, RatioTable& table) {
     const std::string packets = "bare Embree, the tracer's packets, " + what;
-    table.add(packets, rates.sorted, "million rays/s");
+    table.add(packets, rates.packets, "million rays/s");
     table.add("bare Embree, best plain order, " + what, rates.best_plain(), "million rays/s", packets);
     table.add("traced, " + what, rates.traced, "million rays/s", packets);
 }
@@ -208,8 +208,8 @@ void print_rates(const EmbreeScene& embree, const CameraFrame& frame, const Refe
                 "{:.1f}; traced / best of them {:.3f} | the very packets of the tracer {:.1f}; traced / that "
                 "{:.3f}\n",
                 radius_m, question == RayQuestion::occlusion ? "occlusion" : "distance ", rates.traced,
-                rates.single, rates.pixel, rates.block, rates.traced / rates.best_plain(), rates.sorted,
-                rates.traced / rates.sorted);
+                rates.single, rates.pixel, rates.block, rates.traced / rates.best_plain(), rates.packets,
+                rates.traced / rates.packets);
             std::fflush(stdout);
         }
     }

@@ -233,7 +233,7 @@ ReplayRates replay_rates(const EmbreeScene& scene, const CameraFrame& frame, dou
                 for (const RecordedTile& tile : part) replay(scene, tile.*rays, question);
             };
         };
-        time(rates.sorted, replayed(&RecordedTile::traced));
+        time(rates.packets, replayed(&RecordedTile::traced));
         time(rates.pixel, replayed(&RecordedTile::by_pixel));
         time(rates.block, replayed(&RecordedTile::by_block));
         time(rates.single, replayed(&RecordedTile::singles));

@@ -10,11 +10,11 @@ namespace aoscore {
 /// Million rays a second over the same random tiles of a picture, each the best of several runs: by processor
 /// time of all threads, so that what else the machine does counts little.
 struct ReplayRates {
-    double traced = 0;  ///< as truths are made: directions, order, tracing, sums
-    double single = 0;  ///< replay one by one
-    double pixel = 0;   ///< replay in packets of sixteen rays of one pixel, sorted by direction
-    double block = 0;   ///< replay in packets of 4x4 pixels at the same sample index
-    double sorted = 0;  ///< replay in the very packets in which truths are traced
+    double traced = 0;   ///< as truths are made: directions, order, tracing, sums
+    double single = 0;   ///< replay one by one
+    double pixel = 0;    ///< replay in packets of sixteen rays of one pixel, sorted by direction
+    double block = 0;    ///< replay in packets of 4x4 pixels at the same sample index
+    double packets = 0;  ///< replay in the very packets in which truths are traced
     /// Of the orders that need no tile: one by one, by pixel, by block.
     double best_plain() const;
     std::uint64_t rays = 0;

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "core/rough_text.h"
+#include "core/stopwatch.h"
 #include "core/threads.h"
 #include "reference/integrator/flush_denormals.h"
 #include "reference/integrator/tile_integrator.h"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 
 namespace aoscore {
@@ -22,13 +22,8 @@ namespace {
 constexpr std::size_t kTiles = 64;
 /// Rays that pixels get at most, and by how many times fewer the fall of their errors is measured.
 constexpr int kMostRays = 512, kFewer = 8;
-/// As errors fall at worst and at best: what lies outside is chance.
-constexpr double kFlattest = 0.4, kSteepest = 1;
 /// Of 100 pixels so many may take more rays than a pixel can have.
 constexpr double kMayStopShort = 0.01;
-/// What is called in reach by a few tiles is so by all.
-constexpr double kRoughly = 1.1;
-constexpr double kDay_s = 86400;
 
 /// Traces tiles with the same number of rays for all, going on from fewer.
 class FewTiles {
@@ -57,11 +52,11 @@ class FewTiles {
         parallel_for(tiles_.size(), [&](std::size_t i) {
             throw_if_interrupted();
             const FlushDenormals flush;
-            const auto start = std::chrono::steady_clock::now();
+            const Stopwatch watch;
             TileIntegrator integrator(scene_, frame_, queries_, even, points, judge_);
             states_[i] = integrator.trace(tiles_[i].tile, &states_[i]);
             rays += integrator.rays();
-            seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            seconds += watch.seconds();
         });
         if (rays > 0) seconds_per_ray_ = seconds / static_cast<double>(rays) / thread_count();
     }
@@ -122,7 +117,7 @@ ErrorForecast forecast_error(const ReachableScene& scene, const CameraFrame& fra
     ErrorForecast forecast;
     if (errors.empty()) return forecast;
     forecast.power = std::clamp(std::log(before / sum_of(errors)) / std::log(double(samples) / fewer),
-                                kFlattest, kSteepest);
+                                kFlattestFall, kSteepestFall);
     std::vector<double> rays;
     for (const double error : errors) {
         const double wanted = samples * std::pow(error / settings.max_error, 1 / forecast.power);
@@ -137,14 +132,15 @@ ErrorForecast forecast_error(const ReachableScene& scene, const CameraFrame& fra
 }
 
 void require_in_reach(const ErrorForecast& forecast, double max_error) {
-    const double excess = std::max(forecast.most_rays / kMostSamples, forecast.seconds / kDay_s);
+    const double excess = std::max(forecast.most_rays / kMostSamples, forecast.seconds / kLongestTrace_s);
     if (excess <= 1) return;
     throw usage_error(
         fmt::format("an error of {:g} in every pixel takes about {} rays a pixel, {} in some, and {}",
                     max_error, rough_number(forecast.rays_a_pixel), rough_number(forecast.most_rays),
                     rough_duration(forecast.seconds)),
         "--error",
-        fmt::format("{:.2g} or more on this view", kRoughly * max_error * std::pow(excess, forecast.power)));
+        fmt::format("{:.2g} or more on this view",
+                    kReachMargin * max_error * std::pow(excess, forecast.power)));
 }
 
 std::string forecast_text(const ErrorForecast& forecast, double max_error) {

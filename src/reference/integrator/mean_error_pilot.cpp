@@ -2,6 +2,7 @@
 
 #include "core/interrupt.h"
 #include "core/progress.h"
+#include "core/stopwatch.h"
 #include "core/threads.h"
 #include "reference/integrator/flush_denormals.h"
 #include "reference/sampling/point_sets.h"
@@ -9,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <numeric>
 #include <optional>
 
@@ -18,10 +18,6 @@ namespace {
 
 /// No measurement has more chunks of tiles: a store numbers them in turn.
 constexpr std::size_t kMostChunks = 1 << 24;
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 TruthSettings even_rays_alone(const TruthSettings& settings) {
     TruthSettings alone = settings;
@@ -79,7 +75,7 @@ PilotMeasure MeanErrorPilot::trace_first(std::size_t tiles, int samples) {
     }
     parallel_for(chunks, [&](std::size_t chunk) {
         const FlushDenormals flush;
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         const std::size_t begin = chunk * at_a_time, end = std::min(tiles, begin + at_a_time);
         const std::size_t number = measure * kMostChunks + chunk;
         GroupState group;
@@ -92,7 +88,7 @@ PilotMeasure MeanErrorPilot::trace_first(std::size_t tiles, int samples) {
                 group.tiles.push_back(integrator.trace(tiles_[i].tile, &states_[i], &seen_[i]));
             }
             traced_rays_ += integrator.rays();
-            group.seconds = seconds_since(start);
+            group.seconds = watch.seconds();
             if (store_ != nullptr) store_->keep(number, group);
         }
         seconds += group.seconds;

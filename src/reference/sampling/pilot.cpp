@@ -4,6 +4,7 @@
 #include "core/rough_text.h"
 #include "reference/estimate/pixel_spread.h"
 #include "reference/estimate/variance_fall.h"
+#include "reference/sampling/sample_plan.h"
 #include "reference/truth.h"
 
 #include <fmt/format.h>
@@ -29,8 +30,6 @@ constexpr double kAlike = 0.35;
 /// has not been measured.
 constexpr double kUsualRatio = 0.373;
 const double kUsualPower = -std::log2(std::sqrt(kUsualRatio));
-/// As they fall at worst and at best: what lies outside is chance.
-constexpr double kFlattest = 0.4, kSteepest = 1;
 /// From so many rays on pixels are proven open first, and what errors there are is less by a leap.
 constexpr int kProofsFrom = 64;
 /// With so many rays the few tiles tell how long it will take, but for a small factor.
@@ -52,9 +51,6 @@ constexpr double kStepOut = 1.3;
 constexpr int kSteps = 256;
 /// Standard deviations by which the few must be below to speak for all.
 constexpr double kSurely = 4;
-/// What is called in reach by a few tiles is so by all.
-constexpr double kRoughly = 1.1;
-constexpr double kDay_s = 86400;
 
 /// A mean error over all pixels of some tiles.
 struct MeanError {
@@ -160,7 +156,7 @@ class Search {
         // Less than an octave is seen through its steps.
         const double usual = usual_error(static_cast<int>(samples)) / usual_error(static_cast<int>(more));
         const double octaves = more < 2 * samples ? std::log(usual) / kUsualPower : std::log(more / samples);
-        power_ = std::clamp(std::log(error / less_error) / octaves, kFlattest, kSteepest);
+        power_ = std::clamp(std::log(error / less_error) / octaves, kFlattestFall, kSteepestFall);
     }
 
     /// Whether the rays that every pixel has at least are more than enough.
@@ -257,13 +253,13 @@ class Search {
 
     void require_in_reach() const {
         const double rays = wanted(), seconds = seconds_of(rays);
-        if (rays <= kMostSamples && seconds <= kDay_s) return;
-        const double most = std::min<double>(kMostSamples, rays * kDay_s / seconds);
+        if (rays <= kMostSamples && seconds <= kLongestTrace_s) return;
+        const double most = std::min<double>(kMostSamples, rays * kLongestTrace_s / seconds);
         throw usage_error(fmt::format("a mean error of {:g} takes about {} rays a pixel and {}", mean_error_,
                                       rough_number(rays), rough_duration(seconds)),
                           "--mean-error",
                           fmt::format("{:.2g} or more on this view",
-                                      kRoughly * mean_error_ * std::pow(rays / most, power_)));
+                                      kReachMargin * mean_error_ * std::pow(rays / most, power_)));
     }
 
     double mean_error_;

@@ -32,7 +32,7 @@ constexpr std::uint32_t word_number(std::uint64_t word) {
 /// of it, by the cells of the unit square in which they lie: squares or, where `size` is an odd power of two,
 /// rectangles twice as high as wide, of which each has one point (Owen, Randomly Permuted (t,m,s)-Nets and
 /// (t,s)-Sequences, 1995). Cells are counted along a Z-order curve, so that a digital shift of the points
-/// moves cell c to cell c ^ shifted_cell().
+/// moves cell c to cell c ^ cell(shift).
 class PointCells {
   public:
     PointCells(const PointSets& points, int first, int size);

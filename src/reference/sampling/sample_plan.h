@@ -11,6 +11,16 @@ inline constexpr int kFewestToTellError = 16;
 /// No standard error can be less, as float32 numbers, which truths are, round by as much.
 inline constexpr double kLeastError = 6e-8;
 
+/// A truth that takes longer is refused before it is traced.
+inline constexpr double kLongestTrace_s = 86400;
+
+/// Standard errors fall by a power of the rays between these two: what a few tiles tell beyond them is
+/// chance.
+inline constexpr double kFlattestFall = 0.4, kSteepestFall = 1;
+
+/// An error that a few tiles call in reach is stated so many times as large, so that it is in reach of all.
+inline constexpr double kReachMargin = 1.1;
+
 /// How many rays pixels get, round by round.
 class SamplePlan {
   public:

@@ -9,7 +9,7 @@
 namespace aoscore {
 namespace {
 
-/// The cosine of the widest angle between the axes of hemispheres that lie alike.
+/// The cosine of 16 degrees.
 constexpr float kAlike = 0.96f;
 
 }  // namespace

@@ -7,11 +7,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace aoscore {
 
-/// Whether hemispheres lie so much alike that the same part of each looks the same way.
+/// Whether the axes of two hemispheres, and the zeros of their azimuths, lie within 16 degrees of each other,
+/// so that the same part of each looks much the same way. Columns are unit, the third is the axis.
 bool lie_alike(const glm::mat3& a, const glm::mat3& b);
 
 /// The rays of neighbouring pixels whose hemispheres lie alike, in packets that need no sorting: the points
@@ -19,7 +19,7 @@ bool lie_alike(const glm::mat3& a, const glm::mat3& b);
 /// rays follow one after the other.
 class CellPackets {
   public:
-    /// So many pixels at most, and at least.
+    /// Pixels at least and at most.
     static constexpr std::size_t kLeast = kPacket, kMost = 2 * kPacket;
 
     /// Begins with no pixel. `cells` must outlive this. Blocks have `block` samples, a power of two.
@@ -29,10 +29,10 @@ class CellPackets {
     /// After the last pixel: at least kLeast.
     void close();
 
-    std::size_t pixels() const { return pixels_; }
+    /// Rays.
     std::size_t size() const { return pixels_ * static_cast<std::size_t>(cells_->size()); }
-    /// Writes the origins, directions and owners (as ids) of rays [first, first + kPacket) to a packet;
-    /// beyond the last ray there is one of its like.
+    /// Writes the origins, directions and owners (as ids) of rays [first, first + kPacket) to a packet. Lanes
+    /// beyond the last ray repeat rays of the last cell.
     void fill(RayPacket& packet, std::size_t first) const;
 
   private:
