@@ -31,9 +31,9 @@ std::string truth_noise_text(const Results& results, const ViewRecord& view) {
     }
     return fmt::format(
         "The truth of {} has {} rays a pixel in two independent halves: with 95 % confidence its noise moves "
-        "no debiased RMSE by more than {}, and by no more than {} any other number on this page whose noise "
-        "is "
-        "known, areas of missing and false occlusion among them.",
+        "debiased RMSEs by {} at most, and the other numbers whose noise is known, areas of missing and "
+        "false "
+        "occlusion among them, by {} at most.",
         view.key, view.samples, bound_text(ranking), bound_text(others));
 }
 
