@@ -5,7 +5,6 @@
 #include "core/rough_text.h"
 #include "metrics/intervals/mask_areas.h"
 #include "metrics/roles.h"
-#include "reference/sampling/sample_plan.h"
 #include "store/key.h"
 #include "store/truth/truth_cache.h"
 

@@ -118,6 +118,8 @@ inline constexpr float kProvenError = 0x1p-24f;
 
 /// No pixel gets more rays than this, whatever its error.
 inline constexpr int kMostSamples = 1 << 20;
+/// A truth that takes longer is refused before it is traced.
+inline constexpr double kLongestTrace_s = 86400;
 
 /// The surface at each pixel centre: the same quantities as the rasterised G-buffer, for the camera contract.
 struct PrimaryHits {

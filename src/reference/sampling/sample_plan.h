@@ -11,9 +11,6 @@ inline constexpr int kFewestToTellError = 16;
 /// No standard error can be less, as float32 numbers, which truths are, round by as much.
 inline constexpr double kLeastError = 6e-8;
 
-/// A truth that takes longer is refused before it is traced.
-inline constexpr double kLongestTrace_s = 86400;
-
 /// Standard errors fall by a power of the rays between these two: what a few tiles tell beyond them is
 /// chance.
 inline constexpr double kFlattestFall = 0.4, kSteepestFall = 1;
